@@ -1,0 +1,64 @@
+#pragma once
+/// Error types of the program's edge; see docs/conventions.md for the exit codes they map to.
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace nilas {
+
+/// One fault in a scene or input file.
+struct Fault {
+  std::string file;
+  int line = 0;    ///< 1-based, 0 when the fault has no place
+  int column = 0;  ///< 1-based, 0 when unknown
+  std::string where;    ///< element or attribute path, e.g. "<vessel><mass value>"
+  std::string message;  ///< what was found, what is allowed, nearest name
+
+  /// "file:line:column: where: message"
+  std::string text() const;
+};
+
+/// Wrong input: every fault found, thrown together. Exit code 2.
+class SceneError : public std::runtime_error {
+ public:
+  explicit SceneError(std::vector<Fault> faults);
+  const std::vector<Fault>& faults() const { return faults_; }
+
+ private:
+  std::vector<Fault> faults_;
+};
+
+/// Wrong content of an input file or wrong usage, without a scene position. Exit code 2.
+class InputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A file that cannot be opened, read or written. Exit code 4.
+class FileError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The numerics failed (a body left finite numbers, a solver stopped under on_failure="stop"). Exit code 3.
+class SimulationError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A broken contract between our own functions; a defect of the program.
+class ContractError : public std::logic_error {
+ public:
+  using std::logic_error::logic_error;
+};
+
+[[noreturn]] void contract_failed(const char* expression, const char* file, int line);
+
+/// Nearest of `candidates` to `word` by edit distance, or "" when none is close.
+std::string nearest_name(const std::string& word, const std::vector<std::string>& candidates);
+
+}  // namespace nilas
+
+/// Cheap check that stays on in every build; throws ContractError with expression and place.
+#define NILAS_DEMAND(expression) \
+  ((expression) ? void(0) : ::nilas::contract_failed(#expression, __FILE__, __LINE__))

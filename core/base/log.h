@@ -1,0 +1,29 @@
+#pragma once
+/// Logging: one logger per program run, handed to whoever speaks. Repeated warnings are counted and shown once.
+#include <map>
+#include <memory>
+#include <string>
+
+#include <spdlog/logger.h>
+
+namespace nilas {
+
+/// A logger that writes to the console (stderr) at `level` and, when `file` is not empty, everything to that file.
+/// Levels: trace debug info warn error off. Throws FileError when the file cannot be opened.
+std::shared_ptr<spdlog::logger> make_logger(const std::string& level, const std::string& file);
+
+/// Warnings by kind: the first of a kind is logged, all are counted.
+class WarningCounts {
+ public:
+  explicit WarningCounts(std::shared_ptr<spdlog::logger> logger) : logger_(std::move(logger)) {}
+  void warn(const std::string& kind, const std::string& message);
+  /// Logs how often each kind occurred beyond the first.
+  void summarise() const;
+  const std::map<std::string, long>& counts() const { return counts_; }
+
+ private:
+  std::shared_ptr<spdlog::logger> logger_;
+  std::map<std::string, long> counts_;
+};
+
+}  // namespace nilas

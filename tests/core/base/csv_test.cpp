@@ -1,0 +1,83 @@
+#include "core/base/csv.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "core/base/error.h"
+
+namespace nilas {
+namespace {
+
+class CsvTest : public testing::Test {
+ protected:
+  std::string write(const std::string& text) {
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    file_ = testing::TempDir() + "nilas_csv_" + info->name() + ".csv";
+    std::ofstream(file_, std::ios::binary) << text;
+    return file_;
+  }
+  /// The message of the InputError that reading `text` with columns a, b must give.
+  std::string fault(const std::string& text) {
+    try {
+      read_csv(write(text), {"alpha", "beta"});
+    } catch (const InputError& e) {
+      const std::string message = e.what();
+      EXPECT_EQ(message.rfind(file_, 0), 0U) << message;
+      return message.substr(file_.size());
+    }
+    ADD_FAILURE() << "accepted: " << text;
+    return "";
+  }
+  void TearDown() override { std::filesystem::remove(file_); }
+
+  std::string file_;
+};
+
+TEST_F(CsvTest, ReadsNumbersInTheOrderAskedFor) {
+  const auto table =
+      read_csv(write("\xEF\xBB\xBF# towing tank\r\n beta , alpha\r\n\r\n1e-3, -2.5\r\n+7,8\n"), {"alpha", "beta"});
+  ASSERT_EQ(table.rows.size(), 2U);
+  EXPECT_EQ(table.rows[0], (std::vector<double>{-2.5, 1e-3}));
+  EXPECT_EQ(table.rows[1], (std::vector<double>{8, 7}));
+  EXPECT_EQ(table.lines, (std::vector<int>{4, 5}));
+}
+
+TEST_F(CsvTest, LastLineNeedsNoEnd) {
+  EXPECT_EQ(read_csv(write("alpha,beta\n1,2"), {"alpha", "beta"}).rows.size(), 1U);
+}
+
+TEST_F(CsvTest, NamesThePlaceOfAFault) {
+  EXPECT_EQ(fault("alpha,beta\n1,x2\n"), ":2:3: 'x2' is no finite number");
+  EXPECT_EQ(fault("alpha,beta\n1,2\n\n3, 4 5\n"), ":4:4: '4 5' is no finite number");
+  EXPECT_EQ(fault("alpha,beta\n1,nan\n"), ":2:3: 'nan' is no finite number");
+  EXPECT_EQ(fault("alpha,beta\n1,1e999\n"), ":2:3: '1e999' is no finite number");
+  EXPECT_EQ(fault("alpha,beta\n1,\n"), ":2:3: '' is no finite number");
+}
+
+TEST_F(CsvTest, CountsFields) {
+  EXPECT_NE(fault("alpha,beta\n1,2,3\n").find(":2:5: found 3 fields, expected 2"), std::string::npos);
+  EXPECT_NE(fault("alpha,beta\n1\n").find(":2:1: found 1 fields, expected 2"), std::string::npos);
+}
+
+TEST_F(CsvTest, ChecksTheHeader) {
+  EXPECT_NE(fault("alpha,bata\n1,2\n").find(":1:7: unknown column 'bata'"), std::string::npos);
+  EXPECT_NE(fault("alpha,bata\n1,2\n").find("did you mean 'beta'?"), std::string::npos);
+  EXPECT_NE(fault("alpha,alpha\n1,2\n").find(":1:7: column 'alpha' stands twice"), std::string::npos);
+  EXPECT_NE(fault("alpha\n1\n").find(":1:1: column 'beta' is missing"), std::string::npos);
+  EXPECT_NE(fault("1,2\n").find(":1:1: unknown column '1'"), std::string::npos);
+}
+
+TEST_F(CsvTest, RefusesTablesWithoutRows) {
+  EXPECT_NE(fault("").find("empty; expected the header alpha,beta"), std::string::npos);
+  EXPECT_NE(fault("alpha,beta\n").find("no rows"), std::string::npos);
+}
+
+TEST_F(CsvTest, UnreadableFilesAreFileErrors) {
+  EXPECT_THROW(read_csv(testing::TempDir() + "nilas_no_such_file.csv", {"alpha"}), FileError);
+  EXPECT_THROW(read_csv(testing::TempDir(), {"alpha"}), FileError);
+}
+
+}  // namespace
+}  // namespace nilas

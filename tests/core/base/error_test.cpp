@@ -1,0 +1,51 @@
+#include "core/base/error.h"
+
+#include <gtest/gtest.h>
+
+namespace nilas {
+namespace {
+
+TEST(Fault, TextNamesWhatIsKnown) {
+  EXPECT_EQ((Fault{"a.xml", 3, 7, "<floe>", "is wrong"}.text()), "a.xml:3:7: <floe>: is wrong");
+  EXPECT_EQ((Fault{"a.xml", 3, 0, "<floe>", "is wrong"}.text()), "a.xml:3: <floe>: is wrong");
+  EXPECT_EQ((Fault{"a.xml", 0, 7, "", "is wrong"}.text()), "a.xml: is wrong");
+  EXPECT_EQ((Fault{"", 0, 0, "", "is wrong"}.text()), "is wrong");
+}
+
+TEST(SceneError, CarriesEveryFaultOneLineEach) {
+  const SceneError error({{"a.xml", 1, 2, "", "first"}, {"a.xml", 5, 1, "<step>", "second"}});
+  EXPECT_EQ(std::string(error.what()), "a.xml:1:2: first\na.xml:5:1: <step>: second");
+  ASSERT_EQ(error.faults().size(), 2u);
+  EXPECT_EQ(error.faults()[1].line, 5);
+}
+
+TEST(Demand, ThrowsWithExpressionAndPlace) {
+  NILAS_DEMAND(1 + 1 == 2);
+  try {
+    NILAS_DEMAND(1 + 1 == 3);
+    FAIL() << "did not throw";
+  } catch (const ContractError& e) {
+    const std::string text = e.what();
+    EXPECT_NE(text.find("1 + 1 == 3"), std::string::npos) << text;
+    EXPECT_NE(text.find("error_test.cpp:"), std::string::npos) << text;
+  }
+}
+
+TEST(NearestName, FindsSlipsOfTheFinger) {
+  const std::vector<std::string> names{"friction", "restitution", "velocity", "density", "mass"};
+  EXPECT_EQ(nearest_name("fricton", names), "friction");
+  EXPECT_EQ(nearest_name("veloctiy", names), "velocity");
+  EXPECT_EQ(nearest_name("desnity", names), "density");
+  EXPECT_EQ(nearest_name("mas", names), "mass");
+  EXPECT_EQ(nearest_name("mass", names), "mass");
+}
+
+TEST(NearestName, SaysNothingWhenNothingIsClose) {
+  EXPECT_EQ(nearest_name("draught", {"friction", "restitution"}), "");
+  EXPECT_EQ(nearest_name("mass", {}), "");
+}
+
+TEST(NearestName, TheFirstOfEquallyNearNamesWins) { EXPECT_EQ(nearest_name("bat", {"cat", "hat"}), "cat"); }
+
+}  // namespace
+}  // namespace nilas

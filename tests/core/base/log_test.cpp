@@ -1,0 +1,45 @@
+#include "core/base/log.h"
+
+#include <gtest/gtest.h>
+#include <spdlog/sinks/ostream_sink.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "core/base/error.h"
+
+namespace nilas {
+namespace {
+
+TEST(WarningCounts, TheFirstOfAKindIsShownAllAreCounted) {
+  std::ostringstream shown;
+  auto sink = std::make_shared<spdlog::sinks::ostream_sink_mt>(shown);
+  sink->set_pattern("%v");
+  WarningCounts warnings(std::make_shared<spdlog::logger>("test", sink));
+  warnings.warn("iterations", "solver stopped at t = 1 s");
+  warnings.warn("iterations", "solver stopped at t = 2 s");
+  warnings.warn("overlap", "floes overlap");
+  EXPECT_EQ(shown.str(), "solver stopped at t = 1 s\nfloes overlap\n");
+  EXPECT_EQ(warnings.counts(), (std::map<std::string, long>{{"iterations", 2}, {"overlap", 1}}));
+  shown.str("");
+  warnings.summarise();
+  EXPECT_EQ(shown.str(), "iterations: 2 times in all\n");
+}
+
+TEST(MakeLogger, WritesDetailsToTheFileAtAnyConsoleLevel) {
+  const auto file = std::filesystem::temp_directory_path() / ("nilas_log_" + std::to_string(::getpid()) + ".log");
+  make_logger("off", file.string())->debug("a detail");
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  EXPECT_NE(text.str().find("debug: a detail"), std::string::npos) << text.str();
+  std::filesystem::remove(file);
+}
+
+TEST(MakeLogger, AFileThatCannotBeOpenedIsAFileError) {
+  EXPECT_THROW(make_logger("off", "/dev/null/x.log"), FileError);
+}
+
+}  // namespace
+}  // namespace nilas

@@ -1,0 +1,31 @@
+#include "core/base/parallel.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace nilas {
+namespace {
+
+TEST(ParallelFor, EveryItemOnceAndTheSameBitsForAnyThreadCount) {
+  const auto run = [](int threads) {
+    std::vector<double> result(1001, 0);
+    parallel_for(static_cast<std::ptrdiff_t>(result.size()), threads, [&](std::ptrdiff_t i) {
+      result[static_cast<std::size_t>(i)] += std::sin(0.1 * static_cast<double>(i)) + 2;
+    });
+    return result;
+  };
+  const auto one = run(1);
+  for (std::size_t i = 0; i < one.size(); ++i) EXPECT_EQ(one[i], std::sin(0.1 * static_cast<double>(i)) + 2);
+  for (const int threads : {2, 3, 8}) EXPECT_EQ(run(threads), one);
+}
+
+TEST(ParallelFor, NothingToDo) {
+  int calls = 0;
+  parallel_for(0, 2, [&](std::ptrdiff_t) { ++calls; });
+  EXPECT_EQ(calls, 0);
+}
+
+}  // namespace
+}  // namespace nilas
