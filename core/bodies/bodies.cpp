@@ -1,0 +1,56 @@
+#include "core/bodies/bodies.h"
+
+#include <cmath>
+
+#include "core/base/error.h"
+
+namespace nilas {
+
+int Bodies::add(const BodySpec& spec) {
+  NILAS_DEMAND(spec.shape != nullptr);
+  NILAS_DEMAND(spec.pose.p.allFinite() && spec.pose.q.coeffs().allFinite() && spec.pose.q.norm() > 0);
+  NILAS_DEMAND(spec.v.allFinite() && spec.w.allFinite());
+  const bool moves = spec.motion != Motion::fixed;
+  NILAS_DEMAND(std::isfinite(spec.mass) && (!moves || spec.mass > 0));
+  NILAS_DEMAND(spec.inertia_B.allFinite() && (!moves || physically_valid_inertia(spec.inertia_B)));
+  id.push_back(id.empty() ? 1 : id.back() + 1);
+  name.push_back(spec.name);
+  kind.push_back(spec.kind);
+  motion.push_back(spec.motion);
+  material.push_back(spec.material);
+  shape.push_back(spec.shape);
+  mass.push_back(spec.mass);
+  inertia_B.push_back(spec.inertia_B);
+  inertia_inverse_B.push_back(moves ? Mat3(spec.inertia_B.inverse()) : Mat3(Mat3::Zero()));
+  p_GB.push_back(spec.pose.p);
+  q_GB.push_back(spec.pose.q);
+  R_GB.push_back(Mat3::Identity());
+  v_GB.push_back(spec.v);
+  w_GB.push_back(spec.w);
+  set_pose(size() - 1, spec.pose.p, spec.pose.q);
+  return size() - 1;
+}
+
+void Bodies::set_pose(int b, const Vec3& p, const Quat& q) {
+  const auto k = static_cast<std::size_t>(b);
+  p_GB[k] = p;
+  q_GB[k] = q.normalized();
+  R_GB[k] = q_GB[k].toRotationMatrix();
+}
+
+Mat3 Bodies::inertia_G(int b) const {
+  const auto k = static_cast<std::size_t>(b);
+  return R_GB[k] * inertia_B[k] * R_GB[k].transpose();
+}
+
+Mat3 Bodies::inertia_inverse_G(int b) const {
+  const auto k = static_cast<std::size_t>(b);
+  return R_GB[k] * inertia_inverse_B[k] * R_GB[k].transpose();
+}
+
+Vec3 Bodies::velocity_at(int b, const Vec3& point_G) const {
+  const auto k = static_cast<std::size_t>(b);
+  return v_GB[k] + w_GB[k].cross(point_G - p_GB[k]);
+}
+
+}  // namespace nilas

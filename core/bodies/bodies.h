@@ -1,0 +1,61 @@
+#pragma once
+/// All rigid bodies of a scene in arrays. The index of a body is its place in the arrays; ids grow with the index and
+/// never repeat. The vessel is one entry whose motion comes from core/vessel.
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/math.h"
+#include "core/bodies/mass_properties.h"
+#include "core/bodies/shape.h"
+
+namespace nilas {
+
+enum class BodyKind { floe, rigid, wall, vessel };
+/// free: six degrees of freedom here; fixed: never moves; articulated: moved by the vessel system.
+enum class Motion { free, fixed, articulated };
+
+/// One body before it joins the arrays.
+struct BodySpec {
+  std::string name;
+  BodyKind kind = BodyKind::rigid;
+  Motion motion = Motion::free;
+  std::string material = "structure";
+  std::shared_ptr<const Shape> shape;  ///< about the centre of mass
+  double mass = 0;                     ///< [kg]
+  Mat3 inertia_B = Mat3::Identity();   ///< about the centre of mass [kg m^2]
+  Pose pose;                           ///< of the centre of mass in G
+  Vec3 v = Vec3::Zero();               ///< of the centre of mass [m/s]
+  Vec3 w = Vec3::Zero();               ///< angular velocity in G [rad/s]
+};
+
+struct Bodies {
+  std::vector<std::int64_t> id;
+  std::vector<std::string> name;
+  std::vector<BodyKind> kind;
+  std::vector<Motion> motion;
+  std::vector<std::string> material;
+  std::vector<std::shared_ptr<const Shape>> shape;
+  std::vector<double> mass;             ///< [kg]
+  std::vector<Mat3> inertia_B;          ///< about the centre of mass, body axes [kg m^2]
+  std::vector<Mat3> inertia_inverse_B;  ///< zero for a fixed body [1/(kg m^2)]
+  std::vector<Vec3> p_GB;               ///< centre of mass [m]
+  std::vector<Quat> q_GB;               ///< unit
+  std::vector<Mat3> R_GB;               ///< rotation matrix of q_GB, kept in step by set_pose
+  std::vector<Vec3> v_GB;               ///< of the centre of mass [m/s]
+  std::vector<Vec3> w_GB;               ///< in G [rad/s]
+
+  int size() const { return static_cast<int>(id.size()); }
+  bool is_free(int b) const { return motion[static_cast<std::size_t>(b)] == Motion::free; }
+  /// Appends a body, returns its index; the id is the next unused one, from 1. Throws ContractError when the shape is
+  /// missing, a number is not finite, or a body that moves has no positive mass and physically valid inertia.
+  int add(const BodySpec& spec);
+  /// Sets pose and the rotation matrix that belongs to it; q need not be exactly unit, it is normalised.
+  void set_pose(int b, const Vec3& p, const Quat& q);
+  Mat3 inertia_G(int b) const;                         ///< R I R^T
+  Mat3 inertia_inverse_G(int b) const;                 ///< R I^-1 R^T
+  Vec3 velocity_at(int b, const Vec3& point_G) const;  ///< of the body point now at point_G [m/s]
+};
+
+}  // namespace nilas

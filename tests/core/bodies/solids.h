@@ -1,0 +1,99 @@
+#pragma once
+/// Solids and outlines with known answers, shared by the tests of this folder.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include "core/base/random.h"
+#include "core/bodies/mass_properties.h"
+#include "core/bodies/mesh.h"
+
+namespace nilas {
+
+inline const std::vector<Vec2>& l_outline() {
+  static const std::vector<Vec2> outline{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 4}, {0, 4}};
+  return outline;
+}
+
+inline std::vector<Vec2> about_centroid(std::vector<Vec2> outline) {
+  const Vec2 centroid = polygon_moments(outline).centroid;
+  for (auto& p : outline) p -= centroid;
+  return outline;
+}
+
+/// Regular star of `arms` arms: vertices alternate between the two radii.
+inline std::vector<Vec2> star_outline(int arms, double outer, double inner) {
+  std::vector<Vec2> outline;
+  for (int i = 0; i < 2 * arms; ++i) {
+    const double r = i % 2 == 0 ? outer : inner, angle = k_pi * i / arms;
+    outline.emplace_back(r * std::cos(angle), r * std::sin(angle));
+  }
+  return outline;
+}
+
+/// Simple polygon seen whole from the origin: sorted random angles, random radii.
+inline std::vector<Vec2> random_star_polygon(RandomStream& random) {
+  const int n = 4 + static_cast<int>(random.uniform(0, 27));
+  std::vector<double> angles;
+  for (int i = 0; i < n; ++i) angles.push_back(2 * k_pi * (i + random.uniform(0.0, 0.9)) / n);
+  std::vector<Vec2> outline;
+  for (const double angle : angles) {
+    const double r = random.uniform(0.2, 1.0);
+    outline.emplace_back(r * std::cos(angle), r * std::sin(angle));
+  }
+  return outline;
+}
+
+inline TriangleMesh tetrahedron(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  TriangleMesh mesh{{a, b, c, d}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+  if (signed_volume(mesh) < 0)
+    for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+  return mesh;
+}
+
+/// Each triangle cut into four; points on shared edges stay shared.
+inline TriangleMesh subdivided(const TriangleMesh& mesh) {
+  TriangleMesh fine{mesh.vertices, {}};
+  std::map<std::pair<int, int>, int> middles;
+  const auto middle = [&](int a, int b) {
+    const auto [found, fresh] = middles.try_emplace(std::minmax(a, b), static_cast<int>(fine.vertices.size()));
+    if (fresh)
+      fine.vertices.push_back(
+          0.5 * (mesh.vertices[static_cast<std::size_t>(a)] + mesh.vertices[static_cast<std::size_t>(b)]));
+    return found->second;
+  };
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const int ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+    fine.triangles.insert(fine.triangles.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+  }
+  return fine;
+}
+
+inline TriangleMesh octahedron() {
+  return {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}},
+          {{0, 1, 2}, {1, 3, 2}, {3, 4, 2}, {4, 0, 2}, {1, 0, 5}, {3, 1, 5}, {4, 3, 5}, {0, 4, 5}}};
+}
+
+/// 8 * 4^levels triangles on the sphere about the origin.
+inline TriangleMesh sphere_mesh(double radius, int levels) {
+  TriangleMesh mesh = octahedron();
+  for (int level = 0; level < levels; ++level) {
+    mesh = subdivided(mesh);
+    for (auto& p : mesh.vertices) p.normalize();
+  }
+  for (auto& p : mesh.vertices) p *= radius;
+  return mesh;
+}
+
+inline TriangleMesh moved(TriangleMesh mesh, const Mat3& R, const Vec3& p) {
+  for (auto& x : mesh.vertices) x = R * x + p;
+  return mesh;
+}
+
+inline Quat random_attitude(RandomStream& random) {
+  const double w = random.normal(), x = random.normal(), y = random.normal(), z = random.normal();
+  return Quat(w, x, y, z).normalized();
+}
+
+}  // namespace nilas
