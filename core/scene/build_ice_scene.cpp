@@ -1,0 +1,81 @@
+#include <algorithm>
+
+#include "core/scene/attribute_values.h"
+#include "core/scene/build_scene.h"
+
+namespace nilas {
+
+static SizeScene build_size(const SceneElement& element) {
+  SizeScene size;
+  assign(size.distribution, element, "distribution");
+  assign(size.mean, element, "mean");
+  assign(size.sd, element, "sd");
+  assign(size.min, element, "min");
+  assign(size.max, element, "max");
+  assign(size.exponent, element, "exponent");
+  return size;
+}
+
+static ShapeScene build_shape(const SceneElement& element) {
+  ShapeScene shape;
+  assign(shape.kind, element, "kind");
+  if (const auto vertices = numbers_of(element, "vertices")) {
+    shape.vertices_min = static_cast<int>(vertices->at(0));
+    shape.vertices_max = static_cast<int>(vertices->at(1));
+  }
+  assign(shape.aspect, element, "aspect");
+  return shape;
+}
+
+/// What a field and a single floe share.
+template <class IceElement>
+static void build_placement(IceElement& target, const SceneElement& element) {
+  assign(target.fixed, element, "fixed");
+  assign(target.velocity, element, "velocity");
+  assign(target.z, element, "z");
+  assign(target.thickness, element, "thickness");
+  assign(target.breakable, element, "breakable");
+}
+
+static FieldScene build_field(const SceneElement& element) {
+  FieldScene field;
+  assign(field.kind, element, "kind");
+  if (const auto region = numbers_of(element, "region")) std::copy_n(region->begin(), 4, field.region.begin());
+  assign(field.concentration, element, "concentration");
+  assign(field.overlap_tolerance, element, "overlap_tolerance");
+  assign(field.rows, element, "rows");
+  assign(field.columns, element, "columns");
+  assign(field.gap, element, "gap");
+  assign(field.stagger, element, "stagger");
+  assign(field.shear_deg, element, "shear_deg");
+  assign(field.file, element, "file");
+  build_placement(field, element);
+  if (const auto* size = child_of(element, "size")) field.size = build_size(*size);
+  if (const auto* shape = child_of(element, "shape")) field.shape = build_shape(*shape);
+  return field;
+}
+
+static FloeScene build_floe(const SceneElement& element) {
+  FloeScene floe;
+  floe.line = element.place.line;
+  assign(floe.name, element, "name");
+  const auto outline = numbers_of(element, "outline").value_or(std::vector<double>{});
+  for (std::size_t i = 0; i + 1 < outline.size(); i += 2) floe.outline.emplace_back(outline[i], outline[i + 1]);
+  build_placement(floe, element);
+  return floe;
+}
+
+IceScene build_ice_scene(const SceneElement& element) {
+  IceScene ice;
+  assign(ice.density, element, "density");
+  assign(ice.youngs_modulus, element, "youngs_modulus");
+  assign(ice.poisson, element, "poisson");
+  assign(ice.thickness, element, "thickness");
+  for (const auto& child : element.children) {
+    if (child.name == "field") ice.fields.push_back(build_field(child));
+    if (child.name == "floe") ice.floes.push_back(build_floe(child));
+  }
+  return ice;
+}
+
+}  // namespace nilas

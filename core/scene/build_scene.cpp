@@ -1,0 +1,136 @@
+#include "core/scene/build_scene.h"
+
+#include "core/scene/attribute_values.h"
+
+namespace nilas {
+
+static FrictionScene build_friction(const SceneElement& element) {
+  FrictionScene friction;
+  const auto materials = words_of(element, "between");
+  friction.material_a = materials.at(0);
+  friction.material_b = materials.at(1);
+  assign(friction.static_, element, "static");
+  assign(friction.kinetic, element, "kinetic");
+  assign(friction.restitution, element, "restitution");
+  return friction;
+}
+
+static ContactScene build_contact(const SceneElement& element) {
+  ContactScene contact;
+  assign(contact.preset, element, "preset");
+  assign(contact.law, element, "law");
+  assign(contact.solver, element, "solver");
+  assign(contact.tolerance, element, "tolerance");
+  assign(contact.max_iterations, element, "max_iterations");
+  assign(contact.on_failure, element, "on_failure");
+  assign(contact.warm_start, element, "warm_start");
+  assign(contact.axes_deg, element, "axes_deg");
+  assign(contact.integrator, element, "integrator");
+  assign(contact.theta, element, "theta");
+  assign(contact.gyroscopic, element, "gyroscopic");
+  assign(contact.detection, element, "detection");
+  assign(contact.margin, element, "margin");
+  assign(contact.stabilisation, element, "stabilisation");
+  assign(contact.erp, element, "erp");
+  assign(contact.slop, element, "slop");
+  assign(contact.max_speed, element, "max_speed");
+  for (const auto& child : element.children) contact.friction.push_back(build_friction(child));
+  return contact;
+}
+
+static WaterScene build_water(const SceneElement& element) {
+  WaterScene water;
+  assign(water.density, element, "density");
+  assign(water.level, element, "level");
+  if (const auto* current = child_of(element, "current"))
+    assign(water.current.emplace().velocity, *current, "velocity");
+  return water;
+}
+
+static HydroScene build_hydro(const SceneElement& element) {
+  HydroScene hydro;
+  hydro.buoyancy = child_of(element, "buoyancy") != nullptr;
+  if (const auto* drag = child_of(element, "drag")) {
+    hydro.drag.emplace();
+    assign(hydro.drag->form, *drag, "form");
+    assign(hydro.drag->skin, *drag, "skin");
+  }
+  if (const auto* drag = child_of(element, "virtual_drag")) {
+    hydro.virtual_drag.emplace();
+    assign(hydro.virtual_drag->coefficient, *drag, "coefficient");
+    assign(hydro.virtual_drag->velocity, *drag, "velocity");
+  }
+  return hydro;
+}
+
+static TankScene build_tank(const SceneElement& element) {
+  TankScene tank;
+  assign(tank.length, element, "length");
+  assign(tank.width, element, "width");
+  assign(tank.depth, element, "depth");
+  assign(tank.wall_thickness, element, "wall_thickness");
+  assign(tank.floor, element, "floor");
+  return tank;
+}
+
+static BodyScene build_body(const SceneElement& element) {
+  BodyScene body;
+  body.line = element.place.line;
+  assign(body.name, element, "name");
+  assign(body.shape, element, "shape");
+  assign(body.size, element, "size");
+  assign(body.radius, element, "radius");
+  assign(body.height, element, "height");
+  assign(body.mesh, element, "mesh");
+  assign(body.material, element, "material");
+  assign(body.mass, element, "mass");
+  assign(body.density, element, "density");
+  assign(body.inertia, element, "inertia");
+  assign(body.fixed, element, "fixed");
+  assign(body.position, element, "position");
+  assign(body.rotation_deg, element, "rotation_deg");
+  assign(body.velocity, element, "velocity");
+  assign(body.angular_velocity, element, "angular_velocity");
+  return body;
+}
+
+static OutputScene build_output(const SceneElement& element) {
+  OutputScene output;
+  assign(output.folder, element, "folder");
+  assign(output.trajectory_every, element, "trajectory_every");
+  assign(output.contacts, element, "contacts");
+  assign(output.problems, element, "problems");
+  assign(output.checkpoint_every, element, "checkpoint_every");
+  assign(output.bodies, element, "bodies");
+  return output;
+}
+
+static void build_time(TimeScene& time, const SceneElement& element) {
+  assign(time.step, element, "step");
+  assign(time.start, element, "start");
+  assign(time.end, element, "end");
+}
+
+static void build_element(Scene& scene, const SceneElement& element) {
+  const std::string& name = element.name;
+  if (name == "time") build_time(scene.time, element);
+  if (name == "gravity") assign(scene.gravity, element, "value");
+  if (name == "seed") scene.seed = static_cast<std::uint64_t>(number_of(element, "value").value());
+  if (name == "contact") scene.contact = build_contact(element);
+  if (name == "water") scene.water = build_water(element);
+  if (name == "hydro") scene.hydro = build_hydro(element);
+  if (name == "tank") scene.tank = build_tank(element);
+  if (name == "vessel") scene.vessel = build_vessel_scene(element);
+  if (name == "ice") scene.ice = build_ice_scene(element);
+  if (name == "body") scene.bodies.push_back(build_body(element));
+  if (name == "output") scene.output = build_output(element);
+}
+
+Scene build_scene(const SceneElement& root) {
+  Scene scene;
+  assign(scene.name, root, "name");
+  for (const auto& element : root.children) build_element(scene, element);
+  return scene;
+}
+
+}  // namespace nilas

@@ -1,0 +1,14 @@
+#pragma once
+/// From a checked and resolved tree to the plain values of a Scene.
+#include "core/scene/document.h"
+#include "core/scene/scene.h"
+
+namespace nilas {
+
+/// Everything but file, notes and as_run.
+Scene build_scene(const SceneElement& root);
+
+VesselScene build_vessel_scene(const SceneElement& vessel);
+IceScene build_ice_scene(const SceneElement& ice);
+
+}  // namespace nilas

@@ -1,0 +1,54 @@
+#include <algorithm>
+#include <map>
+
+#include "core/scene/attribute_values.h"
+#include "core/scene/cross_checks.h"
+#include "core/scene/values.h"
+
+namespace nilas {
+
+static std::vector<std::string> known_materials(const SceneElement& root) {
+  std::vector<std::string> names{"ice", "hull", "wall", "structure", "*"};
+  for (const auto& element : root.children)
+    if (element.name == "body")
+      for (const auto& material : words_of(element, "material")) names.push_back(material);
+  return names;
+}
+
+static void check_coefficients(const SceneElement& friction, std::vector<Fault>& faults) {
+  if (!is_named(friction, "static") && !is_named(friction, "kinetic"))
+    faults.push_back(fault_of(friction, "static", "the attribute is missing; allowed: static, kinetic or both"));
+  const auto mu_s = number_of(friction, "static"), mu_k = number_of(friction, "kinetic");
+  if (!mu_s || !mu_k || *mu_s == *mu_k) return;
+  const std::string found = "found " + format_number(*mu_s) + " with kinetic " + format_number(*mu_k) + "; ";
+  if (*mu_s < *mu_k)
+    faults.push_back(fault_of(friction, "static", found + "allowed: not below the kinetic coefficient"));
+  else
+    faults.push_back(fault_of(friction, "static",
+                              found + "static friction above kinetic is not built in this version; give both the same "
+                                      "value"));
+}
+
+void check_friction(const SceneElement& root, const SceneElement& contact, std::vector<Fault>& faults) {
+  const auto known = known_materials(root);
+  std::map<std::vector<std::string>, int> line_of_pair;
+  for (const auto& friction : contact.children) {
+    check_coefficients(friction, faults);
+    auto pair = words_of(friction, "between");
+    if (pair.empty()) continue;
+    for (const auto& material : pair) {
+      if (std::count(known.begin(), known.end(), material) > 0) continue;
+      const std::string near = nearest_name(material, known);
+      faults.push_back(fault_of(friction, "between",
+                                "nothing in the scene is made of '" + material +
+                                    "'; allowed: ice, hull, wall, structure, * and the materials of bodies" +
+                                    (near.empty() ? "" : "; nearest: " + near)));
+    }
+    std::sort(pair.begin(), pair.end());
+    if (!line_of_pair.emplace(pair, friction.place.line).second)
+      faults.push_back(
+          fault_of(friction, "between", "the pair is already named in line " + std::to_string(line_of_pair[pair])));
+  }
+}
+
+}  // namespace nilas

@@ -1,0 +1,79 @@
+#include "core/scene/attribute_values.h"
+#include "core/scene/cross_checks.h"
+#include "core/scene/values.h"
+
+namespace nilas {
+
+static void check_placement(const SceneElement& element, std::vector<Fault>& faults) {
+  if (is_true(element, "fixed") && is_given_nonzero(element, "velocity"))
+    faults.push_back(fault_of(element, "velocity", "fixed ice does not move; allowed: 0 0 0"));
+}
+
+static void check_region(const SceneElement& field, std::vector<Fault>& faults) {
+  if (!is_named(field, "region"))
+    faults.push_back(fault_of(field, "region", "the attribute is missing; allowed: x0 y0 x1 y1 [m]"));
+  const auto region = numbers_of(field, "region");
+  if (!region) return;
+  const auto check = [&](std::size_t low, const char* name) {
+    const double a = region->at(low), b = region->at(low + 2);
+    if (!(b > a))
+      faults.push_back(fault_of(field, "region",
+                                std::string("found ") + name + "0 = " + format_number(a) + ", " + name +
+                                    "1 = " + format_number(b) + "; allowed: x0 < x1 and y0 < y1"));
+  };
+  check(0, "x");
+  check(1, "y");
+}
+
+static void check_source(const SceneElement& field, std::vector<Fault>& faults) {
+  const auto kind = text_of(field, "kind");
+  if (!kind) return;
+  if (*kind != "file") return check_region(field, faults);
+  if (!is_named(field, "file"))
+    faults.push_back(fault_of(field, "file", "the attribute is missing; allowed: the path of a GeoJSON file"));
+}
+
+/// Where both ends and the mean matter, they must be in order.
+static void check_size(const SceneElement& size, std::vector<Fault>& faults) {
+  const auto distribution = text_of(size, "distribution");
+  const auto mean = number_of(size, "mean"), min = number_of(size, "min"), max = number_of(size, "max");
+  if (!distribution || *distribution == "fixed" || !min || !max) return;
+  if (*max < *min)
+    faults.push_back(fault_of(
+        size, "max", "found " + format_number(*max) + "; allowed: at least min, >= " + format_number(*min) + " [m]"));
+  else if (*distribution == "lognormal" && mean && (*mean < *min || *mean > *max))
+    faults.push_back(fault_of(size, "mean",
+                              "found " + format_number(*mean) + "; allowed: from min to max, >= " +
+                                  format_number(*min) + " and <= " + format_number(*max) + " [m]"));
+}
+
+static void check_shape(const SceneElement& shape, std::vector<Fault>& faults) {
+  const auto vertices = numbers_of(shape, "vertices");
+  if (vertices && vertices->at(1) < vertices->at(0))
+    faults.push_back(fault_of(shape, "vertices", "found the fewest above the most; allowed: fewest most, as in 5 9"));
+}
+
+static void check_outline(const SceneElement& floe, std::vector<Fault>& faults) {
+  const auto outline = numbers_of(floe, "outline");
+  if (outline && outline->size() % 2 != 0)
+    faults.push_back(fault_of(
+        floe, "outline",
+        "found " + std::to_string(outline->size()) + " numbers; allowed: an even number of them, x y per corner"));
+}
+
+void check_ice(const SceneElement& ice, std::vector<Fault>& faults) {
+  for (const auto& child : ice.children) {
+    check_placement(child, faults);
+    if (child.name == "floe") {
+      check_outline(child, faults);
+      continue;
+    }
+    check_source(child, faults);
+    for (const auto& part : child.children) {
+      if (part.name == "size") check_size(part, faults);
+      if (part.name == "shape") check_shape(part, faults);
+    }
+  }
+}
+
+}  // namespace nilas

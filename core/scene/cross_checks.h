@@ -1,0 +1,21 @@
+#pragma once
+/// What the table cannot say: relations between the values of a scene. Each reports all it finds and passes over what
+/// is already known to be faulty.
+#include <vector>
+
+#include "core/scene/document.h"
+
+namespace nilas {
+
+/// All checks below, on a resolved tree.
+void cross_check(const SceneElement& root, std::vector<Fault>& faults);
+
+void check_vessel(const SceneElement& root, const SceneElement& vessel, std::vector<Fault>& faults);
+void check_ice(const SceneElement& ice, std::vector<Fault>& faults);
+void check_body(const SceneElement& body, std::vector<Fault>& faults);
+/// Pairs named once, of materials that exist, static friction not below (and in this version equal to) kinetic.
+void check_friction(const SceneElement& root, const SceneElement& contact, std::vector<Fault>& faults);
+/// An inertia tensor (xx yy zz xy xz yz) must be one that a mass distribution can have.
+void check_inertia(const SceneElement& element, std::vector<Fault>& faults);
+
+}  // namespace nilas

@@ -1,0 +1,126 @@
+#include "core/scene/input_files.h"
+
+#include <openssl/evp.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fstream>
+#include <functional>
+#include <memory>
+
+#include "core/scene/attribute_values.h"
+#include "core/scene/schema.h"
+
+namespace nilas {
+
+namespace fs = std::filesystem;
+
+static std::string hexadecimal(const unsigned char* bytes, unsigned count) {
+  static constexpr char k_digits[] = "0123456789abcdef";
+  std::string text;
+  for (unsigned i = 0; i < count; ++i) {
+    text += k_digits[bytes[i] >> 4U];
+    text += k_digits[bytes[i] & 0xFU];
+  }
+  return text;
+}
+
+std::string file_sha256(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw FileError("cannot open " + file.string());
+  const std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> context(EVP_MD_CTX_new(), EVP_MD_CTX_free);
+  NILAS_DEMAND(context && EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr) == 1);
+  std::array<char, 1 << 16> buffer{};
+  while (in.read(buffer.data(), buffer.size()) || in.gcount() > 0)
+    NILAS_DEMAND(EVP_DigestUpdate(context.get(), buffer.data(), static_cast<std::size_t>(in.gcount())) == 1);
+  if (in.bad()) throw FileError("cannot read " + file.string());
+  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+  unsigned size = 0;
+  NILAS_DEMAND(EVP_DigestFinal_ex(context.get(), digest.data(), &size) == 1);
+  return hexadecimal(digest.data(), size);
+}
+
+/// Calls for every attribute of the tree that names a file.
+static void for_each_path(const SceneElement& element,
+                          const std::function<void(const SceneElement&, const SceneAttribute&, ValueType)>& call) {
+  const ElementSpec& spec = *find_element(element.name);
+  for (const auto& attribute : element.attributes) {
+    const ValueType type = find_attribute(spec, attribute.name)->type;
+    if (attribute.valid && (type == ValueType::path || type == ValueType::hull)) call(element, attribute, type);
+  }
+  for (const auto& child : element.children) for_each_path(child, call);
+}
+
+static bool is_stl(const fs::path& path) {
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending == ".stl";
+}
+
+static std::string missing_text(const fs::path& path) { return "file not found: " + path.string(); }
+
+/// What is wrong with a hull folder or STL file; empty: nothing.
+static std::string hull_problem(const fs::path& path) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored))
+    return fs::is_regular_file(path / "fluid.stl", ignored) ? "" : missing_text(path / "fluid.stl");
+  if (!fs::is_regular_file(path, ignored)) return missing_text(path);
+  return is_stl(path) ? "" : "found " + path.string() + "; allowed: a hull folder or a file ending in .stl";
+}
+
+static std::string file_problem(const fs::path& path) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) return "found a folder: " + path.string() + "; allowed: a file";
+  return fs::is_regular_file(path, ignored) ? "" : missing_text(path);
+}
+
+static void check_unchanged(const SceneElement& input, std::vector<Fault>& faults) {
+  const auto recorded = text_of(input, "sha256");
+  if (!recorded) return;
+  const std::string now = file_sha256(*text_of(input, "file"));
+  if (now != *recorded)
+    faults.push_back(
+        fault_of(input, "sha256", "the file has changed: its SHA-256 is " + now + ", recorded is " + *recorded));
+}
+
+void check_files(const SceneElement& root, std::vector<Fault>& faults) {
+  for_each_path(root, [&](const SceneElement& element, const SceneAttribute& attribute, ValueType type) {
+    const std::string problem = type == ValueType::hull ? hull_problem(attribute.value) : file_problem(attribute.value);
+    if (!problem.empty())
+      faults.push_back(fault_of(element, attribute.name, problem));
+    else if (element.name == "input")
+      check_unchanged(element, faults);
+  });
+}
+
+/// Files of a hull folder that a run reads: fluid.stl, part-*.stl, hull.json, by name.
+static std::vector<fs::path> hull_files(const fs::path& path) {
+  if (!fs::is_directory(path)) return {path};
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(path)) {
+    const std::string name = entry.path().filename().string();
+    const bool part = name.rfind("part-", 0) == 0 && entry.path().extension() == ".stl";
+    if (part || name == "fluid.stl" || name == "hull.json") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<InputFile> input_files(const SceneElement& root) {
+  std::vector<InputFile> inputs;
+  const auto add = [&](const fs::path& file) {
+    const auto same = [&](const InputFile& input) { return input.path == file.string(); };
+    if (std::none_of(inputs.begin(), inputs.end(), same)) inputs.push_back({file.string(), file_sha256(file)});
+  };
+  for_each_path(root, [&](const SceneElement& element, const SceneAttribute& attribute, ValueType type) {
+    if (element.name == "input") return;
+    for (const auto& file :
+         type == ValueType::hull ? hull_files(attribute.value) : std::vector<fs::path>{attribute.value})
+      add(file);
+  });
+  return inputs;
+}
+
+}  // namespace nilas

@@ -1,0 +1,13 @@
+#pragma once
+/// --set PATH=VALUE, applied to the tree of a scene before it is checked.
+#include <vector>
+
+#include "core/scene/document.h"
+#include "core/scene/read_scene.h"
+
+namespace nilas {
+
+/// Sets each attribute; a missing optional element on the way is made. A path that leads nowhere becomes a fault.
+void apply_overrides(SceneElement& root, const Overrides& overrides, std::vector<Fault>& faults);
+
+}  // namespace nilas

@@ -1,0 +1,73 @@
+#include "core/scene/read_scene.h"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <tuple>
+
+#include "core/scene/build_scene.h"
+#include "core/scene/check_document.h"
+#include "core/scene/cross_checks.h"
+#include "core/scene/input_files.h"
+#include "core/scene/overrides.h"
+#include "core/scene/resolve.h"
+
+namespace nilas {
+
+static std::string read_text(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream content;
+  // A folder opens but does not read.
+  if (!in || std::filesystem::is_directory(file)) throw FileError("cannot open scene file " + file.string());
+  content << in.rdbuf();
+  if (in.bad()) throw FileError("cannot read scene file " + file.string());
+  std::string text = content.str();
+  const std::string byte_order_mark = "\xEF\xBB\xBF";
+  if (text.rfind(byte_order_mark, 0) == 0) text.erase(0, byte_order_mark.size());
+  return text;
+}
+
+static void check_root_name(SceneElement& root, std::vector<Fault>& faults) {
+  if (root.name == "scene") return;
+  faults.push_back(fault_of(root, "found <" + root.name + "> as the root; allowed: <scene>"));
+  // Only a misspelt scene is worth checking further.
+  if (nearest_name(root.name, {"scene"}).empty()) throw SceneError(faults);
+  root.name = "scene";
+}
+
+[[noreturn]] static void throw_sorted(std::vector<Fault> faults) {
+  const auto place = [](const Fault& f) { return std::tuple(f.line, f.column); };
+  std::stable_sort(faults.begin(), faults.end(), [&](const Fault& a, const Fault& b) { return place(a) < place(b); });
+  throw SceneError(std::move(faults));
+}
+
+/// The tree as it ran: resolved, with the input files and their hashes in place of those it may have recorded.
+static std::string as_run_text(SceneElement root) {
+  const auto inputs = input_files(root);
+  std::erase_if(root.children, [](const SceneElement& child) { return child.name == "input"; });
+  for (const auto& input : inputs) {
+    SceneElement& element = root.children.emplace_back(make_element("input", &root, root.place));
+    element.attributes = {{.name = "file", .value = input.path}, {.name = "sha256", .value = input.sha256}};
+  }
+  return write_document(root);
+}
+
+Scene read_scene(const std::filesystem::path& file, const Overrides& overrides) {
+  std::vector<Fault> faults;
+  std::vector<std::string> notes;
+  SceneElement root = parse_document(read_text(file), file.string());
+  check_root_name(root, faults);
+  apply_overrides(root, overrides, faults);
+  check_document(root, faults);
+  resolve_defaults(root, file, notes);
+  cross_check(root, faults);
+  check_files(root, faults);
+  if (!faults.empty()) throw_sorted(std::move(faults));
+  Scene scene = build_scene(root);
+  scene.file = file;
+  scene.notes = std::move(notes);
+  scene.as_run = as_run_text(std::move(root));
+  return scene;
+}
+
+}  // namespace nilas

@@ -1,0 +1,164 @@
+#include "core/scene/resolve.h"
+
+#include <algorithm>
+#include <map>
+
+#include "core/scene/attribute_values.h"
+#include "core/scene/schema.h"
+#include "core/scene/values.h"
+
+namespace nilas {
+
+namespace {
+
+/// What preset="seed-2014" puts in place of the defaults of <contact>.
+const std::map<std::string, std::string>& seed_2014() {
+  static const std::map<std::string, std::string> values{{"law", "pyramid"},
+                                                         {"solver", "pgs"},
+                                                         {"tolerance", "0"},
+                                                         {"max_iterations", "50"},
+                                                         {"stabilisation", "split-impulse"},
+                                                         {"detection", "discrete"},
+                                                         {"integrator", "semi-implicit-euler"},
+                                                         {"gyroscopic", "false"}};
+  return values;
+}
+
+/// The solver that auto means in this version.
+const std::string k_only_solver = "pgs";
+
+class Resolver {
+ public:
+  Resolver(const std::filesystem::path& file, std::vector<std::string>& notes)
+      : folder_(std::filesystem::absolute(file).parent_path()), stem_(file.stem().string()), notes_(notes) {}
+
+  void resolve(SceneElement& element) {
+    const ElementSpec& spec = *find_element(element.name);
+    if (!spec.remark.empty()) note(element.path, spec.remark);
+    for (auto& attribute : element.attributes)
+      if (attribute.valid) spell(attribute, *find_attribute(spec, attribute.name));
+    for (const auto& attribute : spec.attributes) add_default(element, attribute);
+    if (element.name == "contact") resolve_solver(element);
+    add_derived(element);
+    note_without_effect(element, spec);
+    sort_attributes(element, spec);
+    add_children(element);
+    for (auto& child : element.children) resolve(child);
+  }
+
+ private:
+  void note(const std::string& where, const std::string& text) { notes_.push_back(where + ": " + text + "."); }
+
+  void spell(SceneAttribute& attribute, const AttributeSpec& spec) const {
+    attribute.value = canonical_value(spec, attribute.value);
+    if (spec.type == ValueType::path || spec.type == ValueType::hull)
+      attribute.value = (folder_ / attribute.value).lexically_normal().string();
+  }
+
+  static void add(SceneElement& element, const std::string& name, const std::string& value) {
+    element.attributes.push_back({.name = name, .value = value, .place = element.place, .given = false});
+  }
+
+  void add_default(SceneElement& element, const AttributeSpec& spec) {
+    if (spec.default_value.empty() || attribute_of(element, spec.name) || !has_effect(element, spec.applies)) return;
+    if (const SceneAttribute* preset = attribute_of(element, "preset"); preset && preset->valid)
+      if (const auto set = seed_2014().find(spec.name); set != seed_2014().end())
+        return add(element, spec.name, set->second);
+    std::string value = spec.default_value;
+    if (is_not_built(spec, value)) {
+      note(where_of(element, spec.name),
+           "the default '" + value + "' is not built in this version; '" + spec.fallback + "' is used");
+      value = spec.fallback;
+    }
+    add(element, spec.name, canonical_value(spec, value));
+  }
+
+  void resolve_solver(SceneElement& contact) {
+    SceneAttribute* solver = attribute_of(contact, "solver");
+    if (!solver->valid || solver->value != "auto") return;
+    solver->value = k_only_solver;
+    note(where_of(contact, "solver"), "'auto' means '" + k_only_solver + "' in this version");
+  }
+
+  /// Defaults that depend on other attributes.
+  void add_derived(SceneElement& element) {
+    const auto absent = [&](const char* name) { return !attribute_of(element, name); };
+    const auto valid = [&](const char* name) {
+      const SceneAttribute* attribute = attribute_of(element, name);
+      return attribute && attribute->valid;
+    };
+    if (element.is_root && absent("name")) {
+      const bool usable = !value_problem(*find_attribute(*find_element("scene"), "name"), stem_);
+      add(element, "name", usable ? stem_ : "scene");
+    }
+    if (element.name == "friction") {
+      if (absent("static") && valid("kinetic")) add(element, "static", attribute_of(element, "kinetic")->value);
+      if (absent("kinetic") && valid("static")) add(element, "kinetic", attribute_of(element, "static")->value);
+    }
+    if (element.name == "body") {
+      ++num_bodies_;
+      if (absent("name")) add(element, "name", "body " + std::to_string(num_bodies_));
+      constexpr const char* k_default_density = "1000";  // [kg/m^3], of water
+      if (absent("mass") && absent("density")) add(element, "density", k_default_density);
+      const bool plane = valid("shape") && attribute_of(element, "shape")->value == "plane";
+      if (absent("fixed")) add(element, "fixed", plane ? "true" : "false");
+    }
+  }
+
+  /// True where the attribute that decides has one of the values, and where it is faulty.
+  static bool has_effect(const SceneElement& element, const Condition& condition) {
+    if (condition.values.empty()) return true;
+    const SceneAttribute* decides = attribute_of(element, condition.attribute);
+    if (!decides || !decides->valid) return true;
+    return std::count(condition.values.begin(), condition.values.end(), decides->value) > 0;
+  }
+
+  void note_without_effect(const SceneElement& element, const ElementSpec& spec) {
+    for (const auto& attribute : element.attributes) {
+      const Condition& condition = find_attribute(spec, attribute.name)->applies;
+      if (attribute.given && attribute.valid && !has_effect(element, condition))
+        note_condition(where_of(element, attribute.name), element, condition);
+    }
+    for (const auto& child : element.children) {
+      const Condition& condition = find_element(child.name)->applies;
+      if (!has_effect(element, condition)) note_condition(child.path, element, condition);
+    }
+    if (element.name != "carriage" || !child_of(element, "path")) return;
+    for (const char* attribute : {"speed", "heading_deg", "ramp"})
+      if (is_given_nonzero(element, attribute)) note(where_of(element, attribute), "no effect with <path>");
+  }
+
+  void note_condition(const std::string& where, const SceneElement& element, const Condition& condition) {
+    note(where,
+         "no effect with " + condition.attribute + " '" + attribute_of(element, condition.attribute)->value + "'");
+  }
+
+  static void sort_attributes(SceneElement& element, const ElementSpec& spec) {
+    const auto rank = [&](const SceneAttribute& attribute) { return find_attribute(spec, attribute.name); };
+    std::stable_sort(element.attributes.begin(), element.attributes.end(),
+                     [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  }
+
+  /// Elements whose absence means their defaults.
+  static void add_children(SceneElement& element) {
+    for (const auto* spec : children_of(element.name))
+      if (spec->always && !is_named(element, spec->name) && has_effect(element, spec->applies))
+        element.children.push_back(make_element(spec->name, &element, element.place));
+    const SceneElement* hydro = element.is_root ? child_of(element, "hydro") : nullptr;
+    if (hydro && (child_of(*hydro, "buoyancy") || child_of(*hydro, "drag")) && !is_named(element, "water"))
+      element.children.push_back(make_element("water", &element, hydro->place));
+  }
+
+  std::filesystem::path folder_;
+  std::string stem_;
+  std::vector<std::string>& notes_;
+  int num_bodies_ = 0;
+};
+
+}  // namespace
+
+void resolve_defaults(SceneElement& root, const std::filesystem::path& file, std::vector<std::string>& notes) {
+  Resolver(file, notes).resolve(root);
+}
+
+}  // namespace nilas

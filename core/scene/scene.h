@@ -1,0 +1,222 @@
+#pragma once
+/// A scene as plain values: what the XML said, with every default filled in. What is not named is an empty optional or
+/// list. The schema table (schema.h) gives each field its XML name, range, default and documentation.
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/math.h"
+
+namespace nilas {
+
+struct TimeScene {
+  double step = 0.01;  ///< [s]
+  double start = 0;    ///< [s]
+  double end = 10;     ///< [s]
+};
+
+struct FrictionScene {
+  std::string material_a = "*", material_b = "*";
+  double static_ = 0, kinetic = 0, rolling = 0, spinning = 0, restitution = 0;
+};
+
+struct ContactScene {
+  std::string law = "coulomb";
+  std::string solver = "auto";
+  double tolerance = 1e-6;  ///< law_map_m_s; 0: always max_iterations sweeps
+  int max_iterations = 1000;
+  std::string on_failure = "record";
+  std::string integrator = "moreau";
+  double theta = 0.5;
+  std::string stabilisation = "projection";
+  double erp = 0.2;        ///< share of the penetration removed per step
+  double slop = 0;         ///< penetration left alone [m]
+  double max_speed = 1.0;  ///< of the correction [m/s]
+  std::string detection = "continuous";
+  double margin = 0;  ///< gap within which contacts enter the problem [m]; 0: the fastest body's way in one step
+  bool gyroscopic = true;
+  double axes_deg = 0;  ///< turns the contact tangents about the normal
+  bool warm_start = true;
+  std::string preset;
+  std::vector<FrictionScene> friction;
+};
+
+struct CurrentScene {
+  Vec3 velocity = Vec3::Zero();
+  std::string profile;
+};
+struct WavesScene {
+  std::string kind = "regular";
+  double height = 0, period = 1, heading_deg = 0;
+};
+struct WaterScene {
+  double density = 1025, level = 0;
+  std::optional<CurrentScene> current;
+  std::optional<WavesScene> waves;
+};
+
+struct DragScene {
+  double form = 1.0, skin = 0.005;
+};
+struct AddedMassScene {
+  std::string model, file;
+};
+struct RadiationScene {
+  std::string model;
+};
+struct VirtualDragScene {
+  double coefficient = 0.1;
+  Vec3 velocity = Vec3::Zero();
+};
+struct HydroScene {
+  bool buoyancy = false;
+  std::optional<DragScene> drag;
+  std::optional<AddedMassScene> added_mass;
+  std::optional<RadiationScene> radiation;
+  std::optional<VirtualDragScene> virtual_drag;
+};
+
+struct TankScene {
+  double length = 10, width = 5, depth = 2, wall_thickness = 0.2;
+  bool floor = true;
+};
+
+struct MassScene {
+  std::optional<double> value;    ///< [kg]
+  std::optional<Vec3> cog;        ///< in V [m]
+  std::optional<Vec6> inertia;    ///< about the centre of mass in V: xx yy zz xy xz yz [kg m^2]
+  std::optional<double> draught;  ///< mass from the displaced volume [m]
+};
+struct ForceBalanceScene {
+  std::string kind = "rigid";
+  double stiffness = 1e7, damping = 1e4;
+  std::string layout;  ///< absolute path, or empty
+};
+struct CarriageScene {
+  double speed = 0, ramp = 0;
+  double heading_deg = 0;      ///< direction of motion in G
+  std::optional<Vec3> joint;   ///< in V [m]; default: the centre of mass
+  std::array<bool, 6> free{};  ///< surge sway heave roll pitch yaw
+  std::string path;            ///< absolute path, or empty
+  ForceBalanceScene balance;
+};
+/// <hull generate=...>: parameters of the generated form; unnamed ones keep the generator's defaults.
+struct HullGenerateScene {
+  std::string kind = "icebreaker";
+  std::map<std::string, double> parameters;  ///< by XML name: length, beam, stem_angle_deg, triangles ...
+};
+struct VesselScene {
+  std::string name = "ship";
+  std::string hull;  ///< absolute path, or empty when generated
+  std::optional<HullGenerateScene> generate;
+  Vec3 position = Vec3::Zero();  ///< of the origin of V
+  bool position_has_z = true;    ///< two numbers given: z from floating equilibrium
+  double heading_deg = 0;
+  Vec3 velocity = Vec3::Zero();          ///< free vessel, in G [m/s]
+  Vec3 angular_velocity = Vec3::Zero();  ///< free vessel, in G [rad/s]
+  MassScene mass;
+  bool fixed = false;
+  std::optional<CarriageScene> carriage;
+  std::string thrusters, mooring, control;  ///< named but not built yet when not empty
+};
+
+struct SizeScene {
+  std::string distribution = "lognormal";
+  double mean = 0.8, sd = 0.3, min = 0.3, max = 1.6, exponent = 1.5;
+};
+struct ShapeScene {
+  std::string kind = "polygon";
+  int vertices_min = 5, vertices_max = 9;
+  double aspect = 1.5;
+  std::string library;
+};
+struct FieldScene {
+  std::string kind = "packed";
+  std::array<double, 4> region{0, 0, 1, 1};  ///< x0 y0 x1 y1 [m]
+  double concentration = 0.8;
+  bool breakable = false;
+  double overlap_tolerance = 1e-3;
+  int rows = 1, columns = 1;
+  double gap = 0, shear_deg = 0;
+  bool stagger = false;
+  std::string file;  ///< absolute path of a GeoJSON field
+  bool fixed = false;
+  Vec3 velocity = Vec3::Zero();
+  double z = 0;  ///< offset from floating equilibrium [m]
+  std::optional<double> thickness;
+  SizeScene size;
+  ShapeScene shape;
+};
+struct FloeScene {
+  std::string name;
+  std::vector<Vec2> outline;  ///< in G [m]
+  bool fixed = false, breakable = false;
+  Vec3 velocity = Vec3::Zero();
+  double z = 0;
+  std::optional<double> thickness;
+  int line = 0;
+};
+struct VaryScene {
+  std::string property, distribution = "normal";
+  double cov = 0;
+};
+struct IceScene {
+  double density = 920, youngs_modulus = 6e7, poisson = 0.3, thickness = 0.04;
+  std::vector<FieldScene> fields;
+  std::vector<FloeScene> floes;
+  std::vector<VaryScene> vary;
+};
+
+struct BodyScene {
+  std::string name;
+  std::string shape = "box";  ///< box sphere cylinder plane mesh
+  Vec3 size = Vec3::Ones();
+  double radius = 0.5, height = 1;
+  std::string mesh;  ///< absolute path
+  std::optional<double> mass, density;
+  std::optional<Vec6> inertia;  ///< xx yy zz xy xz yz [kg m^2]
+  Vec3 position = Vec3::Zero();
+  Vec3 rotation_deg = Vec3::Zero();  ///< yaw pitch roll
+  Vec3 velocity = Vec3::Zero(), angular_velocity = Vec3::Zero();
+  bool fixed = false;
+  std::string material = "structure";
+  int line = 0;
+};
+
+struct OutputScene {
+  std::string folder;             ///< relative to the working directory; empty: runs/<scene>-<time>
+  double trajectory_every = 0.1;  ///< [s]; 0: none
+  std::string contacts = "none";
+  std::string problems = "never";
+  double checkpoint_every = 0;
+  std::optional<bool> bodies;  ///< default: on up to 200 bodies
+};
+
+/// An input file that the scene refers to, for the scene as run.
+struct InputFile {
+  std::string path, sha256;
+};
+
+struct Scene {
+  std::string name = "scene";
+  std::filesystem::path file;  ///< where it was read from
+  TimeScene time;
+  Vec3 gravity{0, 0, -9.81};
+  std::uint64_t seed = 1;
+  ContactScene contact;
+  std::optional<WaterScene> water;
+  std::optional<HydroScene> hydro;
+  std::optional<TankScene> tank;
+  std::optional<VesselScene> vessel;
+  std::optional<IceScene> ice;
+  bool fracture = false;
+  std::vector<BodyScene> bodies;
+  OutputScene output;
+  std::vector<std::string> notes;  ///< what the reader wants said once, e.g. a default that fell back to a built model
+  std::string as_run;              ///< the XML with every default and override written out
+};
+
+}  // namespace nilas

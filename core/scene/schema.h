@@ -1,0 +1,93 @@
+#pragma once
+/// The one table of the scene file: every element and attribute with type, unit, range, default and documentation.
+/// From it come the reader's checks, the XML schema (XSD), the scene reference and the validity of --set paths.
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace nilas {
+
+/// number and integer: `min_count`..`max_count` of them, blank-separated. words: blank-separated words, from `choices`
+/// where there are any. name: a label without quotes, separators and slashes. path: a file. hull: a hull folder or an
+/// STL file. Paths are relative to the scene file's folder.
+enum class ValueType { number, integer, boolean, text, name, words, choice, path, hull };
+
+/// How many of a child its parent may hold.
+enum class Count { optional, one, many };
+
+struct Range {
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
+  bool min_inclusive = true, max_inclusive = true;
+  bool contains(double x) const;
+  /// "> 0", ">= 0 and <= 1"; empty when there is no bound.
+  std::string text() const;
+};
+
+/// Something has an effect only where this attribute has one of these values. Empty: always.
+struct Condition {
+  std::string attribute = {};
+  std::vector<std::string> values = {};
+};
+
+struct AttributeSpec {
+  std::string name = {};
+  ValueType type = ValueType::number;
+  int min_count = 1, max_count = 1;  ///< max_count k_any_count: no upper limit
+  std::string unit = {};             ///< empty: none
+  Range range = {};                  ///< of each number
+  std::vector<std::string> choices =
+      {};                          ///< an entry ending in "-k" stands for that stem with an integer of at least 3
+  std::string default_value = {};  ///< that of the finished product; empty: none
+  std::string default_note = {};   ///< what holds instead of a default value, in words
+  bool required = false;
+  Condition applies = {};                   ///< on an attribute of the same element
+  bool built = true;                        ///< false: naming it is refused
+  std::vector<std::string> not_built = {};  ///< choices that are refused
+  bool only_default_built = false;          ///< any other value is refused
+  std::string fallback = {};                ///< the built choice that stands in for a default that is not built
+  std::string doc = {};
+};
+constexpr int k_any_count = std::numeric_limits<int>::max();
+
+struct ElementSpec {
+  std::string name = {};    ///< unique in the table
+  std::string parent = {};  ///< empty for the root
+  Count count = Count::optional;
+  bool always = false;     ///< absent means its defaults, not absence: the scene as run names it
+  Condition applies = {};  ///< on an attribute of the parent
+  bool built = true;
+  std::string remark = {};  ///< said once when the element is present
+  std::string doc = {};
+  std::vector<AttributeSpec> attributes = {};
+};
+
+/// The table, parents before children.
+const std::vector<ElementSpec>& scene_schema();
+
+/// Null when the table has no such element.
+const ElementSpec* find_element(const std::string& name);
+/// Null when `parent` takes no such child.
+const ElementSpec* find_child(const std::string& parent, const std::string& name);
+const AttributeSpec* find_attribute(const ElementSpec& element, const std::string& name);
+std::vector<const ElementSpec*> children_of(const std::string& parent);
+std::vector<std::string> child_names(const std::string& parent);
+std::vector<std::string> attribute_names(const ElementSpec& element);
+
+/// The entry of `choices` that `value` is, "pyramid-8" being "pyramid-k"; empty when there is none.
+std::string matching_choice(const std::vector<std::string>& choices, const std::string& value);
+/// What an attribute allows, in words: "3 numbers > 0 [m]".
+std::string allowed_text(const AttributeSpec& attribute);
+/// What is wrong with a value (found, allowed, nearest name), or nothing. Says nothing about what is built.
+std::optional<std::string> value_problem(const AttributeSpec& attribute, const std::string& value);
+/// Whether a valid value names something that does not exist in this version.
+bool is_not_built(const AttributeSpec& attribute, const std::string& value);
+
+/// The XML schema: what `nilas schema --xsd` prints. It accepts what the reader accepts and what is not built yet;
+/// relations between values are checked by the reader alone.
+std::string schema_xsd();
+/// The scene reference page, in Markdown.
+std::string schema_markdown();
+
+}  // namespace nilas

@@ -1,0 +1,27 @@
+#pragma once
+/// The parts of the table, one function per chapter of the scene file.
+#include <string>
+#include <vector>
+
+#include "core/scene/schema.h"
+
+namespace nilas::schema_table {
+
+inline Range above(double x) { return {.min = x, .min_inclusive = false}; }
+inline Range at_least(double x) { return {.min = x}; }
+inline Range within(double low, double high) { return {.min = low, .max = high}; }
+/// Both ends excluded.
+inline Range inside(double low, double high) {
+  return {.min = low, .max = high, .min_inclusive = false, .max_inclusive = false};
+}
+
+std::vector<ElementSpec> run_elements();
+std::vector<ElementSpec> contact_elements();
+std::vector<ElementSpec> water_elements();
+std::vector<ElementSpec> vessel_elements();
+std::vector<ElementSpec> ice_elements();
+std::vector<ElementSpec> fracture_elements();
+std::vector<ElementSpec> body_elements();
+std::vector<ElementSpec> output_elements();
+
+}  // namespace nilas::schema_table

@@ -1,0 +1,161 @@
+#include "core/scene/schema_table.h"
+
+namespace nilas::schema_table {
+
+static std::vector<AttributeSpec> law_and_solver() {
+  return {
+      {.name = "preset",
+       .type = ValueType::choice,
+       .choices = {"seed-2014"},
+       .doc = "Sets the defaults of this element to an older tool's choices: law pyramid, solver pgs with tolerance 0 "
+              "and 50 sweeps, stabilisation split-impulse, detection discrete, integrator semi-implicit-euler, "
+              "gyroscopic false. Any attribute given beside it wins."},
+      {.name = "law",
+       .type = ValueType::choice,
+       .choices = {"coulomb", "ccp", "pyramid", "pyramid-k", "frictionless"},
+       .default_value = "coulomb",
+       .not_built = {"ccp", "pyramid-k"},
+       .doc = "Contact law: coulomb (exact cone), ccp (convexified cone), pyramid (two independent tangential boxes), "
+              "pyramid-k (k facets, as in pyramid-8), frictionless."},
+      {.name = "solver",
+       .type = ValueType::choice,
+       .choices = {"auto", "pgs", "nsgs", "eg", "apgd", "admm", "newton", "ipm", "enumerate"},
+       .default_value = "auto",
+       .not_built = {"nsgs", "eg", "apgd", "admm", "newton", "ipm", "enumerate"},
+       .doc = "auto, or a name that `nilas solvers` lists. In this version auto means pgs."},
+      {.name = "tolerance",
+       .unit = "m/s",
+       .range = at_least(0),
+       .default_value = "1e-6",
+       .doc = "Residual of the law (law_map_m_s) at which the solver stops; 0: always max_iterations sweeps."},
+      {.name = "max_iterations",
+       .type = ValueType::integer,
+       .range = within(1, 1e9),
+       .default_value = "1000",
+       .doc = "Largest number of iterations in one step."},
+      {.name = "on_failure",
+       .type = ValueType::choice,
+       .choices = {"record", "stop", "retry"},
+       .default_value = "record",
+       .not_built = {"retry"},
+       .doc = "What happens when the solver misses its tolerance: record goes on and says so in the outputs, stop ends "
+              "the run, retry walks a ladder of more robust solvers."},
+      {.name = "warm_start",
+       .type = ValueType::boolean,
+       .default_value = "true",
+       .doc = "Start each solve from the impulses of the step before."},
+      {.name = "axes_deg",
+       .unit = "deg",
+       .default_value = "0",
+       .doc = "Turns the contact tangents about the normal; it matters to the pyramid laws only."},
+  };
+}
+
+static std::vector<AttributeSpec> time_stepping() {
+  return {
+      {.name = "integrator",
+       .type = ValueType::choice,
+       .choices = {"moreau", "semi-implicit-euler"},
+       .default_value = "moreau",
+       .not_built = {"moreau"},
+       .fallback = "semi-implicit-euler",
+       .doc = "How velocities and positions advance."},
+      {.name = "theta",
+       .range = within(0, 1),
+       .default_value = "0.5",
+       .applies = {"integrator", {"moreau"}},
+       .doc = "Weight of the step's end in the theta method."},
+      {.name = "gyroscopic",
+       .type = ValueType::boolean,
+       .default_value = "true",
+       .doc = "Keep the gyroscopic torque of spinning bodies."},
+      {.name = "detection",
+       .type = ValueType::choice,
+       .choices = {"discrete", "speculative", "continuous"},
+       .default_value = "continuous",
+       .not_built = {"speculative", "continuous"},
+       .fallback = "discrete",
+       .doc =
+           "When contacts are looked for: at the step's start, within the way of the step, or along the swept path."},
+      {.name = "margin",
+       .unit = "m",
+       .range = at_least(0),
+       .default_value = "0",
+       .doc = "Gap within which contacts enter the problem; 0: the way of the fastest body in one step."},
+      {.name = "stabilisation",
+       .type = ValueType::choice,
+       .choices = {"none", "baumgarte", "split-impulse", "tasora", "projection"},
+       .default_value = "projection",
+       .not_built = {"baumgarte", "tasora", "projection"},
+       .fallback = "split-impulse",
+       .doc = "How penetration that has come about is taken back."},
+      {.name = "erp",
+       .range = within(0, 1),
+       .default_value = "0.2",
+       .applies = {"stabilisation", {"baumgarte", "split-impulse", "tasora"}},
+       .doc = "Share of the penetration removed per step."},
+      {.name = "slop",
+       .unit = "m",
+       .range = at_least(0),
+       .default_value = "0",
+       .applies = {"stabilisation", {"baumgarte", "split-impulse", "tasora", "projection"}},
+       .doc = "Penetration that is left alone."},
+      {.name = "max_speed",
+       .unit = "m/s",
+       .range = above(0),
+       .default_value = "1",
+       .applies = {"stabilisation", {"baumgarte", "split-impulse", "tasora"}},
+       .doc = "Largest speed of the correction."},
+  };
+}
+
+static ElementSpec friction() {
+  return {.name = "friction",
+          .parent = "contact",
+          .count = Count::many,
+          .doc =
+              "Friction and restitution between two materials. A touching pair that is not named is frictionless, "
+              "and the run says so once.",
+          .attributes = {{.name = "between",
+                          .type = ValueType::words,
+                          .min_count = 2,
+                          .max_count = 2,
+                          .required = true,
+                          .doc = "Two materials: ice, hull, wall, structure, a body's own material, or * for any."},
+                         {.name = "static",
+                          .range = at_least(0),
+                          .default_note = "as kinetic",
+                          .doc = "Coefficient of static friction. In this version it must equal the kinetic one."},
+                         {.name = "kinetic",
+                          .range = at_least(0),
+                          .default_note = "as static",
+                          .doc = "Coefficient of kinetic friction; not above the static one."},
+                         {.name = "rolling",
+                          .unit = "m",
+                          .range = at_least(0),
+                          .default_value = "0",
+                          .only_default_built = true,
+                          .doc = "Rolling friction."},
+                         {.name = "spinning",
+                          .unit = "m",
+                          .range = at_least(0),
+                          .default_value = "0",
+                          .only_default_built = true,
+                          .doc = "Spinning friction."},
+                         {.name = "restitution",
+                          .range = within(0, 1),
+                          .default_value = "0",
+                          .doc = "Newton's coefficient of restitution."}}};
+}
+
+std::vector<ElementSpec> contact_elements() {
+  ElementSpec contact{.name = "contact",
+                      .parent = "scene",
+                      .always = true,
+                      .doc = "How bodies touch: law, solver, time stepping and the correction of penetration.",
+                      .attributes = law_and_solver()};
+  for (auto& attribute : time_stepping()) contact.attributes.push_back(attribute);
+  return {contact, friction()};
+}
+
+}  // namespace nilas::schema_table

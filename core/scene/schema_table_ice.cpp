@@ -1,0 +1,221 @@
+#include "core/scene/schema_table.h"
+
+namespace nilas::schema_table {
+
+/// What <field> and <floe> share.
+static std::vector<AttributeSpec> placement() {
+  return {{.name = "fixed", .type = ValueType::boolean, .default_value = "false", .doc = "Fixed sheets never move."},
+          {.name = "velocity",
+           .min_count = 3,
+           .max_count = 3,
+           .unit = "m/s",
+           .default_value = "0 0 0",
+           .doc = "At the start, in the ground frame."},
+          {.name = "z", .unit = "m", .default_value = "0", .doc = "Offset from floating equilibrium."},
+          {.name = "thickness", .unit = "m", .range = above(0), .default_note = "that of <ice>", .doc = "Thickness."},
+          {.name = "breakable",
+           .type = ValueType::boolean,
+           .default_value = "false",
+           .doc = "Whether it may break. No effect without <fracture>: then no ice breaks."}};
+}
+
+static ElementSpec ice() {
+  return {.name = "ice",
+          .parent = "scene",
+          .doc = "Ice: fields of floes and single floes, as its children.",
+          .attributes = {
+              {.name = "density", .unit = "kg/m^3", .range = above(0), .default_value = "920", .doc = "Density."},
+              {.name = "youngs_modulus",
+               .unit = "Pa",
+               .range = above(0),
+               .default_value = "6e7",
+               .doc = "Young's modulus. No effect without <fracture>."},
+              {.name = "poisson",
+               .range = within(0, 0.5),
+               .default_value = "0.3",
+               .doc = "Poisson's ratio. No effect without <fracture>."},
+              {.name = "thickness",
+               .unit = "m",
+               .range = above(0),
+               .default_value = "0.04",
+               .doc = "Thickness of floes that name none."}}};
+}
+
+static std::vector<AttributeSpec> packing() {
+  return {{.name = "concentration",
+           .range = {.min = 0, .max = 1, .min_inclusive = false},
+           .default_value = "0.8",
+           .applies = {"kind", {"packed", "voronoi"}},
+           .doc = "Area of ice over area of the region."},
+          {.name = "overlap_tolerance",
+           .range = within(0, 1),
+           .default_value = "1e-3",
+           .applies = {"kind", {"packed"}},
+           .doc = "Largest overlap left by the packing, as a fraction of the mean floe size."}};
+}
+
+static std::vector<AttributeSpec> grid() {
+  const Condition when{"kind", {"grid"}};
+  /// More pieces than any machine holds; keeps products of the two within an int.
+  const Range pieces = within(1, 10000);
+  return {{.name = "rows",
+           .type = ValueType::integer,
+           .range = pieces,
+           .default_value = "1",
+           .applies = when,
+           .doc = "Pieces along Y."},
+          {.name = "columns",
+           .type = ValueType::integer,
+           .range = pieces,
+           .default_value = "1",
+           .applies = when,
+           .doc = "Pieces along X."},
+          {.name = "gap",
+           .unit = "m",
+           .range = at_least(0),
+           .default_value = "0",
+           .applies = when,
+           .doc = "Between neighbouring pieces."},
+          {.name = "stagger",
+           .type = ValueType::boolean,
+           .default_value = "false",
+           .applies = when,
+           .doc = "Shift every second row by half a piece."},
+          {.name = "shear_deg",
+           .unit = "deg",
+           .range = inside(-90, 90),
+           .default_value = "0",
+           .applies = {"kind", {"packed", "grid"}},
+           .doc = "Angle of sheared pieces from a rectangle."}};
+}
+
+static ElementSpec field() {
+  ElementSpec element{
+      .name = "field",
+      .parent = "ice",
+      .count = Count::many,
+      .doc = "Many floes in a region. Ice inside the hull's outline plus a margin is left out and counted.",
+      .attributes = {{.name = "kind",
+                      .type = ValueType::choice,
+                      .choices = {"packed", "voronoi", "grid", "level", "channel", "file"},
+                      .default_value = "packed",
+                      .not_built = {"voronoi", "level", "channel"},
+                      .doc = "packed (random floes pushed apart), voronoi, grid (pre-sawn pieces), level (an intact "
+                             "sheet), channel, file."},
+                     {.name = "region",
+                      .min_count = 4,
+                      .max_count = 4,
+                      .unit = "m",
+                      .default_note = "none: every kind but file needs it",
+                      .applies = {"kind", {"packed", "voronoi", "grid", "level", "channel"}},
+                      .doc = "x0 y0 x1 y1."},
+                     {.name = "file",
+                      .type = ValueType::path,
+                      .applies = {"kind", {"file"}},
+                      .doc = "GeoJSON file of floes, as `nilas field` writes it."}}};
+  for (const auto& group : {packing(), grid(), placement()})
+    element.attributes.insert(element.attributes.end(), group.begin(), group.end());
+  return element;
+}
+
+static ElementSpec size() {
+  const auto length = [](const std::string& name, const std::string& value, std::vector<std::string> when,
+                         const std::string& doc) {
+    return AttributeSpec{.name = name,
+                         .unit = "m",
+                         .range = above(0),
+                         .default_value = value,
+                         .applies = {"distribution", std::move(when)},
+                         .doc = doc};
+  };
+  return {.name = "size",
+          .parent = "field",
+          .always = true,
+          .applies = {"kind", {"packed"}},
+          .doc = "Distribution of the floes' size, the square root of the area.",
+          .attributes = {{.name = "distribution",
+                          .type = ValueType::choice,
+                          .choices = {"fixed", "uniform", "lognormal", "power-law"},
+                          .default_value = "lognormal",
+                          .doc = "fixed takes the mean; uniform lies between min and max; lognormal and power-law are "
+                                 "cut at min and max."},
+                         length("mean", "0.8", {"fixed", "lognormal"}, "Mean size."),
+                         length("sd", "0.3", {"lognormal"}, "Standard deviation."),
+                         length("min", "0.3", {"uniform", "lognormal", "power-law"}, "Smallest size."),
+                         length("max", "1.6", {"uniform", "lognormal", "power-law"}, "Largest size."),
+                         {.name = "exponent",
+                          .range = above(0),
+                          .default_value = "1.5",
+                          .applies = {"distribution", {"power-law"}},
+                          .doc = "a in n(D) ~ D^-(1 + a)."}}};
+}
+
+static ElementSpec shape() {
+  return {.name = "shape",
+          .parent = "field",
+          .always = true,
+          .applies = {"kind", {"packed"}},
+          .doc = "Outline of the floes.",
+          .attributes = {
+              {.name = "kind",
+               .type = ValueType::choice,
+               .choices = {"polygon", "rectangle", "square", "parallelogram", "disc"},
+               .default_value = "polygon",
+               .doc = "polygon is a random convex one."},
+              {.name = "vertices",
+               .type = ValueType::integer,
+               .min_count = 2,
+               .max_count = 2,
+               .range = within(3, 64),
+               .default_value = "5 9",
+               .applies = {"kind", {"polygon"}},
+               .doc = "Fewest and most corners."},
+              {.name = "aspect",
+               .range = at_least(1),
+               .default_value = "1.5",
+               .applies = {"kind", {"rectangle", "parallelogram"}},
+               .doc = "Long side over short side."},
+              {.name = "library", .type = ValueType::path, .built = false, .doc = "File of outlines to draw from."}}};
+}
+
+static ElementSpec floe() {
+  ElementSpec element{
+      .name = "floe",
+      .parent = "ice",
+      .count = Count::many,
+      .doc = "A single floe.",
+      .attributes = {
+          {.name = "name", .type = ValueType::name, .default_note = "a running number", .doc = "Name in the outputs."},
+          {.name = "outline",
+           .min_count = 6,
+           .max_count = k_any_count,
+           .unit = "m",
+           .required = true,
+           .doc = "Corners x y x y ... in the ground frame, at least three."}}};
+  for (const auto& attribute : placement()) element.attributes.push_back(attribute);
+  return element;
+}
+
+static ElementSpec vary() {
+  return {
+      .name = "vary",
+      .parent = "ice",
+      .count = Count::many,
+      .built = false,
+      .doc = "Random variation of a property over the floes.",
+      .attributes = {{.name = "property",
+                      .type = ValueType::choice,
+                      .choices = {"thickness", "flexural_strength"},
+                      .required = true,
+                      .doc = "The property."},
+                     {.name = "distribution",
+                      .type = ValueType::choice,
+                      .choices = {"normal", "lognormal"},
+                      .default_value = "normal",
+                      .doc = "Its distribution."},
+                     {.name = "cov", .range = at_least(0), .default_value = "0", .doc = "Coefficient of variation."}}};
+}
+
+std::vector<ElementSpec> ice_elements() { return {ice(), field(), size(), shape(), floe(), vary()}; }
+
+}  // namespace nilas::schema_table

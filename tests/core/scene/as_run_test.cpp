@@ -1,0 +1,119 @@
+/// The scene as run says everything, and reads back as itself.
+#include <gtest/gtest.h>
+
+#include "core/scene/input_files.h"
+#include "tests/core/scene/complete_scene.h"
+
+namespace nilas {
+namespace {
+
+using testing::expect_fault;
+using testing::in_scene;
+using testing::ScratchFolder;
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+void expect_round_trip(const ScratchFolder& folder, const Scene& scene) {
+  const ScratchFolder elsewhere;
+  const Scene again = elsewhere.read(scene.as_run);
+  EXPECT_EQ(again.as_run, scene.as_run);
+  EXPECT_EQ(again.name, scene.name);
+  EXPECT_TRUE(std::filesystem::exists(folder.path()));
+}
+
+TEST(AsRun, TheCompleteSceneReadsBackFromAnotherFolder) {
+  const ScratchFolder folder;
+  testing::write_inputs(folder);
+  const Scene scene = folder.read(testing::k_complete_scene);
+  expect_round_trip(folder, scene);
+  const ScratchFolder elsewhere;
+  const Scene again = elsewhere.read(scene.as_run);
+  EXPECT_EQ(again.vessel->hull, scene.vessel->hull);
+  EXPECT_EQ(again.vessel->position_has_z, scene.vessel->position_has_z);
+  EXPECT_EQ(again.contact.friction[1].kinetic, scene.contact.friction[1].kinetic);
+  EXPECT_EQ(again.ice->fields[2].file, scene.ice->fields[2].file);
+  EXPECT_EQ(again.bodies[3].fixed, true);
+}
+
+TEST(AsRun, DefaultsAreWrittenOutAsTheyWereUsed) {
+  const ScratchFolder folder;
+  const Scene scene = folder.read(in_scene("<ice><field region='0 0 01.50 1e0'/></ice><body shape='sphere'/>"));
+  expect_round_trip(folder, scene);
+  for (const char* part :
+       {"<time step=\"0.01\" start=\"0\" end=\"10\"/>", "<gravity value=\"0 0 -9.81\"/>", "<seed value=\"1\"/>",
+        "solver=\"pgs\"", "integrator=\"semi-implicit-euler\"", "detection=\"discrete\"",
+        "stabilisation=\"split-impulse\"", "contacts=\"none\"", "region=\"0 0 1.5 1\"",
+        "<size distribution=\"lognormal\"", "<shape kind=\"polygon\"",
+        "name=\"body 1\" shape=\"sphere\" radius=\"0.5\"", "density=\"1000\"", "tolerance=\"1e-06\""})
+    EXPECT_TRUE(contains(scene.as_run, part)) << part << "\n" << scene.as_run;
+  for (const char* part : {"water", "vessel", "theta", "height=", "rows="})
+    EXPECT_FALSE(contains(scene.as_run, part)) << part << "\n" << scene.as_run;
+  const ScratchFolder elsewhere;
+  EXPECT_TRUE(elsewhere.read(scene.as_run).notes.empty()) << "nothing is left to defaults";
+}
+
+TEST(AsRun, OverridesPresetAndGeneratedHull) {
+  const ScratchFolder folder;
+  const Scene scene =
+      folder.read(in_scene("<contact preset='seed-2014'/><vessel><hull/><mass value='1'/><carriage/></vessel>"),
+                  {{"vessel/hull/@beam", "1.5"}, {"contact/@max_iterations", "20"}});
+  expect_round_trip(folder, scene);
+  EXPECT_TRUE(contains(scene.as_run, "beam=\"1.5\"")) << scene.as_run;
+  EXPECT_TRUE(contains(scene.as_run, "max_iterations=\"20\"")) << scene.as_run;
+  EXPECT_TRUE(contains(scene.as_run, "<force_balance kind=\"rigid\"/>")) << scene.as_run;
+}
+
+TEST(AsRun, NamesWithMarkupCharactersSurvive) {
+  const ScratchFolder folder;
+  const Scene scene =
+      folder.read(in_scene("<body name='a &amp; b'/><output folder='runs/&quot;x&apos; &lt;&amp;&gt;'/>"));
+  EXPECT_EQ(scene.bodies[0].name, "a & b");
+  EXPECT_EQ(scene.output.folder, "runs/\"x' <&>");
+  expect_round_trip(folder, scene);
+}
+
+TEST(AsRun, InputFilesAreNamedWithTheirHashes) {
+  const ScratchFolder folder;
+  testing::write_inputs(folder);
+  const std::string text = folder.read(testing::k_complete_scene).as_run;
+  std::size_t inputs = 0;
+  for (auto at = text.find("<input "); at != std::string::npos; at = text.find("<input ", at + 1)) ++inputs;
+  EXPECT_EQ(inputs, 7u) << "four of the hull folder, cells, field and mesh:\n" << text;
+  EXPECT_FALSE(contains(text, "notes.txt"));
+  EXPECT_TRUE(contains(text, "<input file=\"" + (folder.path() / "hulls/icebreaker/part-02.stl").string() +
+                                 "\" sha256=\"" + file_sha256(folder.path() / "hulls/icebreaker/part-02.stl") +
+                                 "\"/>"));
+}
+
+TEST(AsRun, AChangedInputFileIsRefusedWithBothHashes) {
+  const ScratchFolder folder;
+  testing::write_inputs(folder);
+  const std::string text = folder.read(testing::k_complete_scene).as_run;
+  const std::string before = file_sha256(folder.path() / "quay.stl");
+  folder.write("quay.stl", "solid other");
+  const std::string after = file_sha256(folder.path() / "quay.stl");
+  const auto faults = folder.faults(text);
+  ASSERT_EQ(faults.size(), 1u) << testing::text_of(faults);
+  EXPECT_EQ(faults[0].where, "<input sha256>");
+  EXPECT_TRUE(contains(faults[0].message, before) && contains(faults[0].message, after)) << faults[0].message;
+  std::filesystem::remove(folder.path() / "quay.stl");
+  EXPECT_EQ(folder.faults(text).size(), 2u) << "named as the mesh and as an input";
+}
+
+/// FIPS 180-2, appendix B.1, and the digest of nothing.
+TEST(Sha256, KnownDigests) {
+  const ScratchFolder folder;
+  EXPECT_EQ(file_sha256(folder.write("abc", "abc")),
+            "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(file_sha256(folder.write("none", "")), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  EXPECT_THROW(file_sha256(folder.path() / "missing"), FileError);
+}
+
+TEST(Sha256, FilesLongerThanTheBuffer) {
+  const ScratchFolder folder;
+  EXPECT_EQ(file_sha256(folder.write("a", std::string(1000000, 'a'))),
+            "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+}
+
+}  // namespace
+}  // namespace nilas

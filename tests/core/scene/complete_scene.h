@@ -1,0 +1,70 @@
+#pragma once
+/// Every element that this version builds, with values that differ from the defaults; and the files it names.
+#include <string>
+
+#include "tests/core/scene/scene_files.h"
+
+namespace nilas::testing {
+
+inline void write_inputs(const ScratchFolder& folder) {
+  folder.write("hulls/icebreaker/fluid.stl", "solid fluid");
+  folder.write("hulls/icebreaker/part-01.stl", "solid one");
+  folder.write("hulls/icebreaker/part-02.stl", "solid two");
+  folder.write("hulls/icebreaker/hull.json", "{}");
+  folder.write("hulls/icebreaker/notes.txt", "not read by a run");
+  folder.write("cells.csv", "x_m,y_m,z_m,ax,ay,az\n");
+  folder.write("floes.geojson", "{}");
+  folder.write("quay.stl", "solid quay");
+}
+
+inline const char* const k_complete_scene = R"(<?xml version="1.0" encoding="UTF-8"?>
+<scene version="1" name="towing-broken-ice" xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance"
+       xsi:noNamespaceSchemaLocation="scene.xsd">
+  <time step="0.02" start="1" end="60"/>
+  <gravity value="0 0 -9.8"/>
+  <seed value="7"/>
+  <contact law="pyramid" solver="pgs" tolerance="1e-7" max_iterations="200" on_failure="stop"
+           integrator="semi-implicit-euler" stabilisation="split-impulse" erp="0.3" slop="1e-4" max_speed="0.5"
+           detection="discrete" margin="0.01" gyroscopic="false" axes_deg="30" warm_start="false">
+    <friction between="ice ice"  static="0.30" kinetic="0.30" rolling="0" spinning="0" restitution="0.1"/>
+    <friction between="hull ice" kinetic="0.10"/>
+    <friction between="quay *" static="0.2"/>
+  </contact>
+  <water density="1000" level="0.5">
+    <current velocity="0.1 0.2 0"/>
+  </water>
+  <hydro>
+    <buoyancy/>
+    <drag form="1.1" skin="0.006"/>
+    <virtual_drag coefficient="0.2" velocity="0.389 0 0"/>
+  </hydro>
+  <tank length="40" width="10" depth="2.5" wall_thickness="0.3" floor="false"/>
+  <vessel name="polaris" hull="hulls/icebreaker" position="1 2" heading_deg="20">
+    <mass value="1500" cog="2.9 0 0.1" inertia="90 3200 3250 0 5 0"/>
+    <carriage speed="0.3" heading_deg="10" ramp="2" joint="2.9 0 0.2" free="heave yaw">
+      <force_balance kind="six-cells" stiffness="2e7" damping="2e4" layout="cells.csv"/>
+    </carriage>
+  </vessel>
+  <ice density="910" youngs_modulus="7e7" poisson="0.33" thickness="0.05">
+    <field kind="packed" region="0 -5 40 5" concentration="0.75" breakable="true" overlap_tolerance="2e-3">
+      <size distribution="lognormal" mean="0.9" sd="0.2" min="0.4" max="1.5"/>
+      <shape kind="polygon" vertices="4 8"/>
+    </field>
+    <field kind="grid" region="0 5 40 6" rows="2" columns="3" gap="0.01" stagger="true" shear_deg="15" fixed="true"
+           z="0.02" thickness="0.06"/>
+    <field kind="file" file="floes.geojson" velocity="0.1 0 0"/>
+    <floe name="big" outline="0 0 2 0 2 1 0 1" velocity="0 0.1 0" z="-0.01" thickness="0.07"/>
+  </ice>
+  <output folder="runs/towing" trajectory_every="0.5" contacts="none" problems="never" bodies="true"/>
+  <view camera_elevation_deg="25" camera_heading_deg="200" camera_distance="12" target="3 0 0" mesh="fluid"
+        wireframe="false" normals="false"/>
+  <body name="box" shape="box" size="1 2 3" mass="12" inertia="13 10 5 0 0 0" position="5 6 7" rotation_deg="10 20 30"
+        velocity="1 0 0" angular_velocity="0 0 1"/>
+  <body name="ball" shape="sphere" radius="0.25" density="500"/>
+  <body name="post" shape="cylinder" radius="0.2" height="4" fixed="true"/>
+  <body name="ground" shape="plane"/>
+  <body name="quay" shape="mesh" mesh="quay.stl" material="quay" fixed="true"/>
+</scene>
+)";
+
+}  // namespace nilas::testing

@@ -1,0 +1,80 @@
+/// What a scene names and this version lacks is refused with its place, never passed over.
+#include <gtest/gtest.h>
+
+#include "tests/core/scene/scene_files.h"
+
+namespace nilas {
+namespace {
+
+using testing::expect_fault;
+using testing::in_scene;
+using testing::ScratchFolder;
+
+struct NotBuilt {
+  std::string content, where;
+};
+
+TEST(NotBuilt, EachIsRefusedWithItsPlace) {
+  const ScratchFolder folder;
+  folder.write("file", "");
+  const std::string vessel = "<vessel><hull/><mass value='1'/>", field = "<ice><field region='0 0 1 1' ";
+  const std::vector<NotBuilt> cases{
+      {"<contact law='ccp'/>", "<contact law>"},
+      {"<contact law='pyramid-8'/>", "<contact law>"},
+      {"<contact solver='newton'/>", "<contact solver>"},
+      {"<contact solver='nsgs'/>", "<contact solver>"},
+      {"<contact integrator='moreau'/>", "<contact integrator>"},
+      {"<contact preset='seed-2014' integrator='moreau'/>", "<contact integrator>"},
+      {"<contact stabilisation='baumgarte'/>", "<contact stabilisation>"},
+      {"<contact stabilisation='tasora'/>", "<contact stabilisation>"},
+      {"<contact stabilisation='projection'/>", "<contact stabilisation>"},
+      {"<contact detection='speculative'/>", "<contact detection>"},
+      {"<contact detection='continuous'/>", "<contact detection>"},
+      {"<contact on_failure='retry'/>", "<contact on_failure>"},
+      {"<contact><friction between='ice ice' static='0.1' rolling='0.01'/></contact>", "<contact><friction rolling>"},
+      {"<contact><friction between='ice ice' static='0.1' spinning='1e-9'/></contact>", "<contact><friction spinning>"},
+      {"<contact><friction between='ice ice' static='0.2' kinetic='0.1'/></contact>", "<contact><friction static>"},
+      {"<water><current profile='file'/></water>", "<water><current profile>"},
+      {"<water><waves kind='regular' height='0.1' period='2'/></water>", "<water><waves>"},
+      {"<hydro><added_mass model='strip'/></hydro>", "<hydro><added_mass>"},
+      {"<hydro><radiation model='cummins'/></hydro>", "<hydro><radiation>"},
+      {vessel + "<control mode='dp'/></vessel>", "<vessel><control>"},
+      {vessel + "<thrusters file='file'/></vessel>", "<vessel><thrusters>"},
+      {vessel + "<mooring file='file'/></vessel>", "<vessel><mooring>"},
+      {field + "kind='voronoi'/></ice>", "<ice><field kind>"},
+      {field + "kind='level'/></ice>", "<ice><field kind>"},
+      {field + "kind='channel'/></ice>", "<ice><field kind>"},
+      {field + "><shape library='file'/></field></ice>", "<ice><field><shape library>"},
+      {"<ice><vary property='thickness' cov='0.1'/></ice>", "<ice><vary>"},
+      {"<fracture><bending model='nevel'/></fracture>", "<fracture>"},
+      {"<output contacts='hull'/>", "<output contacts>"},
+      {"<output contacts='all'/>", "<output contacts>"},
+      {"<output problems='worst'/>", "<output problems>"},
+      {"<output problems='every'/>", "<output problems>"},
+      {"<output checkpoint_every='10'/>", "<output checkpoint_every>"}};
+  for (const auto& c : cases) {
+    SCOPED_TRACE(c.content);
+    expect_fault(folder.faults(in_scene(c.content)), 2, c.where, {"not built in this version"});
+  }
+}
+
+TEST(NotBuilt, TheMessageSaysWhatToDo) {
+  const ScratchFolder folder;
+  expect_fault(folder.faults(in_scene("<water><waves/></water>")), 2, "<water><waves>", {"remove the element"});
+  expect_fault(folder.faults(in_scene("<contact integrator='moreau'/>")), 2, "<contact integrator>",
+               {"built: semi-implicit-euler"});
+  expect_fault(folder.faults(in_scene("<output checkpoint_every='10'/>")), 2, "<output checkpoint_every>",
+               {"remove the attribute or give 0"});
+}
+
+TEST(NotBuilt, WhatSaysTheSameAsNothingIsTaken) {
+  const ScratchFolder folder;
+  EXPECT_TRUE(folder
+                  .faults(in_scene("<output checkpoint_every='0.0' problems='never' contacts='none'/>"
+                                   "<ice><field region='0 0 1 1' breakable='true'/></ice>"
+                                   "<contact><friction between='* *' static='0.1' rolling='0e5'/></contact>"))
+                  .empty());
+}
+
+}  // namespace
+}  // namespace nilas
