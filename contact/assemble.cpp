@@ -1,0 +1,193 @@
+#include "contact/assemble.h"
+
+#include "contact/contact_frame.h"
+#include "core/base/error.h"
+
+namespace nilas {
+
+namespace {
+
+using TwistRows = Eigen::Matrix<double, 3, 6, Eigen::RowMajor>;
+
+constexpr int k_free_size = 6;
+
+class Assembly {
+ public:
+  Assembly(const Bodies& bodies, const Wrenches& free, const AssemblySettings& settings,
+           const std::vector<ArticulatedBlock>& articulated)
+      : bodies_(bodies), free_(free), settings_(settings), articulated_(articulated) {
+    NILAS_DEMAND(settings.h > 0);
+    NILAS_DEMAND(free.size() == bodies.id.size());
+    out_.block_of_body.assign(bodies.id.size(), -1);
+    out_.problem.h = settings.h;
+    out_.problem.law = settings.law;
+    out_.problem.facets = settings.facets;
+  }
+
+  AssembledContacts build(const std::vector<ContactPoint>& points, FrictionTable& friction) {
+    add_blocks(points);
+    reserve_contacts(points.size());
+    for (const auto& point : points) add_contact(point, friction);
+    return std::move(out_);
+  }
+
+ private:
+  const ArticulatedBlock* articulated_block(int body) const {
+    for (const auto& block : articulated_)
+      if (block.body == body) return &block;
+    return nullptr;
+  }
+
+  void add_blocks(const std::vector<ContactPoint>& points);
+  void place_block(int body, int size);
+  void fill_free_block(int body);
+  void fill_articulated_block(const ArticulatedBlock& articulated);
+  void reserve_contacts(std::size_t count);
+  void add_contact(const ContactPoint& point, FrictionTable& friction);
+  Vec3 add_side(int body, const Mat3& C, const Vec3& p, double sign);
+  Vec3 point_velocity(int body, const Vec3& p) const;
+  double bounce_or_gap(const ContactPoint& point, double restitution) const;
+
+  const Bodies& bodies_;
+  const Wrenches& free_;
+  const AssemblySettings& settings_;
+  const std::vector<ArticulatedBlock>& articulated_;
+  AssembledContacts out_;
+};
+
+void Assembly::place_block(int body, int size) {
+  ContactProblem& problem = out_.problem;
+  out_.block_of_body[static_cast<std::size_t>(body)] = problem.num_blocks();
+  problem.block_offset.push_back(problem.block_offset.back() + size);
+  problem.mass_offset.push_back(problem.mass_offset.back() +
+                                static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
+}
+
+void Assembly::add_blocks(const std::vector<ContactPoint>& points) {
+  std::vector<char> touched(bodies_.id.size(), 0);
+  for (const auto& point : points)
+    for (const int body : {point.a, point.b}) {
+      NILAS_DEMAND(body >= 0 && body < bodies_.size());
+      touched[static_cast<std::size_t>(body)] = 1;
+    }
+  std::vector<int> free_bodies;
+  std::vector<const ArticulatedBlock*> moved;
+  for (int body = 0; body < bodies_.size(); ++body) {
+    const auto i = static_cast<std::size_t>(body);
+    if (touched[i] == 0 || bodies_.motion[i] == Motion::fixed) continue;
+    if (bodies_.is_free(body)) {
+      free_bodies.push_back(body);
+      continue;
+    }
+    const ArticulatedBlock* const block = articulated_block(body);
+    NILAS_DEMAND(block != nullptr);
+    if (block->f.size() > 0) moved.push_back(block);
+  }
+  for (const int body : free_bodies) place_block(body, k_free_size);
+  out_.first_articulated_block = out_.problem.num_blocks();
+  for (const auto* block : moved) place_block(block->body, static_cast<int>(block->f.size()));
+
+  out_.problem.mass_data.assign(out_.problem.mass_offset.back(), 0.0);
+  out_.problem.f.resize(out_.problem.num_velocities());
+  for (const int body : free_bodies) fill_free_block(body);
+  for (const auto* block : moved) fill_articulated_block(*block);
+}
+
+void Assembly::fill_free_block(int body) {
+  const auto i = static_cast<std::size_t>(body);
+  const auto block = static_cast<std::size_t>(out_.block_of_body[i]);
+  const Mat3 inertia = bodies_.inertia_G(body);
+  Eigen::Map<Mat6> mass(out_.problem.mass_data.data() + out_.problem.mass_offset[block]);
+  mass.diagonal().head<3>().setConstant(bodies_.mass[i]);
+  mass.bottomRightCorner<3, 3>() = inertia;
+  auto f = out_.problem.f.segment<k_free_size>(out_.problem.block_offset[block]);
+  f.head<3>() = bodies_.mass[i] * bodies_.v_GB[i] + settings_.h * free_[i].force;
+  f.tail<3>() = inertia * bodies_.w_GB[i] + settings_.h * free_[i].torque;
+}
+
+void Assembly::fill_articulated_block(const ArticulatedBlock& articulated) {
+  const auto n = articulated.f.size();
+  NILAS_DEMAND(articulated.mass.rows() == n && articulated.mass.cols() == n && articulated.jacobian.cols() == n &&
+               articulated.jacobian.rows() == k_free_size);
+  const auto block = static_cast<std::size_t>(out_.block_of_body[static_cast<std::size_t>(articulated.body)]);
+  Eigen::Map<MatX>(out_.problem.mass_data.data() + out_.problem.mass_offset[block], n, n) = articulated.mass;
+  out_.problem.f.segment(out_.problem.block_offset[block], n) = articulated.f;
+}
+
+void Assembly::reserve_contacts(std::size_t count) {
+  ContactProblem& problem = out_.problem;
+  problem.w.resize(3 * static_cast<Eigen::Index>(count));
+  problem.pairs.reserve(count);
+  problem.jacobian_offset.reserve(count + 1);
+  problem.jacobian_data.reserve(2 * sizeof(TwistRows) / sizeof(double) * count);
+  problem.mu.reserve(count);
+  problem.mu_static.reserve(count);
+  problem.key.reserve(count);
+  problem.force_limit.assign(count, std::numeric_limits<double>::infinity());
+  problem.compliance.assign(count, 0.0);
+  out_.C.reserve(count);
+}
+
+/// Appends the rows of one side of a contact at p; returns what its prescribed motion adds to u.
+Vec3 Assembly::add_side(int body, const Mat3& C, const Vec3& p, double sign) {
+  const auto i = static_cast<std::size_t>(body);
+  if (bodies_.motion[i] == Motion::fixed) return Vec3::Zero();
+  TwistRows rows;  // of u = C^T (v + w x r), r from the centre of mass
+  const Vec3 r = p - bodies_.p_GB[i];
+  for (int k = 0; k < 3; ++k) rows.row(k) << sign * C.col(k).transpose(), sign * r.cross(C.col(k)).transpose();
+
+  std::vector<double>& data = out_.problem.jacobian_data;
+  if (bodies_.is_free(body)) {
+    data.insert(data.end(), rows.data(), rows.data() + rows.size());
+    return Vec3::Zero();
+  }
+  const ArticulatedBlock& block = *articulated_block(body);
+  if (block.f.size() > 0) {
+    const ContactProblem::RowMajor reduced = rows * block.jacobian;
+    data.insert(data.end(), reduced.data(), reduced.data() + reduced.size());
+  }
+  return rows * block.prescribed;
+}
+
+Vec3 Assembly::point_velocity(int body, const Vec3& p) const {
+  const auto i = static_cast<std::size_t>(body);
+  if (bodies_.motion[i] == Motion::fixed) return Vec3::Zero();
+  return bodies_.v_GB[i] + bodies_.w_GB[i].cross(p - bodies_.p_GB[i]);
+}
+
+double Assembly::bounce_or_gap(const ContactPoint& point, double restitution) const {
+  if (restitution > 0) {
+    const double before = point.n.dot(point_velocity(point.b, point.p) - point_velocity(point.a, point.p));
+    const bool closes = point.gap <= 0 || before * settings_.h < -point.gap;
+    if (closes && before < -settings_.restitution_threshold) return restitution * before;
+  }
+  return point.gap > 0 ? point.gap / settings_.h : 0;
+}
+
+void Assembly::add_contact(const ContactPoint& point, FrictionTable& friction) {
+  const auto a = static_cast<std::size_t>(point.a), b = static_cast<std::size_t>(point.b);
+  ContactProblem& problem = out_.problem;
+  const Mat3 C = contact_frame(point.n, bodies_.R_GB[a], settings_.axes);
+  const FrictionPair pair = friction.find(bodies_.material[a], bodies_.material[b]);
+
+  Vec3 w = add_side(point.a, C, point.p, -1);
+  w += add_side(point.b, C, point.p, 1);
+  w[0] += bounce_or_gap(point, pair.restitution);
+  problem.w.segment<3>(3 * static_cast<Eigen::Index>(problem.pairs.size())) = w;
+  problem.pairs.push_back({out_.block_of_body[a], out_.block_of_body[b]});
+  problem.jacobian_offset.push_back(problem.jacobian_data.size());
+  problem.mu.push_back(pair.mu_kinetic);
+  problem.mu_static.push_back(pair.mu_static);
+  problem.key.push_back(point.key);
+  out_.C.push_back(C);
+}
+
+}  // namespace
+
+AssembledContacts assemble(const Bodies& bodies, const Wrenches& free, const std::vector<ContactPoint>& points,
+                           FrictionTable& friction, const AssemblySettings& settings,
+                           const std::vector<ArticulatedBlock>& articulated) {
+  return Assembly(bodies, free, settings, articulated).build(points, friction);
+}
+
+}  // namespace nilas

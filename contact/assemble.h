@@ -1,0 +1,54 @@
+#pragma once
+/// From bodies, loads and contact points to one step's contact problem.
+#include <vector>
+
+#include "contact/detect/contact_point.h"
+#include "contact/friction.h"
+#include "contact/problem.h"
+#include "core/bodies/bodies.h"
+#include "core/bodies/module.h"
+
+namespace nilas {
+
+/// A body whose motion belongs to another system, in that system's n coordinates (n may be 0).
+struct ArticulatedBlock {
+  int body = -1;
+  MatX mass;                       ///< n x n
+  VecX f;                          ///< n, mass * (speeds without contact)
+  MatX jacobian;                   ///< 6 x n: twist (v; w) of the centre of mass in G = jacobian * speeds + prescribed
+  Vec6 prescribed = Vec6::Zero();  ///< (v; w) [m/s, rad/s]
+};
+
+struct AssemblySettings {
+  double h = 0;  ///< step [s]
+  Law law = Law::coulomb;
+  int facets = 8;                       ///< of pyramid_k
+  double axes = 0;                      ///< turns the tangents about the normal [rad]
+  double restitution_threshold = 1e-3;  ///< slower approach is inelastic, so that a series of bounces ends [m/s]
+};
+
+/// The problem and what is needed to go back from it to bodies.
+struct AssembledContacts {
+  ContactProblem problem;
+  std::vector<Mat3> C;             ///< per contact: columns n, t1, t2 in G; impulse on body B = C r
+  std::vector<int> block_of_body;  ///< -1: touched by no contact, or without a coordinate of its own
+  int first_articulated_block =
+      0;  ///< free bodies' blocks come first, in the order of the bodies; articulated ones last
+};
+
+/// One contact per point, in the order given. Only bodies that a point touches get a block. A free body's block has the
+/// velocities (v; w) of its centre of mass in G, M = diag(m I, I_G) at the present pose and
+///   f = (m v + h F; I_G w + h T),
+/// `free` being (F; T) with weight. There is no w x I w in f: the pose update conserves L = I_G w, and that is where
+/// the gyroscopic effect enters. Fixed bodies have no velocity.
+///
+/// Normal rows of w: gap/h for gap > 0, so that the gap may close but not be crossed; 0 for penetration. With
+/// restitution e > 0, for a point that is closed or would close within the step (u_N^- h < -gap) faster than the
+/// threshold, e u_N^- instead, u_N^- being the relative normal velocity before the step: then u_N^+ = -e u_N^-.
+/// All rows: what prescribed motion adds. Friction pairs come from `friction`, which remembers those it lacks.
+/// Throws ContractError for an articulated body without its block and for a point that names no body.
+AssembledContacts assemble(const Bodies& bodies, const Wrenches& free, const std::vector<ContactPoint>& points,
+                           FrictionTable& friction, const AssemblySettings& settings,
+                           const std::vector<ArticulatedBlock>& articulated);
+
+}  // namespace nilas

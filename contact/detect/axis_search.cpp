@@ -1,0 +1,130 @@
+#include "contact/detect/axis_search.h"
+
+#include <algorithm>
+
+#include "contact/detect/face_axes.h"
+
+namespace nilas {
+
+namespace {
+
+/// All edges that face each other are combined while there are at most so many pairs (about 2 us).
+constexpr std::size_t k_few_edge_pairs = 500;
+/// The same as a last resort (about 100 us).
+constexpr std::size_t k_most_edge_pairs = 20000;
+/// Steps from one axis to a better one near it; two or three do.
+constexpr int k_most_steps = 8;
+
+class AxisSearch {
+ public:
+  AxisSearch(const PairView& pair, AxisSearchRoom& room, AxisSearchCounts& counts)
+      : pair_(pair), room_(room), counts_(counts) {}
+
+  Axis find(FclShapes& fcl) {
+    best_ = best_face_axis(pair_, pair_.margin);
+    if (settled() || try_shown_crossing() || try_facing_edges(k_few_edge_pairs)) return best_;
+    if (follow_edges(best_) || ask_fcl(fcl)) return best_;
+    try_facing_edges(k_most_edge_pairs);
+    return best_;
+  }
+
+ private:
+  /// True when best_ separates by more than the margin or is proven; lays the surfaces along it otherwise.
+  bool settled() {
+    if (best_.s > pair_.margin) return true;
+    face_each_other(pair_, best_, room_.facing);
+    return is_proven(pair_, best_, room_.facing);
+  }
+
+  const OverlayPoint* nearest_shown() const {
+    const auto& points = room_.facing.points;
+    const auto nearer = [](const OverlayPoint& p, const OverlayPoint& q) { return p.gap < q.gap; };
+    return points.empty() ? nullptr : &*std::min_element(points.begin(), points.end(), nearer);
+  }
+
+  /// A corner that stands out beyond the rim of a face: the edges seen to cross where the surfaces come nearest give the
+  /// axis at once. Most pairs that no face settles are of this kind.
+  bool try_shown_crossing() {
+    const OverlayPoint* nearest = nearest_shown();
+    if (nearest == nullptr || nearest->edge_a < 0) return false;
+    choose_two_edges(pair_, nearest->edge_a, nearest->edge_b, room_.edges);
+    Axis next = best_;
+    try_crossing_edges(pair_, room_.edges, next);
+    if (next.s <= best_.s + pair_.tolerance) return false;
+    best_ = next;
+    return settled();
+  }
+
+  /// Where the surfaces along best_ come nearest, or supporting vertices when they show no common place.
+  NearPoints near_points() const {
+    if (const OverlayPoint* p = nearest_shown()) {
+      const ContactPlane& plane = room_.facing.plane;
+      const Vec3 on_a = p->u * plane.t1 + p->v * plane.t2 + p->height_a * plane.n;
+      return {on_a, on_a + p->gap * plane.n};
+    }
+    const Vec3 n_b = -(pair_.b_in_a.R.transpose() * best_.n);
+    const int v_a = support_vertex(*pair_.a.facets, best_.n), v_b = support_vertex(*pair_.b.facets, n_b);
+    return {pair_.a.facets->polytope->vertices[v_a], pair_.b_in_a.point(pair_.b.facets->polytope->vertices[v_b])};
+  }
+
+  /// True when there were few enough to try them all: faces and edges together hold the best axis.
+  bool try_facing_edges(std::size_t most_pairs) {
+    const NearPoints near = near_points();
+    choose_facing_edges(pair_, best_.s, near, room_.edges);
+    if (room_.edges.of_a.size() * room_.edges.of_b.size() > most_pairs) return false;
+    const double before = best_.s;
+    try_crossing_edges(pair_, room_.edges, best_);
+    if (best_.s > -pair_.tolerance) {
+      if (before <= -pair_.tolerance) choose_facing_edges(pair_, best_.s, near, room_.edges);
+      try_nearest_edges(pair_, room_.edges, best_);
+    }
+    if (best_.s > before) settled();
+    return true;
+  }
+
+  /// Edges near the support along `from`, from axis to axis as long as they improve.
+  bool follow_edges(Axis from) {
+    for (int step = 0; step < k_most_steps; ++step) {
+      choose_edges_along(pair_, from.n, room_.edges);
+      Axis next = from;
+      try_crossing_edges(pair_, room_.edges, next);
+      if (next.s > -pair_.tolerance) try_nearest_edges(pair_, room_.edges, next);
+      if (next.s <= from.s + pair_.tolerance) return false;
+      from = next;
+      if (from.s <= best_.s + pair_.tolerance) continue;
+      best_ = from;
+      if (settled()) return true;
+    }
+    return false;
+  }
+
+  bool ask_fcl(FclShapes& fcl) {
+    ++counts_.fcl_queries;
+    const std::optional<Vec3> direction = fcl.direction(pair_, best_.s > 0);
+    if (!direction) {
+      ++counts_.fallbacks;
+      return false;
+    }
+    Axis asked;
+    asked.n = *direction;
+    asked.s = separation(pair_, asked.n);
+    if (asked.s > best_.s + pair_.tolerance) {
+      best_ = asked;
+      if (settled()) return true;
+    }
+    return follow_edges(asked);
+  }
+
+  const PairView& pair_;
+  AxisSearchRoom& room_;
+  AxisSearchCounts& counts_;
+  Axis best_;
+};
+
+}  // namespace
+
+Axis find_axis(const PairView& pair, FclShapes& fcl, AxisSearchRoom& room, AxisSearchCounts& counts) {
+  return AxisSearch(pair, room, counts).find(fcl);
+}
+
+}  // namespace nilas

@@ -1,0 +1,168 @@
+#include "contact/detect/broad_phase.h"
+
+#include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
+#include <fcl/geometry/shape/box.h>
+#include <fcl/narrowphase/collision_object.h>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace nilas {
+
+namespace {
+
+/// A part may move this far before its box is made anew: so many margins, since a margin is about the way of the fastest
+/// body in one step, but within these shares of its radius. A box lasts some steps and few pairs are listed in vain.
+constexpr double k_allowed_margins = 4.0;
+constexpr double k_least_allowed_radii = 0.01;
+constexpr double k_most_allowed_radii = 0.05;
+
+bool can_move(const Bodies& bodies, const Part& part) { return bodies.motion[part.body] != Motion::fixed; }
+
+/// Half sizes and centre of the part's box in G.
+struct Box {
+  Vec3 centre, half;
+};
+
+Box box_of(const Bodies& bodies, const Part& part) {
+  Box box;
+  const Mat3& R = bodies.R_GB[part.body];
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 axis = R.row(i).transpose();
+    const double up = extent(part, axis), down = extent(part, -axis);
+    box.half[i] = 0.5 * (up + down);
+    box.centre[i] = bodies.p_GB[part.body][i] + 0.5 * (up - down);
+  }
+  return box;
+}
+
+/// One part's fattened box in the tree, and the pose it was made for.
+struct Leaf {
+  int part = 0;
+  bool moving = false;
+  int body = 0;
+  std::shared_ptr<fcl::Boxd> shape;
+  std::unique_ptr<fcl::CollisionObjectd> object;
+  Vec3 p = Vec3::Zero();
+  Mat3 R = Mat3::Zero();
+  double fat = -1;  ///< what was added on every side [m]
+  double reach = 0;  ///< of the part from the body's origin [m]
+
+  /// Bound on the way of any point of the part since the box was made.
+  double way(const Bodies& bodies) const {
+    return (bodies.p_GB[body] - p).norm() + (bodies.R_GB[body] - R).norm() * reach;
+  }
+
+  void fit(const Bodies& bodies, const Part& of, double half_margin) {
+    const double r = of.bounding_radius;
+    const double allowance = std::clamp(2.0 * k_allowed_margins * half_margin, k_least_allowed_radii * r,
+                                        k_most_allowed_radii * r);
+    const Box box = box_of(bodies, of);
+    p = bodies.p_GB[body];
+    R = bodies.R_GB[body];
+    fat = half_margin + (moving ? allowance : 0.0);
+    const Vec3 half = box.half + Vec3::Constant(fat);
+    shape->aabb_local = fcl::AABBd(-half, half);
+    object->setTranslation(box.centre);
+    object->computeAABB();
+  }
+};
+
+}  // namespace
+
+struct BroadPhase::Tree {
+  fcl::DynamicAABBTreeCollisionManagerd manager;
+  std::vector<std::unique_ptr<Leaf>> leaves;
+  std::vector<int> planes;
+  std::size_t known_parts = 0;
+  std::vector<PartPair> pairs;
+
+  void add_new_parts(const Bodies& bodies, const std::vector<Part>& parts, double margin);
+  void refit(const Bodies& bodies, const std::vector<Part>& parts, double margin);
+  void list_tree_pairs();
+  void list_plane_pairs(const Bodies& bodies, const std::vector<Part>& parts, double margin);
+};
+
+void BroadPhase::Tree::add_new_parts(const Bodies& bodies, const std::vector<Part>& parts, double margin) {
+  std::vector<fcl::CollisionObjectd*> fresh;
+  for (; known_parts < parts.size(); ++known_parts) {
+    const Part& part = parts[known_parts];
+    if (part.kind == PartKind::plane) {
+      planes.push_back(static_cast<int>(known_parts));
+      continue;
+    }
+    auto leaf = std::make_unique<Leaf>();
+    leaf->part = static_cast<int>(known_parts);
+    leaf->body = part.body;
+    leaf->reach = part.centre.norm() + part.bounding_radius;
+    leaf->shape = std::make_shared<fcl::Boxd>(1.0, 1.0, 1.0);
+    leaf->object = std::make_unique<fcl::CollisionObjectd>(leaf->shape);
+    leaf->object->setUserData(leaf.get());
+    leaf->moving = can_move(bodies, part);
+    leaf->fit(bodies, part, 0.5 * margin);
+    fresh.push_back(leaf->object.get());
+    leaves.push_back(std::move(leaf));
+  }
+  if (fresh.empty()) return;
+  manager.registerObjects(fresh);
+  manager.setup();
+}
+
+void BroadPhase::Tree::refit(const Bodies& bodies, const std::vector<Part>& parts, double margin) {
+  std::vector<fcl::CollisionObjectd*> moved;
+  for (const auto& leaf : leaves) {
+    leaf->moving = can_move(bodies, parts[leaf->part]);
+    if (leaf->way(bodies) + 0.5 * margin <= leaf->fat) continue;
+    leaf->fit(bodies, parts[leaf->part], 0.5 * margin);
+    moved.push_back(leaf->object.get());
+  }
+  if (!moved.empty()) manager.update(moved);
+}
+
+void BroadPhase::Tree::list_tree_pairs() {
+  const auto list = [](fcl::CollisionObjectd* one, fcl::CollisionObjectd* other, void* data) {
+    const Leaf* a = static_cast<const Leaf*>(one->getUserData());
+    const Leaf* b = static_cast<const Leaf*>(other->getUserData());
+    if (a->body == b->body || (!a->moving && !b->moving)) return false;
+    if (b->body < a->body) std::swap(a, b);
+    static_cast<std::vector<PartPair>*>(data)->push_back({a->body, b->body, a->part, b->part});
+    return false;
+  };
+  manager.collide(&pairs, list);
+}
+
+void BroadPhase::Tree::list_plane_pairs(const Bodies& bodies, const std::vector<Part>& parts, double margin) {
+  for (int plane : planes) {
+    const int host = parts[plane].body;
+    const Vec3 up = bodies.R_GB[host].col(2);
+    const bool plane_moves = can_move(bodies, parts[plane]);
+    for (const auto& leaf : leaves) {
+      if (leaf->body == host || !(leaf->moving || plane_moves)) continue;
+      const Vec3 down = -(bodies.R_GB[leaf->body].transpose() * up);
+      const double gap = up.dot(bodies.p_GB[leaf->body] - bodies.p_GB[host]) - extent(parts[leaf->part], down);
+      if (!(gap < margin)) continue;
+      if (host < leaf->body)
+        pairs.push_back({host, leaf->body, plane, leaf->part});
+      else
+        pairs.push_back({leaf->body, host, leaf->part, plane});
+    }
+  }
+}
+
+BroadPhase::BroadPhase() : tree_(std::make_unique<Tree>()) {}
+BroadPhase::~BroadPhase() = default;
+BroadPhase::BroadPhase(BroadPhase&&) noexcept = default;
+BroadPhase& BroadPhase::operator=(BroadPhase&&) noexcept = default;
+
+const std::vector<PartPair>& BroadPhase::candidates(const Bodies& bodies, const std::vector<Part>& parts,
+                                                    double margin) {
+  tree_->refit(bodies, parts, margin);
+  tree_->add_new_parts(bodies, parts, margin);
+  tree_->pairs.clear();
+  tree_->list_tree_pairs();
+  tree_->list_plane_pairs(bodies, parts, margin);
+  std::sort(tree_->pairs.begin(), tree_->pairs.end());
+  return tree_->pairs;
+}
+
+}  // namespace nilas

@@ -1,0 +1,36 @@
+#pragma once
+/// Pairs of parts that may touch: FCL's dynamic tree of boxes. Boxes are fattened so that the tree changes little from
+/// step to step.
+#include <memory>
+#include <vector>
+
+#include "contact/detect/part.h"
+#include "core/bodies/bodies.h"
+
+namespace nilas {
+
+/// Two bodies, and the places of two of their parts in the list of parts.
+struct PartPair {
+  int body_a = 0, body_b = 0;
+  int part_a = 0, part_b = 0;
+  friend bool operator==(const PartPair&, const PartPair&) = default;
+  friend auto operator<=>(const PartPair&, const PartPair&) = default;
+};
+
+class BroadPhase {
+ public:
+  BroadPhase();
+  ~BroadPhase();
+  BroadPhase(BroadPhase&&) noexcept;
+  BroadPhase& operator=(BroadPhase&&) noexcept;
+
+  /// All pairs of parts of different bodies, at least one of which can move, that may be nearer than `margin` [m]; no
+  /// pair of planes. `parts` may only grow from call to call. In rising order by bodies, then by parts.
+  const std::vector<PartPair>& candidates(const Bodies& bodies, const std::vector<Part>& parts, double margin);
+
+ private:
+  struct Tree;
+  std::unique_ptr<Tree> tree_;
+};
+
+}  // namespace nilas

@@ -1,0 +1,11 @@
+#pragma once
+/// The best axis of a cylinder with a polytope or another cylinder.
+#include "contact/detect/axis_search.h"
+
+namespace nilas {
+
+/// As find_axis. Candidates: faces and caps, the perpendiculars from the cylinder's axis and rims to the other part's
+/// supporting vertices and edges, and FCL's direction when the best of them is not proven.
+Axis find_cylinder_axis(const PairView& pair, FclShapes& fcl, AxisSearchRoom& room, AxisSearchCounts& counts);
+
+}  // namespace nilas

@@ -1,0 +1,38 @@
+#pragma once
+/// Contacts of all bodies at their present poses: broad phase, narrow phase, manifolds.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "contact/detect/contact_point.h"
+#include "core/bodies/bodies.h"
+
+namespace nilas {
+
+struct DetectorCounts {
+  long candidate_pairs = 0;   ///< pairs of parts whose boxes overlap
+  long cached_separations = 0;  ///< pairs set aside by last step's separating axis
+  long fcl_queries = 0;
+  long fallbacks = 0;         ///< times the library threw or gave an unusable answer and the face axes decided alone
+};
+
+/// Keeps geometry and coherence caches between calls; results depend on the poses only, never on the caches' history
+/// beyond rounding-free shortcuts, and come in an order of (a, b, part_a, part_b, key).
+class ContactDetector {
+ public:
+  explicit ContactDetector(int threads = 1);
+  ~ContactDetector();
+  ContactDetector(ContactDetector&&) noexcept;
+  ContactDetector& operator=(ContactDetector&&) noexcept;
+
+  /// All points with gap < margin [m]. Pairs of two bodies that cannot move are left out. Bodies appended since the
+  /// last call are picked up; a body whose shape changed must be re-added under a new id.
+  std::vector<ContactPoint> detect(const Bodies& bodies, double margin);
+  const DetectorCounts& counts() const;  ///< of the last call
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace nilas

@@ -1,0 +1,11 @@
+#pragma once
+/// The face normal along which two parts are farthest apart, or overlap least.
+#include "contact/detect/pair_view.h"
+
+namespace nilas {
+
+/// Exact over all face normals of both polytopes (a cylinder or sphere has none); s is -infinity when there are none.
+/// Stops at the first axis with s > `enough` [m].
+Axis best_face_axis(const PairView& pair, double enough);
+
+}  // namespace nilas

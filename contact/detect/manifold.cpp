@@ -1,0 +1,147 @@
+#include "contact/detect/manifold.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/detect/contact_key.h"
+#include "contact/detect/edge_axes.h"
+#include "contact/detect/point_reduction.h"
+
+namespace nilas {
+
+namespace {
+
+/// Of two loops equally in front A's is the window, so that names of points do not change with rounding [cosine].
+constexpr double k_same_alignment = 1e-6;
+
+void lay_over(const SurfaceLoop& a, const SurfaceLoop& b, double tolerance, FacingSurfaces& facing) {
+  constexpr std::size_t k_least_window = 3;
+  const bool a_can = a.corners.size() >= k_least_window;
+  const bool b_can = b.corners.size() >= k_least_window;
+  if (!a_can && !b_can) return;
+  const bool a_is_window = a_can && (!b_can || a.alignment >= b.alignment - k_same_alignment);
+  clip(a, b, a_is_window, tolerance, facing.buffers, facing.points);
+}
+
+/// Supporting edges whose directions differ by less than this sine meet along a length, not at a crossing [-].
+constexpr double k_parallel_sine = 1e-6;
+
+/// Points that two neighbouring faces share come once.
+void drop_repeated_tags(std::vector<OverlayPoint>& points) {
+  std::sort(points.begin(), points.end(), [](const OverlayPoint& p, const OverlayPoint& q) {
+    return p.tag != q.tag ? p.tag < q.tag : p.gap < q.gap;
+  });
+  const auto same = [](const OverlayPoint& p, const OverlayPoint& q) { return p.tag == q.tag; };
+  points.erase(std::unique(points.begin(), points.end(), same), points.end());
+}
+
+/// Supporting vertices of one side in the contact plane.
+struct SupportSet {
+  std::vector<LoopCorner> corners;
+  double height = 0;
+};
+
+SupportSet support_set(const PatchView& view, const ContactPlane& plane, double tolerance) {
+  SupportSet set;
+  const Vec3 direction = view.in_a.R.transpose() * (view.sign * plane.n);
+  const auto add = [&](const Vec3& local, int name) {
+    const Vec3 x = view.in_a.point(local);
+    set.corners.push_back({plane.t1.dot(x), plane.t2.dot(x), name, -1});
+    set.height = plane.n.dot(x);
+  };
+  if (view.part.facets) {
+    std::vector<int> vertices;
+    support_vertices(*view.part.facets, direction, tolerance, vertices);
+    for (int v : vertices) add(view.part.facets->polytope->vertices[v], v);
+  } else {
+    const CylinderSupport support = cylinder_support(view.part, direction, tolerance);
+    for (int i = 0; i < support.count; ++i) add(support.points[i], i);
+  }
+  return set;
+}
+
+Vec3 in_plane(const LoopCorner& c) { return {c.u, c.v, 0}; }
+
+std::uint64_t set_tag(const SupportSet& set) {
+  std::uint64_t tag = feature_tag(FeatureKind::support_sets, 0);
+  for (const LoopCorner& c : set.corners) tag = mix(tag, static_cast<std::uint64_t>(c.vertex));
+  return tag;
+}
+
+/// Place along p's segment in the middle of what lies beside q's [-].
+double middle_of_overlap(const Vec3& p, const Vec3& along_p, const Vec3& q, const Vec3& along_q) {
+  const double scale = along_p.squaredNorm();
+  const double first = along_p.dot(q - p) / scale;
+  const double last = along_p.dot(q + along_q - p) / scale;
+  return 0.5 * (std::clamp(first, 0.0, 1.0) + std::clamp(last, 0.0, 1.0));
+}
+
+/// A chain of vertices along one line is the segment between its ends.
+void reduce_to_ends(SupportSet& set, double tolerance) {
+  if (set.corners.size() <= 2) return;
+  const auto farthest_from = [&](const LoopCorner& from) {
+    return *std::max_element(set.corners.begin(), set.corners.end(), [&](const LoopCorner& p, const LoopCorner& q) {
+      return (in_plane(p) - in_plane(from)).squaredNorm() < (in_plane(q) - in_plane(from)).squaredNorm();
+    });
+  };
+  const LoopCorner first = farthest_from(set.corners.front()), last = farthest_from(first);
+  const Vec3 along = (in_plane(last) - in_plane(first)).normalized();
+  for (const LoopCorner& c : set.corners)
+    if (along.cross(in_plane(c) - in_plane(first)).norm() > tolerance) return;
+  set.corners = {first, last};
+}
+
+/// Where two supporting features (vertex, edge or more) meet in the contact plane.
+Vec3 meeting_point(const SupportSet& a, const SupportSet& b) {
+  if (a.corners.size() == 2 && b.corners.size() == 2) {
+    const Vec3 p = in_plane(a.corners[0]), q = in_plane(b.corners[0]);
+    const Vec3 along_p = in_plane(a.corners[1]) - p, along_q = in_plane(b.corners[1]) - q;
+    const double across = along_p.x() * along_q.y() - along_p.y() * along_q.x();
+    if (std::abs(across) <= k_parallel_sine * along_p.norm() * along_q.norm())
+      return p + middle_of_overlap(p, along_p, q, along_q) * along_p;
+    const NearestOnSegments nearest = nearest_on_segments(p, along_p, q, along_q);
+    return 0.5 * (p + nearest.t * along_p + q + nearest.u * along_q);
+  }
+  const SupportSet& smaller = b.corners.size() < a.corners.size() ? b : a;
+  Vec3 sum = Vec3::Zero();
+  for (const LoopCorner& c : smaller.corners) sum += in_plane(c);
+  return sum / static_cast<double>(smaller.corners.size());
+}
+
+}  // namespace
+
+void face_each_other(const PairView& pair, const Axis& axis, FacingSurfaces& facing) {
+  static const RelativePose k_own_frame;
+  const int face_a = axis.kind == AxisKind::face_a ? axis.feature_a : -1;
+  const int face_b = axis.kind == AxisKind::face_b ? axis.feature_b : -1;
+  facing.plane = contact_plane(axis.n);
+  show_surface({pair.a, k_own_frame, 1.0, face_a}, facing.plane, pair.tolerance, facing.a);
+  show_surface({pair.b, pair.b_in_a, -1.0, face_b}, facing.plane, pair.tolerance, facing.b);
+  facing.points.clear();
+  for (int i = 0; i < facing.a.size(); ++i)
+    for (int j = 0; j < facing.b.size(); ++j) lay_over(facing.a[i], facing.b[j], pair.tolerance, facing);
+  facing.smallest_gap = std::numeric_limits<double>::infinity();
+  for (const OverlayPoint& p : facing.points) facing.smallest_gap = std::min(facing.smallest_gap, p.gap);
+}
+
+void select_points(const PairView& pair, const Axis& axis, FacingSurfaces& facing) {
+  auto& points = facing.points;
+  const bool one_face_each = facing.a.size() * facing.b.size() == 1 && pair.a.facets && pair.b.facets;
+  if (!one_face_each) drop_repeated_tags(points);
+  points.erase(std::remove_if(points.begin(), points.end(),
+                              [&](const OverlayPoint& p) { return !(p.gap < pair.margin); }),
+               points.end());
+  if (!(facing.smallest_gap <= axis.s + pair.tolerance) && axis.s < pair.margin) {
+    static const RelativePose k_own_frame;
+    SupportSet a = support_set({pair.a, k_own_frame, 1.0, -1}, facing.plane, pair.tolerance);
+    SupportSet b = support_set({pair.b, pair.b_in_a, -1.0, -1}, facing.plane, pair.tolerance);
+    reduce_to_ends(a, pair.tolerance);
+    reduce_to_ends(b, pair.tolerance);
+    const Vec3 p = meeting_point(a, b);
+    points.push_back({p.x(), p.y(), mix(set_tag(a), set_tag(b)), -1, -1, a.height, axis.s});
+  }
+  keep_spread_points(pair.tolerance, pair.margin, points);
+}
+
+}  // namespace nilas

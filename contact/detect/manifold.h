@@ -1,0 +1,35 @@
+#pragma once
+/// The contact points of two parts along a chosen axis.
+#include <vector>
+
+#include "contact/detect/overlay.h"
+#include "contact/detect/pair_view.h"
+#include "contact/detect/surface_patch.h"
+
+namespace nilas {
+
+/// The surfaces two parts show each other along an axis, laid over each other. Kept between pairs for its storage.
+struct FacingSurfaces {
+  ContactPlane plane;
+  SurfacePatch a, b;
+  std::vector<OverlayPoint> points;  ///< corners of the common areas, all gaps
+  double smallest_gap = 0;           ///< among points [m]; infinite without any
+  ClipBuffers buffers;
+};
+
+/// Lays the surfaces along `axis` over each other. Each point's gap is the distance along the normal between the two
+/// surfaces at that place, so tilted parts get the true local gaps; gap >= axis.s up to rounding. With an axis between
+/// crossing edges the crossing is one of the points.
+void face_each_other(const PairView& pair, const Axis& axis, FacingSurfaces& facing);
+
+/// True when `axis` is proven to be the best axis of the pair.
+/// Apart: two points on the surfaces are as near as the axis separates, so no other axis separates more.
+/// Overlapping by less than a twentieth of both widths along the axis: the face of the Minkowski difference that belongs to the
+/// axis reaches at least eight depths around the origin's projection, so every other face's plane lies farther away.
+bool is_proven(const PairView& pair, const Axis& axis, const FacingSurfaces& facing);
+
+/// Leaves in facing.points the contact points: gaps below the margin, at most four, the deepest gap equal to axis.s.
+/// Where the surfaces show no such point (two edges or corners) the nearest points of the supporting features give it.
+void select_points(const PairView& pair, const Axis& axis, FacingSurfaces& facing);
+
+}  // namespace nilas

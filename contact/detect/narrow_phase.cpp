@@ -1,0 +1,113 @@
+#include "contact/detect/narrow_phase.h"
+
+#include <algorithm>
+
+#include "contact/detect/contact_key.h"
+#include "contact/detect/cylinder_axis.h"
+#include "contact/detect/primitive_contacts.h"
+
+namespace nilas {
+
+namespace {
+
+/// The memory's axis sets a pair aside only when it clears the margin by more than rounding, so that the pair would have
+/// had no contact without it either.
+bool separated_by_memory(const Bodies& bodies, const Part& a, const Part& b, double margin, const PairMemory& memory) {
+  const Vec3& n = memory.axis;
+  const Vec3 n_a = bodies.R_GB[a.body].transpose() * n;
+  const Vec3 n_b = bodies.R_GB[b.body].transpose() * n;
+  const Vec3 between = bodies.p_GB[b.body] - bodies.p_GB[a.body];
+  const double s = n.dot(between) - extent(b, -n_b) - extent(a, n_a);
+  return s > margin + k_coordinate_rounding * (a.bounding_radius + b.bounding_radius + between.norm());
+}
+
+std::uint64_t pair_key(const Bodies& bodies, const Part& a, const Part& b) {
+  std::uint64_t key = mix(0, static_cast<std::uint64_t>(bodies.id[a.body]));
+  key = mix(key, static_cast<std::uint64_t>(a.index));
+  key = mix(key, static_cast<std::uint64_t>(bodies.id[b.body]));
+  return mix(key, static_cast<std::uint64_t>(b.index));
+}
+
+ContactPoint& add_point(const Part& a, const Part& b, PairContacts& out) {
+  ContactPoint& point = out.points[out.count++];
+  point.a = a.body;
+  point.b = b.body;
+  point.part_a = a.index;
+  point.part_b = b.index;
+  return point;
+}
+
+/// Two features of one pair with the same name would need a collision of 64 bits; then the later one is renamed.
+void order_by_key(PairContacts& out) {
+  const auto end = out.points.begin() + out.count;
+  std::sort(out.points.begin(), end, [](const ContactPoint& p, const ContactPoint& q) { return p.key < q.key; });
+  for (int i = 1; i < out.count; ++i)
+    if (out.points[i].key <= out.points[i - 1].key) out.points[i].key = out.points[i - 1].key + 1;
+}
+
+void primitive_pair(const Bodies& bodies, const Part& a, const Part& b, double margin, PairContacts& out) {
+  const bool a_hosts = a.kind == PartKind::plane || (a.kind != PartKind::sphere && b.kind == PartKind::sphere);
+  const Part& host = a_hosts ? a : b;
+  const Part& guest = a_hosts ? b : a;
+  std::vector<LocalContact> contacts;
+  const HostView view{host, guest, pose_of_b_in_a(bodies, host.body, guest.body), margin};
+  if (host.kind == PartKind::plane)
+    plane_contacts(view, contacts);
+  else
+    sphere_contacts(view, contacts);
+  const std::uint64_t key = pair_key(bodies, a, b);
+  const Mat3& R = bodies.R_GB[host.body];
+  for (const LocalContact& contact : contacts) {
+    ContactPoint& point = add_point(a, b, out);
+    point.p = bodies.p_GB[host.body] + R * contact.p;
+    point.n = a_hosts ? Vec3(R * contact.n) : Vec3(-(R * contact.n));
+    point.gap = contact.gap;
+    point.key = mix(key, contact.tag);
+  }
+}
+
+void polytope_or_cylinder_pair(const Bodies& bodies, const Part& a, const Part& b, double margin, FclShapes& fcl,
+                               AxisSearchRoom& room, PairMemory& memory, PairContacts& out) {
+  const PairView pair = view_pair(a, b, pose_of_b_in_a(bodies, a.body, b.body), margin);
+  const bool both_faceted = a.facets && b.facets;
+  const Axis axis = both_faceted ? find_axis(pair, fcl, room, out.search)
+                                 : find_cylinder_axis(pair, fcl, room, out.search);
+  const Mat3& R = bodies.R_GB[a.body];
+  const Vec3 n_G = R * axis.n;
+  memory.axis = axis.s > margin ? n_G : Vec3(Vec3::Zero());
+  if (axis.s > margin) return;
+  select_points(pair, axis, room.facing);
+  const std::uint64_t key = pair_key(bodies, a, b);
+  const ContactPlane& plane = room.facing.plane;
+  for (const OverlayPoint& p : room.facing.points) {
+    ContactPoint& point = add_point(a, b, out);
+    const Vec3 x = p.u * plane.t1 + p.v * plane.t2 + (p.height_a + 0.5 * p.gap) * plane.n;
+    point.p = bodies.p_GB[a.body] + R * x;
+    point.n = n_G;
+    point.gap = p.gap;
+    point.key = mix(key, p.tag);
+  }
+}
+
+}  // namespace
+
+void find_pair_contacts(const Bodies& bodies, const Part& a, const Part& b, double margin, FclShapes& fcl,
+                        AxisSearchRoom& room, PairMemory& memory, PairContacts& out) {
+  out.count = 0;
+  out.separated_by_memory = false;
+  out.search = {};
+  const auto is_primitive = [](const Part& part) {
+    return part.kind == PartKind::sphere || part.kind == PartKind::plane;
+  };
+  if (is_primitive(a) || is_primitive(b)) {
+    primitive_pair(bodies, a, b, margin, out);
+  } else if (!memory.axis.isZero(0) && separated_by_memory(bodies, a, b, margin, memory)) {
+    out.separated_by_memory = true;
+    return;
+  } else {
+    polytope_or_cylinder_pair(bodies, a, b, margin, fcl, room, memory, out);
+  }
+  order_by_key(out);
+}
+
+}  // namespace nilas

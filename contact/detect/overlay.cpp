@@ -1,0 +1,133 @@
+#include "contact/detect/overlay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/detect/contact_key.h"
+
+namespace nilas {
+
+namespace {
+
+using Corner = ClipBuffers::Corner;
+
+double twice_area(const SurfaceLoop& loop) {
+  double sum = 0;
+  for (std::size_t k = 0; k < loop.corners.size(); ++k) {
+    const LoopCorner& p = loop.corners[k];
+    const LoopCorner& q = loop.corners[(k + 1) % loop.corners.size()];
+    sum += p.u * q.v - p.v * q.u;
+  }
+  return sum;
+}
+
+/// One side of the window as a line; `sign` turns the inside to positive distances.
+struct Side {
+  double u, v;    ///< its middle: the same bits whichever end is listed first
+  double du, dv;  ///< unit direction times sign
+  double distance(double pu, double pv) const { return du * (pv - v) - dv * (pu - u); }
+};
+
+Side side_of(const SurfaceLoop& loop, std::size_t k, double sign) {
+  const LoopCorner& p = loop.corners[k];
+  const LoopCorner& q = loop.corners[(k + 1) % loop.corners.size()];
+  const double du = q.u - p.u, dv = q.v - p.v;
+  const double length = std::sqrt(du * du + dv * dv);
+  const double scale = length > 0 ? sign / length : 0.0;
+  return {0.5 * (p.u + q.u), 0.5 * (p.v + q.v), scale * du, scale * dv};
+}
+
+/// Names of points made by cutting, with A's features always first.
+struct Cutter {
+  const SurfaceLoop& window;
+  bool a_is_window;
+
+  /// Names the point where the edge that begins at `from` meets a side of the window.
+  void name(const Corner& from, int side, Corner& point) const {
+    const int window_edge = window.corners[side].edge;
+    if (from.side < 0) {
+      point.crossed_subject = from.edge;
+      point.crossed_window = window_edge;
+      point.tag = a_is_window ? feature_tag(FeatureKind::crossing, window_edge, from.edge)
+                              : feature_tag(FeatureKind::crossing, from.edge, window_edge);
+      return;
+    }
+    // The edge lies on an earlier side of the window: the point is the window's corner between both.
+    const int count = static_cast<int>(window.corners.size());
+    const FeatureKind kind = a_is_window ? FeatureKind::vertex_a : FeatureKind::vertex_b;
+    if (from.side == (side + 1) % count)
+      point.tag = feature_tag(kind, window.corners[from.side].vertex);
+    else if (side == (from.side + 1) % count)
+      point.tag = feature_tag(kind, window.corners[side].vertex);
+    else
+      point.tag = mix(feature_tag(FeatureKind::crossing, window.corners[from.side].edge), window_edge);
+  }
+
+  /// Always from the inner corner to the outer one, whichever way the loop runs.
+  Corner cut(const Corner& inner, const Corner& outer, const Corner& from, int side) const {
+    const double t = inner.distance / (inner.distance - outer.distance);
+    Corner corner;
+    corner.u = inner.u + t * (outer.u - inner.u);
+    corner.v = inner.v + t * (outer.v - inner.v);
+    name(from, side, corner);
+    return corner;
+  }
+};
+
+void cut_by_side(const Cutter& cutter, int side, double tolerance, const std::vector<Corner>& in,
+                 std::vector<Corner>& out) {
+  out.clear();
+  for (std::size_t i = 0; i < in.size(); ++i) {
+    const Corner& corner = in[i];
+    const Corner& following = in[(i + 1) % in.size()];
+    const bool leaves = following.distance < -tolerance;
+    if (corner.distance >= -tolerance) {
+      out.push_back(corner);
+      if (leaves && corner.distance <= tolerance) out.back().side = side;
+      if (!leaves || corner.distance <= tolerance) continue;
+      out.push_back(cutter.cut(corner, following, corner, side));
+      out.back().side = side;
+    } else if (following.distance > tolerance) {
+      out.push_back(cutter.cut(following, corner, corner, side));
+      out.back().edge = corner.edge;
+      out.back().side = corner.side;
+    }
+  }
+}
+
+}  // namespace
+
+void clip(const SurfaceLoop& loop_a, const SurfaceLoop& loop_b, bool a_is_window, double tolerance, ClipBuffers& buffers,
+          std::vector<OverlayPoint>& points) {
+  const Cutter cutter{a_is_window ? loop_a : loop_b, a_is_window};
+  const SurfaceLoop& subject = a_is_window ? loop_b : loop_a;
+  const FeatureKind kind = a_is_window ? FeatureKind::vertex_b : FeatureKind::vertex_a;
+  const double sign = twice_area(cutter.window) < 0 ? -1.0 : 1.0;
+  buffers.now.clear();
+  for (const LoopCorner& c : subject.corners)
+    buffers.now.push_back({c.u, c.v, feature_tag(kind, c.vertex), -1, -1, c.edge, -1, 0});
+  for (std::size_t k = 0; k < cutter.window.corners.size() && !buffers.now.empty(); ++k) {
+    const Side side = side_of(cutter.window, k, sign);
+    double least = 0;
+    for (Corner& c : buffers.now) least = std::min(least, c.distance = side.distance(c.u, c.v));
+    if (least >= -tolerance) continue;
+    cut_by_side(cutter, static_cast<int>(k), tolerance, buffers.now, buffers.next);
+    buffers.now.swap(buffers.next);
+  }
+  for (const Corner& c : buffers.now) {
+    const double height_a = loop_a.height(c.u, c.v);
+    const int edge_a = a_is_window ? c.crossed_window : c.crossed_subject;
+    const int edge_b = a_is_window ? c.crossed_subject : c.crossed_window;
+    points.push_back({c.u, c.v, c.tag, edge_a, edge_b, height_a, loop_b.height(c.u, c.v) - height_a});
+  }
+}
+
+double inset(const SurfaceLoop& loop, double u, double v) {
+  const double sign = twice_area(loop) < 0 ? -1.0 : 1.0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < loop.corners.size(); ++k) least = std::min(least, side_of(loop, k, sign).distance(u, v));
+  return least;
+}
+
+}  // namespace nilas

@@ -1,0 +1,32 @@
+#pragma once
+/// Contacts with closed forms: anything with a plane or a sphere.
+#include <cstdint>
+#include <vector>
+
+#include "contact/detect/pair_view.h"
+
+namespace nilas {
+
+/// A contact point in the frame of one of the parts, its host.
+struct LocalContact {
+  Vec3 p = Vec3::Zero();   ///< midway between the surfaces
+  Vec3 n = Vec3::UnitX();  ///< from the host to the guest
+  double gap = 0;          ///< [m]
+  std::uint64_t tag = 0;   ///< of the touching features
+};
+
+struct HostView {
+  const Part& host;
+  const Part& guest;
+  RelativePose guest_in_host;
+  double margin = 0;  ///< [m]
+};
+
+/// Half space z < 0 of the host with any guest but a plane: up to four points of a polytope or cylinder, one of a sphere.
+void plane_contacts(const HostView& view, std::vector<LocalContact>& out);
+
+/// Sphere (guest) on a polytope, cylinder or sphere: one point along the line from the surface point nearest to the
+/// sphere's centre; with the centre inside, along the shortest way out.
+void sphere_contacts(const HostView& view, std::vector<LocalContact>& out);
+
+}  // namespace nilas

@@ -1,0 +1,12 @@
+#pragma once
+/// Groups of contacts that share no moving block: each can be solved apart.
+#include <vector>
+
+#include "contact/problem.h"
+
+namespace nilas {
+
+/// Contact indices per island, ascending inside, islands ordered by their first contact.
+std::vector<std::vector<int>> find_islands(const ContactProblem& problem);
+
+}  // namespace nilas

@@ -1,0 +1,74 @@
+#include "contact/law_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/cone.h"
+#include "contact/operators.h"
+
+namespace nilas {
+
+ContactScale contact_scale(const ContactProblem& problem, int c, const Mat3& w) {
+  const auto i = static_cast<std::size_t>(c);
+  const double d = inverse_mass_scale(w);
+  // Between two immovable sides compliance is the only way to yield.
+  return {problem.mu[i], problem.force_limit[i], d > 0 ? d : problem.compliance[i]};
+}
+
+Vec3 compliant_velocity(const ContactProblem& problem, int c, const Vec3& r, const Vec3& u) {
+  return {u[0] + problem.compliance[static_cast<std::size_t>(c)] * r[0], u[1], u[2]};
+}
+
+static double immovable_map(const ContactScale& scale, const Vec3& r, const Vec3& u) {
+  const double expected = u[0] < 0 ? scale.force_limit : 0;
+  return std::isfinite(expected) && r[0] == expected ? 0 : std::abs(u[0]);
+}
+
+static double cone_map(const ContactScale& scale, const Vec3& r, const Vec3& u_hat) {
+  return scale.d * (r - project_cone(r - u_hat / scale.d, scale.mu, scale.force_limit)).norm();
+}
+
+double ccp_map(const ContactScale& scale, const Vec3& r, const Vec3& u) {
+  return scale.d == 0 ? immovable_map(scale, r, u) : cone_map(scale, r, u);
+}
+
+double natural_map(const ContactScale& scale, const Vec3& r, const Vec3& u) {
+  if (scale.d == 0) return immovable_map(scale, r, u);
+  const double slip = tangential_norm(u);
+  return cone_map(scale, r, {u[0] + scale.mu * slip, u[1], u[2]});
+}
+
+static double pyramid_k_map(int facets, const ContactScale& scale, const Vec3& r, const Vec3& u) {
+  const Vec3 u_hat(u[0] + scale.mu * pyramid_support(-u.tail<2>(), facets), u[1], u[2]);
+  return scale.d * (r - project_pyramid(r - u_hat / scale.d, scale.mu, facets, scale.force_limit)).norm();
+}
+
+static double normal_step(const ContactScale& scale, const Vec3& r, const Vec3& u) {
+  return r[0] - std::min(std::max(r[0] - u[0] / scale.d, 0.0), scale.force_limit);
+}
+
+static double box_map(const ContactScale& scale, const Vec3& r, const Vec3& u) {
+  const double bound = scale.mu * std::max(r[0], 0.0);
+  Vec3 step(normal_step(scale, r, u), 0, 0);
+  for (int i = 1; i < 3; ++i) step[i] = r[i] - std::clamp(r[i] - u[i] / scale.d, -bound, bound);
+  return scale.d * step.norm();
+}
+
+double law_map(Law law, int facets, const ContactScale& scale, const Vec3& r, const Vec3& u) {
+  if (scale.d == 0) return immovable_map(scale, r, u);
+  switch (law) {
+    case Law::coulomb:
+      return natural_map(scale, r, u);
+    case Law::ccp:
+      return ccp_map(scale, r, u);
+    case Law::pyramid:
+      return box_map(scale, r, u);
+    case Law::pyramid_k:
+      return pyramid_k_map(facets, scale, r, u);
+    case Law::frictionless:
+      return scale.d * std::abs(normal_step(scale, r, u));
+  }
+  return 0;
+}
+
+}  // namespace nilas

@@ -1,0 +1,80 @@
+#include "contact/mass_inverse.h"
+
+#include <cmath>
+#include <limits>
+
+namespace nilas {
+
+constexpr int k_rigid_size = 6;
+
+static bool is_rigid_body(const ContactProblem::ConstMatrix& mass) {
+  if (mass.rows() != k_rigid_size) return false;
+  const double m = mass(0, 0);
+  for (int j = 0; j < k_rigid_size; ++j)
+    for (int i = 0; i < k_rigid_size; ++i) {
+      if (i >= 3 && j >= 3) continue;
+      if (mass(i, j) != (i == j ? m : 0.0)) return false;
+    }
+  return true;
+}
+
+/// Sylvester's criterion; false for NaN.
+static bool is_positive_definite(const Mat3& a) {
+  const double minor = a(0, 0) * a(1, 1) - a(1, 0) * a(0, 1);
+  return a(0, 0) > 0 && minor > 0 && a.determinant() > 0;
+}
+
+MassInverse::MassInverse(const ContactProblem& problem) {
+  slot_.reserve(static_cast<std::size_t>(problem.num_blocks()));
+  for (int k = 0; k < problem.num_blocks(); ++k) {
+    const auto mass = problem.mass(k);
+    if (is_rigid_body(mass))
+      add_rigid_body(mass, k);
+    else
+      add_general(mass, k);
+  }
+}
+
+void MassInverse::mark_bad(int block) {
+  if (first_bad_block_ < 0) first_bad_block_ = block;
+}
+
+void MassInverse::add_rigid_body(const ContactProblem::ConstMatrix& mass, int block) {
+  const Mat3 inertia = mass.bottomRightCorner<3, 3>();
+  const bool good = mass(0, 0) > 0 && std::isfinite(mass(0, 0)) && inertia.allFinite() && is_positive_definite(inertia);
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  RigidBody body;
+  body.inverse_mass = good ? 1.0 / mass(0, 0) : nan;
+  body.inverse_inertia = good ? Mat3(inertia.inverse()) : Mat3(Mat3::Constant(nan));
+  slot_.push_back(static_cast<int>(rigid_bodies_.size()));
+  rigid_bodies_.push_back(body);
+  if (!good) mark_bad(block);
+}
+
+void MassInverse::add_general(const ContactProblem::ConstMatrix& mass, int block) {
+  slot_.push_back(~static_cast<int>(factors_.size()));
+  factors_.emplace_back(mass);
+  if (!mass.allFinite() || factors_.back().info() != Eigen::Success) mark_bad(block);
+}
+
+void MassInverse::apply(int k, const double* momentum, double* velocity) const {
+  const int slot = slot_[static_cast<std::size_t>(k)];
+  if (slot >= 0) {
+    const RigidBody& body = rigid_bodies_[static_cast<std::size_t>(slot)];
+    const Eigen::Map<const Vec3> p(momentum), l(momentum + 3);
+    const Vec3 w = body.inverse_inertia * l;
+    Eigen::Map<Vec3>{velocity} = body.inverse_mass * p;
+    Eigen::Map<Vec3>{velocity + 3} = w;
+    return;
+  }
+  const auto& factor = factors_[static_cast<std::size_t>(~slot)];
+  Eigen::Map<VecX> x(velocity, factor.rows());
+  if (factor.info() != Eigen::Success) {
+    x.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return;
+  }
+  x = Eigen::Map<const VecX>(momentum, factor.rows());
+  factor.solveInPlace(x);
+}
+
+}  // namespace nilas

@@ -1,0 +1,35 @@
+#pragma once
+/// Inverses of the mass blocks of a contact problem.
+#include <vector>
+
+#include "contact/problem.h"
+
+namespace nilas {
+
+/// M_k^-1 per block. A 6x6 block of the form diag(m I, I_G) is kept as 1/m and I_G^-1, any other by its Cholesky
+/// factor.
+class MassInverse {
+ public:
+  explicit MassInverse(const ContactProblem& problem);
+
+  /// First block that is not finite or not positive definite, -1 when all are good. The inverse of a bad block is NaN.
+  int first_bad_block() const { return first_bad_block_; }
+  /// velocity = M_k^-1 momentum, block_size(k) numbers each; the two may be the same array.
+  void apply(int k, const double* momentum, double* velocity) const;
+
+ private:
+  struct RigidBody {
+    double inverse_mass = 0;
+    Mat3 inverse_inertia = Mat3::Zero();
+  };
+  void add_rigid_body(const ContactProblem::ConstMatrix& mass, int block);
+  void add_general(const ContactProblem::ConstMatrix& mass, int block);
+  void mark_bad(int block);
+
+  std::vector<int> slot_;  ///< per block: k >= 0 in rigid_bodies_, ~k in factors_
+  std::vector<RigidBody> rigid_bodies_;
+  std::vector<Eigen::LLT<MatX>> factors_;
+  int first_bad_block_ = -1;
+};
+
+}  // namespace nilas

@@ -1,0 +1,40 @@
+#pragma once
+/// Split impulse: pseudo velocities that move bodies out of each other without entering their momentum.
+#include <vector>
+
+#include "contact/assemble.h"
+#include "contact/detect/contact_point.h"
+#include "contact/solver.h"
+
+namespace nilas {
+
+struct CorrectionSettings {
+  double h = 0;                   ///< step [s]
+  double erp = 0.2;               ///< share of the penetration beyond the slop that one step removes
+  double slop = 0;                ///< penetration left alone [m]
+  double max_speed = 1;           ///< of the separation [m/s]
+  bool move_articulated = false;  ///< otherwise they stand still, however light
+  SolverSettings solver{.tolerance = 1e-4, .max_iterations = 50};  ///< 1e-4 m/s is 1 um in a step of 0.01 s
+};
+
+struct PositionCorrection {
+  VecX v;            ///< nv pseudo velocities in the layout of the contact problem's blocks
+  int contacts = 0;  ///< that took part
+  SolveStatus status = SolveStatus::converged;
+  int iterations = 0;
+};
+
+/// Solves, without friction and from rest, for the smallest motion with
+///   u_N >= min(erp (depth - slop)/h, max_speed)  where depth > slop,
+///   u_N >= -gap/h for gap > 0, u_N >= 0 for the other closed points,
+/// so that what is pushed out of one body is not pushed into the next. Groups of bodies (joined by contact points, not
+/// through immovable ones) without such a depth are left out. `points` are those that `contacts` was assembled from.
+PositionCorrection position_correction(const AssembledContacts& contacts, const std::vector<ContactPoint>& points,
+                                       const CorrectionSettings& settings);
+
+/// The same, written per body: v, w of the free bodies' centres of mass in G; entries of other bodies stay as they are.
+PositionCorrection correction_velocities(const AssembledContacts& contacts, const std::vector<ContactPoint>& points,
+                                         const CorrectionSettings& settings, std::vector<Vec3>& v,
+                                         std::vector<Vec3>& w);
+
+}  // namespace nilas

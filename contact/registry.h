@@ -1,0 +1,30 @@
+#pragma once
+/// Solvers by name: what `nilas solvers` lists and what a scene may ask for.
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "contact/solver.h"
+
+namespace nilas {
+
+struct SolverEntry {
+  std::string name;
+  std::string summary;  ///< one sentence: what it is, cost per iteration, when to use
+  std::vector<Law> laws;
+  std::function<std::unique_ptr<ContactSolver>(const SolverSettings&)> make;
+};
+const std::vector<SolverEntry>& solver_registry();
+/// Throws InputError naming the nearest solver.
+const SolverEntry& find_solver(const std::string& name);
+
+const char* to_string(Law law);
+/// "pyramid-8" gives pyramid_k with 8 facets. Throws InputError naming the nearest law.
+struct ParsedLaw {
+  Law law = Law::coulomb;
+  int facets = 0;
+};
+ParsedLaw parse_law(const std::string& name);
+
+}  // namespace nilas

@@ -1,0 +1,41 @@
+#pragma once
+/// What every contact solver is: a pure function from a problem and a guess to a solution.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "contact/measure.h"
+#include "contact/problem.h"
+
+namespace nilas {
+
+enum class SolveStatus { converged, iteration_limit, stalled, numerical_error };
+const char* to_string(SolveStatus status);
+
+struct ContactSolution {
+  VecX r;  ///< 3 nc impulses on body B in the contact frame [N s]
+  VecX v;  ///< nv velocities with r applied
+  VecX u;  ///< 3 nc, H^T v + w [m/s]
+  SolveStatus status = SolveStatus::numerical_error;
+  int iterations = 0;
+  std::vector<double> history;  ///< law_map_m_s after each iteration, when asked for
+  std::string message;          ///< what failed and at which contact key; empty unless numerical_error
+};
+
+/// Settings that all solvers share; a solver's own settings are a struct in its header.
+struct SolverSettings {
+  double tolerance = 1e-6;  ///< on law_map_m_s [m/s]; 0: always max_iterations sweeps
+  int max_iterations = 1000;
+  bool keep_history = false;
+  int threads = 1;
+};
+
+class ContactSolver {
+ public:
+  virtual ~ContactSolver() = default;
+  virtual std::string name() const = 0;
+  /// Same arguments, same bits. Never throws for non-convergence. `guess`: 3 nc impulses, or empty.
+  virtual ContactSolution solve(const ContactProblem& problem, const VecX& guess) const = 0;
+};
+
+}  // namespace nilas

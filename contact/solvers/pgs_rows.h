@@ -1,0 +1,53 @@
+#pragma once
+/// What the sweeps of projected Gauss-Seidel read and write, contiguous and in the order of the islands.
+#include <vector>
+
+#include "contact/law_map.h"
+#include "contact/mass_inverse.h"
+#include "contact/problem.h"
+
+namespace nilas {
+
+/// Block sizes for which a sweep has unrolled code.
+enum class PgsShape { six_six, six_none, none_six, general };
+
+/// One contact. `rows` leads to row i = N, T1, T2 at rows + i * stride(): J_A J_B, then M^-1 J_A^T and M^-1 J_B^T.
+struct PgsContact {
+  double r[3] = {0, 0, 0};
+  double w[3] = {0, 0, 0};
+  double weight[3] = {0, 0, 0};    ///< impulse per velocity of each row's step: 1/(W_ii + c)
+  double diagonal[3] = {0, 0, 0};  ///< W_ii
+  double coupling[3] = {0, 0, 0};  ///< W_T1N, W_T2N, W_T2T1
+  double mu = 0;
+  double force_limit = 0;
+  double compliance = 0;
+  Eigen::Index rows = 0;         ///< into PgsRows::coefficients
+  int first_a = 0, first_b = 0;  ///< into PgsRows::velocities
+  int size_a = 0, size_b = 0;
+  PgsShape shape = PgsShape::general;
+  bool unanswerable = false;  ///< its normal velocity cannot be changed and no force limit says what to do
+
+  int stride() const { return 2 * (size_a + size_b); }
+};
+
+struct PgsIsland {
+  int first = 0, last = 0;  ///< contacts [first, last)
+  std::vector<int> blocks;  ///< that they touch
+};
+
+struct PgsRows {
+  Law law = Law::pyramid;
+  std::vector<PgsContact> contacts;
+  std::vector<int> source;           ///< index in the problem of each contact
+  std::vector<ContactScale> scales;  ///< for the law's residual
+  VecX coefficients;
+  VecX velocities;                  ///< with the impulses so far; each block begins at an even place
+  std::vector<int> first_velocity;  ///< per block
+  std::vector<PgsIsland> islands;
+  bool finite = true;  ///< false: some input is not
+};
+
+/// Sets all up for the impulses `guess` (3 nc, or empty for none), made admissible.
+PgsRows make_pgs_rows(const ContactProblem& problem, const MassInverse& masses, const VecX& guess, int threads);
+
+}  // namespace nilas

@@ -1,0 +1,290 @@
+#include "contact/assemble.h"
+
+#include <gtest/gtest.h>
+
+#include "contact/contact_frame.h"
+#include "contact/measure.h"
+#include "contact/solvers/pgs.h"
+#include "core/base/error.h"
+#include "core/base/random.h"
+
+namespace nilas {
+namespace {
+
+int add_floe(Bodies& bodies, const Vec3& p, const Vec3& v, const Vec3& w, Motion motion = Motion::free,
+             const Quat& q = Quat::Identity()) {
+  BodySpec spec;
+  spec.shape = std::make_shared<Shape>();
+  spec.material = "ice";
+  spec.motion = motion;
+  spec.mass = 100 + 10 * bodies.size();
+  spec.inertia_B = Vec3(20, 30, 45).asDiagonal();
+  spec.pose = {q, p};
+  spec.v = v;
+  spec.w = w;
+  return bodies.add(spec);
+}
+
+ContactPoint point(int a, int b, const Vec3& p, const Vec3& n, double gap, std::uint64_t key = 1) {
+  ContactPoint c;
+  c.a = a;
+  c.b = b;
+  c.p = p;
+  c.n = n;
+  c.gap = gap;
+  c.key = key;
+  return c;
+}
+
+FrictionTable ice_friction(double restitution = 0) {
+  FrictionTable table;
+  table.add("ice", "ice", {0.35, 0.30, restitution});
+  return table;
+}
+
+/// Four floes in a row of which the middle two touch at (1, 0.2, 0.1), with loads.
+struct TwoFloes {
+  Bodies bodies;
+  Wrenches free = Wrenches(4);
+  FrictionTable friction = ice_friction();
+  AssemblySettings settings{.h = 0.01};
+
+  TwoFloes() {
+    add_floe(bodies, Vec3(-9, 0, 0), Vec3(1, 1, 1), Vec3(1, 1, 1));
+    add_floe(bodies, Vec3(0, 0, 0), Vec3(1, 2, 3), Vec3(0.1, 0.2, 0.3));
+    add_floe(bodies, Vec3(2, 0, 0), Vec3(-1, 0, 0), Vec3(0, 0, -0.5));
+    add_floe(bodies, Vec3(9, 0, 0), Vec3(1, 1, 1), Vec3(1, 1, 1));
+    free[1] = {Vec3(10, 20, 30), Vec3(1, 2, 3)};
+  }
+
+  AssembledContacts assemble(double gap, const std::vector<ArticulatedBlock>& articulated = {}) {
+    return nilas::assemble(bodies, free, {point(1, 2, Vec3(1, 0.2, 0.1), Vec3::UnitX(), gap, 77)}, friction, settings,
+                           articulated);
+  }
+};
+
+TEST(Assemble, TwoFloesByHand) {
+  TwoFloes scene;
+  const AssembledContacts out = scene.assemble(0.004);
+  const ContactProblem& problem = out.problem;
+  validate(problem);
+  EXPECT_EQ(out.block_of_body, (std::vector<int>{-1, 0, 1, -1}));
+  EXPECT_EQ(out.first_articulated_block, 2);
+  EXPECT_EQ(problem.num_blocks(), 2);
+  EXPECT_EQ(problem.pairs[0].a, 0);
+  EXPECT_EQ(problem.pairs[0].b, 1);
+  EXPECT_EQ(problem.key[0], 77u);
+  EXPECT_EQ(problem.mu[0], 0.30);
+  EXPECT_EQ(problem.mu_static[0], 0.35);
+  EXPECT_TRUE(std::isinf(problem.force_limit[0]));
+
+  // n = x, t1 = z, t2 = n x t1 = -y
+  Mat3 frame;
+  frame << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+  EXPECT_EQ(out.C[0], frame);
+
+  // arm of the point: A (1, 0.2, 0.1), B (-1, 0.2, 0.1); rows c_i and r x c_i
+  MatX rows_a(3, 6), rows_b(3, 6);
+  rows_a << -1, 0, 0, 0, -0.1, 0.2, 0, 0, -1, -0.2, 1, 0, 0, 1, 0, -0.1, 0, 1;
+  rows_b << 1, 0, 0, 0, 0.1, -0.2, 0, 0, 1, 0.2, 1, 0, 0, -1, 0, 0.1, 0, 1;
+  EXPECT_LT((problem.jacobian_a(0) - rows_a).norm(), 1e-15);
+  EXPECT_LT((problem.jacobian_b(0) - rows_b).norm(), 1e-15);
+
+  Mat6 mass = Mat6::Zero();
+  mass.diagonal() << 110, 110, 110, 20, 30, 45;
+  EXPECT_EQ(problem.mass(0), MatX(mass));
+  Vec6 momentum;
+  momentum << 110 + 0.1, 220 + 0.2, 330 + 0.3, 2 + 0.01, 6 + 0.02, 13.5 + 0.03;
+  EXPECT_LT((problem.f.head<6>() - momentum).norm(), 1e-13);
+  EXPECT_LT((problem.w - Vec3(0.4, 0, 0)).norm(), 1e-15);
+
+  // u is C^T times the relative velocity of the material points
+  const Vec3 v_a = scene.bodies.velocity_at(1, Vec3(1, 0.2, 0.1)), v_b = scene.bodies.velocity_at(2, Vec3(1, 0.2, 0.1));
+  VecX v(12);
+  v << scene.bodies.v_GB[1], scene.bodies.w_GB[1], scene.bodies.v_GB[2], scene.bodies.w_GB[2];
+  EXPECT_LT((contact_velocities(problem, v) - problem.w - frame.transpose() * (v_b - v_a)).norm(), 1e-14);
+}
+
+TEST(Assemble, PenetrationHasNoBias) {
+  TwoFloes scene;
+  EXPECT_EQ(scene.assemble(-0.01).problem.w, VecX::Zero(3));
+  EXPECT_EQ(scene.assemble(0).problem.w, VecX::Zero(3));
+}
+
+TEST(Assemble, RotatedBodyHasItsInertiaInG) {
+  TwoFloes scene;
+  scene.bodies.set_pose(1, Vec3::Zero(), Quat(0.5, 0.1, -0.7, 0.3));
+  const ContactProblem problem = scene.assemble(0).problem;
+  validate(problem);
+  const Mat3 inertia = scene.bodies.inertia_G(1);
+  EXPECT_LT((problem.mass(0).bottomRightCorner<3, 3>() - inertia).norm(), 1e-14);
+  EXPECT_LT((problem.f.segment<3>(3) - inertia * Vec3(0.1, 0.2, 0.3) - 0.01 * Vec3(1, 2, 3)).norm(), 1e-14);
+}
+
+TEST(Assemble, RestitutionReplacesTheGapWhereItWouldClose) {
+  TwoFloes scene;
+  scene.friction = ice_friction(0.5);
+  const double before =
+      scene.bodies.velocity_at(2, Vec3(1, 0.2, 0.1)).x() - scene.bodies.velocity_at(1, Vec3(1, 0.2, 0.1)).x();
+  ASSERT_LT(before, -1.5);
+  EXPECT_NEAR(scene.assemble(-0.001).problem.w[0], 0.5 * before, 1e-15);
+  EXPECT_NEAR(scene.assemble(0.001).problem.w[0], 0.5 * before, 1e-15);  // closes within the step
+  EXPECT_NEAR(scene.assemble(0.1).problem.w[0], 10, 1e-13);              // does not
+  scene.settings.restitution_threshold = 3;
+  EXPECT_EQ(scene.assemble(-0.001).problem.w[0], 0);
+  EXPECT_NEAR(scene.assemble(0.001).problem.w[0], 0.1, 1e-15);
+}
+
+TEST(Assemble, FixedSideHasNoBlockAndNoVelocity) {
+  TwoFloes scene;
+  scene.bodies.motion[1] = Motion::fixed;
+  const AssembledContacts out = scene.assemble(0);
+  EXPECT_EQ(out.problem.num_blocks(), 1);
+  EXPECT_EQ(out.problem.pairs[0].a, -1);
+  EXPECT_EQ(out.problem.pairs[0].b, 0);
+  EXPECT_EQ(out.block_of_body, (std::vector<int>{-1, -1, 0, -1}));
+  EXPECT_EQ(out.problem.w, VecX::Zero(3));
+  validate(out.problem);
+}
+
+TEST(Assemble, ArticulatedSideIsReducedAndItsPrescribedMotionGoesToW) {
+  for (const int body : {1, 2}) {
+    TwoFloes scene;
+    scene.bodies.motion[static_cast<std::size_t>(body)] = Motion::articulated;
+    ArticulatedBlock block;
+    block.body = body;
+    block.mass = Eigen::Vector2d(50, 60).asDiagonal();
+    block.f = Eigen::Vector2d(5, 6);
+    RandomStream random(1, "tree");
+    block.jacobian = MatX::NullaryExpr(6, 2, [&](Eigen::Index, Eigen::Index) { return random.normal(); });
+    block.prescribed << 0.3, -0.2, 0.1, 0.5, 0.6, -0.7;
+    const AssembledContacts out = scene.assemble(0.002, {block});
+    validate(out.problem);
+    EXPECT_EQ(out.first_articulated_block, 1);  // behind the free body, whatever their order
+    EXPECT_EQ(out.block_of_body[static_cast<std::size_t>(body)], 1);
+    EXPECT_EQ(out.problem.f.tail<2>(), block.f);
+
+    // u for speeds s against the twist that they make
+    const Vec2 speeds(0.8, -0.4);
+    const Vec6 twist = block.jacobian * speeds + block.prescribed;
+    const Vec3 p(1, 0.2, 0.1);
+    const auto other = static_cast<std::size_t>(3 - body);
+    const Vec3 v_moved = twist.head<3>() + twist.tail<3>().cross(p - scene.bodies.p_GB[static_cast<std::size_t>(body)]);
+    const Vec3 v_other = scene.bodies.velocity_at(3 - body, p);
+    VecX v(8);
+    v << scene.bodies.v_GB[other], scene.bodies.w_GB[other], speeds;
+    const double sign = body == 2 ? 1 : -1;
+    const Vec3 expected = sign * out.C[0].transpose() * (v_moved - v_other) + Vec3(0.2, 0, 0);
+    EXPECT_LT((contact_velocities(out.problem, v) - expected).norm(), 1e-14);
+  }
+}
+
+TEST(Assemble, ABodyWithoutCoordinatesIsPrescribed) {
+  TwoFloes scene;
+  scene.bodies.motion[2] = Motion::articulated;
+  ArticulatedBlock carried;
+  carried.body = 2;
+  carried.jacobian = MatX(6, 0);
+  carried.prescribed << -2, 0, 0, 0, 0, 0.5;
+  const AssembledContacts out = scene.assemble(0, {carried});
+  EXPECT_EQ(out.problem.num_blocks(), 1);
+  EXPECT_EQ(out.problem.pairs[0].b, -1);
+  // velocity of the point (-1, 0.2, 0.1) off the centre: (-2, 0, 0) + (0, 0, 0.5) x r = (-2.1, -0.5, 0)
+  EXPECT_LT((out.problem.w - Vec3(-2.1, 0, 0.5)).norm(), 1e-15);
+  EXPECT_THROW(scene.assemble(0), ContractError);
+}
+
+TEST(Assemble, UnnamedMaterialsAreFrictionlessAndRemembered) {
+  TwoFloes scene;
+  scene.bodies.material[2] = "rubber";
+  EXPECT_EQ(scene.assemble(0).problem.mu[0], 0);
+  EXPECT_EQ(scene.friction.unnamed_pairs().size(), 1u);
+}
+
+TEST(Assemble, ImpulsesBalanceInLinearAndAngularMomentum) {
+  RandomStream random(2, "balance");
+  const auto vector = [&] {
+    const double x = random.normal(), y = random.normal(), z = random.normal();
+    return Vec3(x, y, z);
+  };
+  Bodies bodies;
+  add_floe(bodies, vector(), vector(), vector(), Motion::free, Quat(0.3, 0.4, 0.5, 0.6));
+  add_floe(bodies, vector(), vector(), vector());
+  std::vector<ContactPoint> points;
+  for (std::uint64_t k = 0; k < 6; ++k) points.push_back(point(0, 1, vector(), vector().normalized(), 0, k));
+  FrictionTable friction = ice_friction();
+  const AssembledContacts out = assemble(bodies, Wrenches(2), points, friction, {.h = 0.01}, {});
+  for (int c = 0; c < 6; ++c) {
+    const Vec3 r = vector();
+    const Vec6 on_a = out.problem.jacobian_a(c).transpose() * r, on_b = out.problem.jacobian_b(c).transpose() * r;
+    EXPECT_LT((on_b.head<3>() - out.C[static_cast<std::size_t>(c)] * r).norm(), 1e-14);
+    EXPECT_LT((on_a.head<3>() + on_b.head<3>()).norm(), 1e-14);
+    const Vec3 angular =
+        on_a.tail<3>() + bodies.p_GB[0].cross(on_a.head<3>()) + on_b.tail<3>() + bodies.p_GB[1].cross(on_b.head<3>());
+    EXPECT_LT(angular.norm(), 1e-14);
+  }
+}
+
+TEST(Assemble, ABallBouncesToItsHeight) {
+  Bodies bodies;
+  const int ground = add_floe(bodies, Vec3(0, 0, -1), Vec3::Zero(), Vec3::Zero(), Motion::fixed);
+  const int ball = add_floe(bodies, Vec3(0, 0, 0.5), Vec3(0, 0, -2), Vec3::Zero());
+  FrictionTable friction = ice_friction(0.8);
+  const std::vector<ContactPoint> points{point(ground, ball, Vec3::Zero(), Vec3::UnitZ(), 0.001)};
+  const AssembledContacts out = assemble(bodies, Wrenches(2), points, friction, {.h = 0.01}, {});
+  const ContactSolution s = PgsSolver({}).solve(out.problem, {});
+  EXPECT_NEAR(s.v[2], 1.6, 1e-14);
+}
+
+// --- contact frames
+
+TEST(ContactFrame, IsOrthonormalAndRightHanded) {
+  RandomStream random(3, "frames");
+  for (int k = 0; k < 500; ++k) {
+    const Vec3 n = Vec3(random.normal(), random.normal(), random.normal()).normalized();
+    const Quat q(random.normal(), random.normal(), random.normal(), random.normal());
+    const Mat3 C = contact_frame(n, q.normalized().matrix(), k % 2 == 0 ? 0 : random.uniform(-3, 3));
+    EXPECT_EQ(C.col(0), n);
+    EXPECT_LT((C.transpose() * C - Mat3::Identity()).norm(), 1e-14);
+    EXPECT_NEAR(C.determinant(), 1, 1e-14);
+  }
+}
+
+TEST(ContactFrame, SideContactsOfPlatesHaveTheirFirstTangentUp) {
+  for (int k = 0; k < 360; ++k) {
+    const Vec3 n(std::cos(k * k_deg), std::sin(k * k_deg), 0.05 * std::sin(7.0 * k));
+    const Mat3 C = contact_frame(n.normalized(), Mat3::Identity(), 0);
+    EXPECT_GT(C(2, 1), 0.99) << k;
+  }
+}
+
+TEST(ContactFrame, TurnsWithTheBodyAndWithTheAxes) {
+  const Vec3 n = Vec3(0.3, -0.9, 0.2).normalized();
+  const Mat3 R = Quat(0.2, 0.7, -0.1, 0.4).normalized().matrix();
+  const Mat3 body = Quat(0.9, 0.1, 0.2, -0.3).normalized().matrix();
+  EXPECT_LT((contact_frame(R * n, R * body, 0.4) - R * contact_frame(n, body, 0.4)).norm(), 1e-14);
+  const Mat3 plain = contact_frame(n, body, 0), turned = contact_frame(n, body, k_pi / 2);
+  EXPECT_LT((turned.col(1) - plain.col(2)).norm(), 1e-15);
+  EXPECT_LT((turned.col(2) + plain.col(1)).norm(), 1e-15);
+}
+
+TEST(ContactFrame, MirroredScenesHaveMirroredTangentsToTheBit) {
+  RandomStream random(4, "mirror");
+  const Mat3 S = Vec3(1, -1, 1).asDiagonal();
+  for (int k = 0; k < 500; ++k) {
+    const bool level = k % 2 == 0;  // level plates have exact ties
+    const double angle = random.uniform(0, 2 * k_pi);
+    const Vec3 n = Vec3(std::cos(angle), std::sin(angle), level ? 0 : random.normal()).normalized();
+    const Mat3 R = level
+                       ? Mat3(Mat3::Identity())
+                       : Quat(random.normal(), random.normal(), random.normal(), random.normal()).normalized().matrix();
+    const Mat3 C = contact_frame(n, R, 0), mirrored = contact_frame(S * n, S * R * S, 0);
+    for (int axis = 1; axis < 3; ++axis) {
+      const Vec3 image = S * C.col(axis);
+      EXPECT_TRUE(mirrored.col(axis) == image || mirrored.col(axis) == -image) << k;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace nilas

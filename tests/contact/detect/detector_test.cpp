@@ -1,0 +1,193 @@
+/// The detector as a whole: which bodies pair, order, threads, memory.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+#include "contact/detect/detector.h"
+#include "tests/contact/detect/bodies_of_tests.h"
+
+namespace nilas {
+namespace {
+
+struct FloeSpec {
+  Shape shape;
+  Vec3 p;
+  Quat q;
+};
+
+/// A crowd of floes in a square, many of them touching.
+std::vector<FloeSpec> crowd(int count, std::uint64_t seed) {
+  RandomStream random(seed, "crowd");
+  const double side = 0.9 * std::sqrt(count);
+  std::vector<FloeSpec> floes;
+  for (int k = 0; k < count; ++k)
+    floes.push_back({floe_shape(random_outline(random, 0.5), 0.1),
+                     Vec3(random.uniform(0, side), random.uniform(0, side), random.uniform(-0.02, 0.02)),
+                     random_tilt(random, 0.02)});
+  return floes;
+}
+
+Bodies bodies_of(const std::vector<FloeSpec>& floes, const std::vector<int>& order) {
+  Bodies bodies;
+  for (int k : order) {
+    const int b = add_body(bodies, floes[k].shape, floes[k].p, floes[k].q);
+    bodies.name[b] = std::to_string(k);
+  }
+  return bodies;
+}
+
+std::vector<int> in_order(std::size_t count) {
+  std::vector<int> order(count);
+  std::iota(order.begin(), order.end(), 0);
+  return order;
+}
+
+/// Moves every body a little, each in its own way.
+void drift(Bodies& bodies, int step) {
+  for (int b = 0; b < bodies.size(); ++b) {
+    const double phase = 0.7 * b + 0.05 * step;
+    const Quat turn(Eigen::AngleAxisd(2e-3 * std::sin(phase), Vec3(0.1, 0.2, 1).normalized()));
+    bodies.set_pose(b, bodies.p_GB[b] + 3e-3 * Vec3(std::cos(phase), std::sin(1.3 * phase), 0.1 * std::sin(phase)),
+                    turn * bodies.q_GB[b]);
+  }
+}
+
+void expect_same_bits(const std::vector<ContactPoint>& one, const std::vector<ContactPoint>& other) {
+  ASSERT_EQ(one.size(), other.size());
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    EXPECT_EQ(one[i].key, other[i].key);
+    EXPECT_EQ(one[i].p, other[i].p);
+    EXPECT_EQ(one[i].n, other[i].n);
+    EXPECT_EQ(one[i].gap, other[i].gap);
+  }
+}
+
+TEST(Detector, PointsComeInOrder) {
+  const auto floes = crowd(60, 1);
+  const auto points = ContactDetector().detect(bodies_of(floes, in_order(floes.size())), 0.01);
+  ASSERT_GT(points.size(), 100u);
+  const auto rank = [](const ContactPoint& c) { return std::tuple(c.a, c.b, c.part_a, c.part_b, c.key); };
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) EXPECT_LT(rank(points[i]), rank(points[i + 1]));
+  for (const ContactPoint& c : points) {
+    EXPECT_LT(c.a, c.b);
+    EXPECT_LT(c.gap, 0.01);
+    EXPECT_NEAR(c.n.norm(), 1, 1e-14);
+  }
+}
+
+TEST(Detector, TheOrderOfBodiesDoesNotMatter) {
+  const auto floes = crowd(60, 2);
+  auto order = in_order(floes.size());
+  const Bodies one = bodies_of(floes, order);
+  for (std::size_t i = 0; i < order.size(); ++i) std::swap(order[i], order[(7 * i + 3) % order.size()]);
+  const Bodies other = bodies_of(floes, order);
+  const auto points = ContactDetector().detect(one, 0.01), shuffled = ContactDetector().detect(other, 0.01);
+  ASSERT_EQ(points.size(), shuffled.size());
+  std::multimap<std::pair<std::string, std::string>, ContactPoint> by_names;
+  for (const ContactPoint& c : shuffled) {
+    by_names.insert({{other.name[c.a], other.name[c.b]}, c});
+    ContactPoint turned = c;
+    turned.n = -c.n;
+    by_names.insert({{other.name[c.b], other.name[c.a]}, turned});
+  }
+  for (const ContactPoint& c : points) {
+    const auto [first, last] = by_names.equal_range({one.name[c.a], one.name[c.b]});
+    EXPECT_TRUE(std::any_of(first, last, [&](const auto& entry) {
+      return (entry.second.p - c.p).norm() < 1e-12 && (entry.second.n - c.n).norm() < 1e-12 &&
+             std::abs(entry.second.gap - c.gap) < 1e-13;
+    })) << one.name[c.a] << " " << one.name[c.b];
+  }
+}
+
+TEST(Detector, ThreadsDoNotChangeABit) {
+  const auto floes = crowd(150, 3);
+  Bodies bodies = bodies_of(floes, in_order(floes.size()));
+  ContactDetector one(1), two(2);
+  for (int step = 0; step < 20; ++step) {
+    drift(bodies, step);
+    expect_same_bits(one.detect(bodies, 0.01), two.detect(bodies, 0.01));
+  }
+}
+
+TEST(Detector, MemoryDoesNotChangeABit) {
+  const auto floes = crowd(80, 4);
+  Bodies bodies = bodies_of(floes, in_order(floes.size()));
+  ContactDetector remembering;
+  long separations = 0;
+  for (int step = 0; step < 40; ++step) {
+    drift(bodies, step);
+    const double margin = step % 7 == 3 ? 0.02 : 0.005;
+    expect_same_bits(remembering.detect(bodies, margin), ContactDetector().detect(bodies, margin));
+    separations += remembering.counts().cached_separations;
+  }
+  EXPECT_GT(separations, 1000);
+}
+
+TEST(Detector, NewBodiesArePickedUp) {
+  Bodies bodies;
+  ContactDetector detector;
+  add_body(bodies, box_shape({1, 1, 1}), {0, 0, 0});
+  EXPECT_TRUE(detector.detect(bodies, 0.01).empty());
+  add_body(bodies, box_shape({1, 1, 1}), {1, 0, 0});
+  EXPECT_EQ(detector.detect(bodies, 0.01).size(), 4u);
+  add_body(bodies, box_shape({1, 1, 1}), {0, 0, 1});
+  EXPECT_EQ(detector.detect(bodies, 0.01).size(), 10u);  // 4 below the third body, 4 beside, 2 on the edge it shares
+}
+
+TEST(Detector, AnotherListOfBodiesStartsAfresh) {
+  Bodies bodies, others;
+  ContactDetector detector;
+  add_body(bodies, box_shape({1, 1, 1}), {0, 0, 0});
+  add_body(bodies, box_shape({1, 1, 1}), {1, 0, 0});
+  detector.detect(bodies, 0.01);
+  add_body(others, box_shape({1, 1, 1}), {0, 0, 0});
+  EXPECT_TRUE(detector.detect(others, 0.01).empty());
+}
+
+TEST(Detector, PartsOfOneConcaveFloeDoNotPair) {
+  const std::vector<Vec2> corner{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+  Bodies bodies;
+  const Shape shape = floe_shape(corner, 0.2);
+  ASSERT_GT(shape.parts.size(), 1u);
+  add_body(bodies, shape, {0, 0, 0});
+  EXPECT_TRUE(ContactDetector().detect(bodies, 0.05).empty());
+  // A floe in the inner corner, touches both arms.
+  const double corner_at = 1 - 5.0 / 6;
+  add_body(bodies, box_shape({0.5, 0.5, 0.2}), {corner_at + 0.251, corner_at + 0.251, 0});
+  const auto points = ContactDetector().detect(bodies, 0.05);
+  int along_x = 0, along_y = 0;
+  for (const ContactPoint& c : points) {
+    along_x += c.n.x() > 0.99 ? 1 : 0;
+    along_y += c.n.y() > 0.99 ? 1 : 0;
+  }
+  EXPECT_EQ(along_x, 4);
+  EXPECT_EQ(along_y, 4);
+}
+
+TEST(Detector, BodiesThatCannotMoveDoNotPair) {
+  Bodies bodies;
+  add_body(bodies, box_shape({1, 1, 1}), {0, 0, 0}, Quat::Identity(), Motion::fixed);
+  add_body(bodies, box_shape({1, 1, 1}), {1, 0, 0}, Quat::Identity(), Motion::fixed);
+  add_body(bodies, plane_shape(), {0, 0, -0.5}, Quat::Identity(), Motion::fixed);
+  EXPECT_TRUE(ContactDetector().detect(bodies, 0.01).empty());
+  bodies.motion[1] = Motion::articulated;
+  EXPECT_EQ(ContactDetector().detect(bodies, 0.01).size(), 8u);
+}
+
+TEST(Detector, CountsWhatItDid) {
+  Bodies bodies;
+  add_body(bodies, box_shape({1, 1, 1}), {0, 0, 0});
+  add_body(bodies, box_shape({1, 1, 1}), {1.02, 0, 0});
+  ContactDetector detector;
+  EXPECT_TRUE(detector.detect(bodies, 0.01).empty());
+  EXPECT_EQ(detector.counts().candidate_pairs, 1);
+  EXPECT_EQ(detector.counts().cached_separations, 0);
+  EXPECT_TRUE(detector.detect(bodies, 0.01).empty());
+  EXPECT_EQ(detector.counts().cached_separations, 1);
+}
+
+}  // namespace
+}  // namespace nilas

@@ -1,0 +1,221 @@
+/// Contact patches of two polytopes: corners, local gaps, symmetry, names.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "contact/detect/detector.h"
+#include "tests/contact/detect/bodies_of_tests.h"
+
+namespace nilas {
+namespace {
+
+constexpr double k_exact = 1e-14;  // [m] rounding of coordinates of about 1 m
+
+std::vector<ContactPoint> contacts(const Bodies& bodies, double margin) { return ContactDetector().detect(bodies, margin); }
+
+bool has_point(const std::vector<ContactPoint>& points, const Vec3& p, double tolerance = k_exact) {
+  return std::any_of(points.begin(), points.end(), [&](const auto& c) { return (c.p - p).norm() < tolerance; });
+}
+
+std::set<std::uint64_t> keys(const std::vector<ContactPoint>& points) {
+  std::set<std::uint64_t> set;
+  for (const ContactPoint& p : points) set.insert(p.key);
+  return set;
+}
+
+TEST(Manifold, StackTouchesAtTheCornersOfTheCommonRectangle) {
+  Bodies bodies;
+  add_body(bodies, box_shape({3, 1, 0.5}), {0, 0, 0});
+  add_body(bodies, box_shape({1, 2, 0.25}), {0.4, 0, 0.5 * 0.75 - 1e-3});
+  const auto points = contacts(bodies, 1e-3);
+  ASSERT_EQ(points.size(), 4u);
+  for (const ContactPoint& c : points) {
+    EXPECT_NEAR((c.n - Vec3::UnitZ()).norm(), 0, k_exact);
+    EXPECT_NEAR(c.gap, -1e-3, k_exact);
+  }
+  for (double x : {-0.1, 0.9})
+    for (double y : {-0.5, 0.5}) EXPECT_TRUE(has_point(points, {x, y, 0.25 - 0.5e-3})) << x << " " << y;
+}
+
+TEST(Manifold, SideBySideTouchesAtTheCornersOfTheCommonSide) {
+  Bodies bodies;
+  add_body(bodies, box_shape({1, 1, 0.2}), {0, 0, 0});
+  add_body(bodies, box_shape({1, 1, 0.2}), {1.002, 0.3, 0.05});
+  const auto points = contacts(bodies, 0.01);
+  ASSERT_EQ(points.size(), 4u);
+  for (double y : {-0.2, 0.5})
+    for (double z : {-0.05, 0.1}) EXPECT_TRUE(has_point(points, {0.501, y, z}));
+  for (const ContactPoint& c : points) EXPECT_NEAR(c.gap, 0.002, k_exact);
+}
+
+TEST(Manifold, TiltedFloeHasItsLocalGaps) {
+  const double tilt = 0.01;
+  Bodies bodies;
+  add_body(bodies, box_shape({4, 4, 0.2}), {0, 0, -0.1}, Quat::Identity(), Motion::fixed);
+  add_body(bodies, box_shape({1, 1, 0.2}), {0, 0, 0.5 * std::sin(tilt) + 0.1 * std::cos(tilt)},
+           Quat(Eigen::AngleAxisd(tilt, Vec3::UnitY())));
+  const auto points = contacts(bodies, 0.02);
+  ASSERT_EQ(points.size(), 4u);
+  int low = 0;
+  for (const ContactPoint& c : points) {
+    const bool is_low = c.gap < 0.5 * std::sin(tilt);
+    low += is_low ? 1 : 0;
+    EXPECT_NEAR(c.gap, is_low ? 0 : std::sin(tilt), 1e-14);
+  }
+  EXPECT_EQ(low, 2);
+}
+
+TEST(Manifold, PointsBeyondTheMarginAreLeftOut) {
+  const double tilt = 0.01;
+  Bodies bodies;
+  add_body(bodies, box_shape({4, 4, 0.2}), {0, 0, -0.1}, Quat::Identity(), Motion::fixed);
+  add_body(bodies, box_shape({1, 1, 0.2}), {0, 0, 0.5 * std::sin(tilt) + 0.1 * std::cos(tilt)},
+           Quat(Eigen::AngleAxisd(tilt, Vec3::UnitY())));
+  EXPECT_EQ(contacts(bodies, 0.5 * std::sin(tilt)).size(), 2u);
+}
+
+TEST(Manifold, CrossingEdgesTouchAtOnePoint) {
+  Bodies bodies;
+  const double half = 0.5 * std::sqrt(2.0);
+  add_body(bodies, box_shape({1, 1, 1}), {0, 0, 0}, Quat(Eigen::AngleAxisd(k_pi / 4, Vec3::UnitX())));
+  add_body(bodies, box_shape({1, 1, 1}), {0.1, -0.2, 2 * half + 2e-3}, Quat(Eigen::AngleAxisd(k_pi / 4, Vec3::UnitY())));
+  for (double lift : {0.0, -4e-3}) {
+    bodies.set_pose(1, Vec3(0.1, -0.2, 2 * half + 2e-3 + lift), bodies.q_GB[1]);
+    const auto points = contacts(bodies, 3e-3);
+    ASSERT_EQ(points.size(), 1u);
+    EXPECT_NEAR((points[0].n - Vec3::UnitZ()).norm(), 0, k_exact);
+    EXPECT_NEAR(points[0].gap, 2e-3 + lift, 1e-14);
+    EXPECT_NEAR((points[0].p - Vec3(0.1, 0, half + 1e-3 + 0.5 * lift)).norm(), 0, 1e-14);
+  }
+}
+
+TEST(Manifold, CornersTouchAlongTheLineBetweenThem) {
+  Bodies bodies;
+  add_body(bodies, box_shape({1, 1, 1}), {0, 0, 0});
+  add_body(bodies, box_shape({1, 1, 1}), {1.003, 1.004, 1.012});
+  const auto points = contacts(bodies, 0.02);
+  ASSERT_EQ(points.size(), 1u);
+  EXPECT_NEAR(points[0].gap, 0.013, 1e-14);
+  EXPECT_NEAR((points[0].n - Vec3(3, 4, 12) / 13).norm(), 0, 1e-13);
+  EXPECT_NEAR((points[0].p - Vec3(0.5015, 0.502, 0.506)).norm(), 0, 1e-14);
+}
+
+TEST(Manifold, ParallelEdgesTouchAtBothEnds) {
+  Bodies bodies;
+  add_body(bodies, box_shape({1, 1, 1}), {0, 0, 0});
+  add_body(bodies, box_shape({1, 1, 1}), {1.003, 1.004, 0.25});
+  const auto points = contacts(bodies, 0.02);
+  ASSERT_EQ(points.size(), 2u);
+  for (double z : {-0.25, 0.5}) EXPECT_TRUE(has_point(points, {0.5015, 0.502, z}));
+  for (const ContactPoint& c : points) EXPECT_NEAR(c.gap, 0.005, 1e-14);
+}
+
+TEST(Manifold, CoincidentPlatesPartThroughTheirThickness) {
+  Bodies bodies;
+  const Shape plate = floe_shape(regular_outline(6, 1), 0.01);
+  add_body(bodies, plate, {2, 1, 0});
+  add_body(bodies, plate, {2, 1, 0});
+  const auto points = contacts(bodies, 0);
+  ASSERT_EQ(points.size(), 4u);
+  for (const ContactPoint& c : points) {
+    EXPECT_NEAR(std::abs(c.n.z()), 1, k_exact);
+    EXPECT_NEAR(c.gap, -0.01, k_exact);
+  }
+}
+
+TEST(Manifold, ManyCornersAreReducedToTheLargestQuadrilateral) {
+  Bodies bodies;
+  add_body(bodies, box_shape({4, 4, 0.2}), {0, 0, -0.1}, Quat::Identity(), Motion::fixed);
+  add_body(bodies, floe_shape(regular_outline(12, 1), 0.2), {0, 0, 0.1});
+  const auto points = contacts(bodies, 0.01);
+  ASSERT_EQ(points.size(), 4u);
+  // The largest quadrilateral in a regular dodecagon is a square, whose half is spanned at any of its corners.
+  double half = 0;
+  for (int i = 1; i < 4; ++i)
+    for (int j = 1; j < 4; ++j)
+      half = std::max(half, 0.5 * std::abs((points[i].p - points[0].p).cross(points[j].p - points[0].p).z()));
+  EXPECT_NEAR(half, 1, 1e-12);
+}
+
+/// The scene seen in a mirror at y = 0; vertices run the other way round, as a mirrored outline must.
+Bodies mirrored(const Bodies& bodies) {
+  Bodies image;
+  for (int b = 0; b < bodies.size(); ++b) {
+    std::vector<Vec2> outline;
+    for (const Vec2& x : bodies.shape[b]->outline) outline.insert(outline.begin(), Vec2(x.x(), -x.y()));
+    const Vec3& p = bodies.p_GB[b];
+    const Quat& q = bodies.q_GB[b];
+    add_body(image, floe_shape(outline, bodies.shape[b]->thickness), {p.x(), -p.y(), p.z()},
+             Quat(q.w(), -q.x(), q.y(), -q.z()));
+  }
+  return image;
+}
+
+bool has_image(const std::vector<ContactPoint>& points, const ContactPoint& of, double tolerance) {
+  const Vec3 flip(1, -1, 1);
+  return std::any_of(points.begin(), points.end(), [&](const ContactPoint& c) {
+    return (c.p - of.p.cwiseProduct(flip)).norm() < tolerance && (c.n - of.n.cwiseProduct(flip)).norm() < tolerance &&
+           std::abs(c.gap - of.gap) < tolerance;
+  });
+}
+
+TEST(Manifold, MirroredPairsHaveMirroredPoints) {
+  RandomStream random(11, "mirror");
+  int points_seen = 0, reduced = 0;
+  for (int k = 0; k < 2000; ++k) {
+    Bodies bodies;
+    const bool stacked = k % 3 == 0;
+    const bool regular = k % 2 == 0;
+    for (int b = 0; b < 2; ++b) {
+      const auto outline = regular ? regular_outline(4 + k % 5, 1) : random_outline(random, 1);
+      const double way = stacked ? 0.2 * random.uniform() : 2 * std::cos(k_pi / (4 + k % 5)) - 1e-3;
+      const double angle = regular ? 2 * k_pi * static_cast<int>(random.uniform(0, 8)) / (4 + k % 5) : random.uniform(0, 6);
+      add_body(bodies, floe_shape(outline, 0.2), Vec3(b * way, stacked ? 0.0 : 0.05 * b, stacked ? 0.2 * b : 0),
+               regular ? Quat(Eigen::AngleAxisd(angle, Vec3::UnitZ())) : random_tilt(random, 0.02));
+    }
+    const auto points = contacts(bodies, 0.005), images = contacts(mirrored(bodies), 0.005);
+    ASSERT_EQ(points.size(), images.size()) << k;
+    for (const ContactPoint& c : points) EXPECT_TRUE(has_image(images, c, 1e-13)) << k;
+    points_seen += static_cast<int>(points.size());
+    reduced += stacked && points.size() == 4 ? 1 : 0;
+  }
+  EXPECT_GT(points_seen, 2000);
+  EXPECT_GT(reduced, 500);
+}
+
+TEST(Manifold, APairThatIsItsOwnImageKeepsASymmetricSet) {
+  for (int corners : {5, 6, 7, 8, 9, 12}) {
+    Bodies bodies;
+    add_body(bodies, floe_shape(regular_outline(corners, 1), 0.2), {0, 0, 0});
+    add_body(bodies, floe_shape(regular_outline(corners, 1), 0.2), {0, 0, 0.2});
+    const auto points = contacts(bodies, 0.005);
+    ASSERT_EQ(points.size(), 4u) << corners;
+    for (const ContactPoint& c : points) EXPECT_TRUE(has_image(points, c, 1e-13)) << corners;
+  }
+}
+
+TEST(Manifold, KeysAreUniqueAndLastThroughASlowDrift) {
+  RandomStream random(3, "drift");
+  int same = 0, total = 0;
+  for (int k = 0; k < 200; ++k) {
+    Bodies bodies;
+    add_body(bodies, floe_shape(random_outline(random, 1), 0.2), {0, 0, 0}, random_tilt(random, 0.01));
+    add_body(bodies, floe_shape(random_outline(random, 1), 0.2), {0.2, 0.1, 0.2}, random_tilt(random, 0.01));
+    ContactDetector detector;
+    auto last = detector.detect(bodies, 0.05);
+    ASSERT_FALSE(last.empty());
+    for (int step = 0; step < 10; ++step) {
+      bodies.set_pose(1, bodies.p_GB[1] + Vec3(1e-6, -2e-6, 1e-7), bodies.q_GB[1]);
+      const auto now = detector.detect(bodies, 0.05);
+      ASSERT_EQ(keys(now).size(), now.size());
+      ++total;
+      same += keys(now) == keys(last) ? 1 : 0;
+      last = now;
+    }
+  }
+  EXPECT_GE(same, total - total / 100);
+}
+
+}  // namespace
+}  // namespace nilas

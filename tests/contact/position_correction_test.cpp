@@ -1,0 +1,153 @@
+#include "contact/position_correction.h"
+
+#include <gtest/gtest.h>
+
+namespace nilas {
+namespace {
+
+constexpr double k_step = 0.01;
+
+/// Cubes of 1 m along x, each penetrating its left neighbour by the depths given; 0 is a fixed wall.
+struct Row {
+  Bodies bodies;
+  std::vector<ContactPoint> points;
+  AssembledContacts contacts;
+  CorrectionSettings settings{.h = k_step, .erp = 0.2, .slop = 0.001, .max_speed = 1};
+
+  explicit Row(const std::vector<double>& depths, const std::vector<ArticulatedBlock>& articulated = {}) {
+    double x = 0;
+    add(x, Motion::fixed);
+    for (std::size_t k = 0; k < depths.size(); ++k) {
+      ContactPoint c;
+      c.a = static_cast<int>(k);
+      c.b = static_cast<int>(k) + 1;
+      c.p = Vec3(x + 0.5, 0, 0);
+      c.gap = -depths[k];
+      c.key = k + 1;
+      points.push_back(c);
+      x += 1 - depths[k];
+      const bool moved = !articulated.empty() && articulated[0].body == c.b;
+      add(x, moved ? Motion::articulated : Motion::free);
+    }
+    FrictionTable friction;
+    friction.add("*", "*", {0.3, 0.3, 0});
+    contacts = assemble(bodies, Wrenches(bodies.id.size()), points, friction, {.h = k_step}, articulated);
+    settings.solver.tolerance = 1e-12;
+    settings.solver.max_iterations = 100000;
+  }
+
+  void add(double x, Motion motion) {
+    BodySpec spec;
+    spec.shape = std::make_shared<Shape>();
+    spec.motion = motion;
+    spec.mass = 10;
+    spec.inertia_B = 1.7 * Mat3::Identity();
+    spec.pose.p = Vec3(x, 0, 0);
+    spec.v = Vec3(-3, 0, 0);
+    bodies.add(spec);
+  }
+
+  /// Pseudo speeds along x per body.
+  std::vector<double> speeds(PositionCorrection* result = nullptr) const {
+    std::vector<Vec3> v(bodies.id.size(), Vec3::Zero()), w = v;
+    const PositionCorrection out = correction_velocities(contacts, points, settings, v, w);
+    if (result != nullptr) *result = out;
+    std::vector<double> x;
+    for (const auto& velocity : v) x.push_back(velocity.x());
+    for (const auto& spin : w) EXPECT_LT(spin.norm(), 1e-12);
+    return x;
+  }
+};
+
+TEST(PositionCorrection, RemovesItsShareOfTheDepthBeyondTheSlop) {
+  PositionCorrection result;
+  const auto v = Row({0.006}).speeds(&result);
+  EXPECT_NEAR(v[1], 0.2 * 0.005 / k_step, 1e-12);  // the body's own speed of -3 m/s plays no part
+  EXPECT_EQ(result.status, SolveStatus::converged);
+  EXPECT_EQ(result.contacts, 1);
+}
+
+TEST(PositionCorrection, IsCappedAtItsLargestSpeed) {
+  Row row({0.2});
+  EXPECT_NEAR(row.speeds()[1], 1, 1e-12);
+}
+
+TEST(PositionCorrection, LeavesTheSlopAlone) {
+  PositionCorrection result;
+  EXPECT_EQ(Row({0.0009, -0.001}).speeds(&result), (std::vector<double>{0, 0, 0}));
+  EXPECT_EQ(result.contacts, 0);
+}
+
+TEST(PositionCorrection, DoesNotPushIntoTheNeighbour) {
+  // body 2 touches body 1: both go; body 3 is 0.4 mm away: it is pushed once the gap is used up
+  const auto v = Row({0.006, 0, -0.0004}).speeds();
+  EXPECT_NEAR(v[1], 0.1, 1e-11);
+  EXPECT_NEAR(v[2], 0.1, 1e-11);
+  EXPECT_NEAR(v[3], 0.1 - 0.0004 / k_step, 1e-11);
+}
+
+TEST(PositionCorrection, TwoDeepContactsSeparateBoth) {
+  const auto v = Row({0.006, 0.011}).speeds();
+  EXPECT_NEAR(v[1], 0.1, 1e-11);
+  EXPECT_NEAR(v[2], 0.3, 1e-11);
+}
+
+TEST(PositionCorrection, IslandsWithoutDepthStayStill) {
+  // body 2 is out of reach of nothing deep: the wall side island {1} alone is corrected
+  Row row({0.006});
+  row.add(20, Motion::free);
+  row.add(20.9995, Motion::free);
+  ContactPoint shallow;
+  shallow.a = 2;
+  shallow.b = 3;
+  shallow.p = Vec3(20.5, 0, 0);
+  shallow.gap = -0.0005;
+  shallow.key = 99;
+  row.points.push_back(shallow);
+  FrictionTable friction;
+  row.contacts = assemble(row.bodies, Wrenches(4), row.points, friction, {.h = k_step}, {});
+  PositionCorrection result;
+  const auto v = row.speeds(&result);
+  EXPECT_EQ(result.contacts, 1);
+  EXPECT_NEAR(v[1], 0.1, 1e-12);
+  EXPECT_EQ(v[2], 0);
+  EXPECT_EQ(v[3], 0);
+}
+
+TEST(PositionCorrection, ArticulatedBodiesStandStillUnlessTold) {
+  ArticulatedBlock vessel;
+  vessel.body = 1;
+  vessel.mass = MatX::Constant(1, 1, 10);
+  vessel.f = VecX::Zero(1);
+  vessel.jacobian = MatX::Zero(6, 1);
+  vessel.jacobian(0, 0) = 1;
+  Row row({0, 0.006}, {vessel});
+  PositionCorrection result;
+  EXPECT_NEAR(row.speeds(&result)[2], 0.1, 1e-11);
+  EXPECT_EQ(result.v[6], 0);
+  EXPECT_EQ(result.contacts, 1);  // the vessel's contact with the wall has nothing to move
+
+  // free to move away from the floe, the vessel would run into the wall it touches: the floe still does all
+  row.settings.move_articulated = true;
+  EXPECT_NEAR(row.speeds(&result)[2], 0.1, 1e-11);
+  EXPECT_NEAR(result.v[6], 0, 1e-11);
+
+  Row away({-0.5, 0.006}, {vessel});  // far from the wall, equal masses share
+  away.settings.move_articulated = true;
+  EXPECT_NEAR(away.speeds(&result)[2], 0.05, 1e-11);
+  EXPECT_NEAR(result.v[6], -0.05, 1e-11);
+}
+
+TEST(PositionCorrection, DeepOverlapOfTwoImmovableBodiesIsLeftOut) {
+  ArticulatedBlock vessel;
+  vessel.body = 1;
+  vessel.jacobian = MatX(6, 0);
+  Row row({0.05}, {vessel});
+  PositionCorrection result;
+  row.speeds(&result);
+  EXPECT_EQ(result.contacts, 0);
+  EXPECT_EQ(result.status, SolveStatus::converged);
+}
+
+}  // namespace
+}  // namespace nilas

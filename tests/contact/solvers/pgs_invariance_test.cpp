@@ -1,0 +1,281 @@
+/// What must not change the answer.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "contact/islands.h"
+#include "contact/solvers/pgs.h"
+#include "tests/support/problem_factory.h"
+
+namespace nilas {
+namespace {
+
+ContactSolution solve(const ContactProblem& problem, int threads = 1) {
+  return PgsSolver({.shared = {.tolerance = 1e-12, .max_iterations = 500000, .threads = threads}}).solve(problem, {});
+}
+
+ContactProblem permuted(const ContactProblem& problem, const std::vector<int>& order) {
+  ContactProblem out = problem;
+  out.pairs.clear();
+  out.jacobian_offset = {0};
+  out.jacobian_data.clear();
+  out.key.clear();
+  out.mu.clear();
+  out.mu_static.clear();
+  out.force_limit.clear();
+  out.compliance.clear();
+  out.w.resize(0);
+  for (const int c : order) {
+    const auto i = static_cast<std::size_t>(c);
+    out.add_contact(problem.pairs[i].a, problem.jacobian_a(c), problem.pairs[i].b, problem.jacobian_b(c),
+                    problem.key[i]);
+    out.mu.back() = out.mu_static.back() = problem.mu[i];
+    out.w.tail<3>() = problem.w.segment<3>(3 * c);
+  }
+  return out;
+}
+
+TEST(PgsInvariance, OrderOfContacts) {
+  for (const Law law : {Law::coulomb, Law::pyramid, Law::frictionless})
+    for (std::uint64_t seed = 0; seed < 5; ++seed) {
+      ContactProblem problem = test::random_heap(seed, 8, 12, 0.3);
+      problem.law = law;
+      std::vector<int> order(12);
+      std::iota(order.begin(), order.end(), 0);
+      std::reverse(order.begin(), order.end());
+      std::rotate(order.begin(), order.begin() + 5, order.end());
+      EXPECT_LT((solve(problem).v - solve(permuted(problem, order)).v).cwiseAbs().maxCoeff(), 1e-9) << seed;
+    }
+}
+
+/// The same heap in a frame turned by R; contact rows are made anew, with tangents turned by `turn` for every contact.
+ContactProblem turned(const ContactProblem& problem, const Mat3& R) {
+  ContactProblem out = problem;
+  Mat6 blocks = Mat6::Zero();
+  blocks.topLeftCorner<3, 3>() = R;
+  blocks.bottomRightCorner<3, 3>() = R;
+  for (int k = 0; k < problem.num_blocks(); ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const Mat6 mass = blocks * problem.mass(k) * blocks.transpose();
+    Eigen::Map<Mat6>(out.mass_data.data() + out.mass_offset[i]) = mass;
+    out.f.segment<6>(out.block_offset[i]) = blocks * problem.f.segment<6>(problem.block_offset[i]);
+  }
+  for (std::size_t k = 0; k < out.jacobian_data.size(); k += 3) {
+    Eigen::Map<Vec3> part(out.jacobian_data.data() + k);
+    part = R * Vec3(part);
+  }
+  return out;
+}
+
+TEST(PgsInvariance, RotationOfTheWholeScene) {
+  const Mat3 R = Quat(0.3, -0.4, 0.8, 0.1).normalized().matrix();
+  for (const Law law : {Law::coulomb, Law::pyramid}) {
+    ContactProblem problem = test::random_heap(2, 8, 12, 0.3);
+    problem.law = law;
+    const VecX v = solve(problem).v, v_turned = solve(turned(problem, R)).v;
+    for (int k = 0; k < v.size(); k += 3) EXPECT_LT((R * v.segment<3>(k) - v_turned.segment<3>(k)).norm(), 1e-9);
+  }
+}
+
+/// Tangent rows of every contact turned about the normal.
+ContactProblem with_turned_tangents(ContactProblem problem, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  for (int contact = 0; contact < problem.num_contacts(); ++contact) {
+    for (const auto& rows : {problem.jacobian_a(contact), problem.jacobian_b(contact)}) {
+      const auto n = rows.cols();
+      double* const data = problem.jacobian_data.data() + (rows.data() - problem.jacobian_data.data());
+      for (Eigen::Index j = 0; j < n; ++j) {
+        double &t1 = data[n + j], &t2 = data[2 * n + j];
+        const double old = t1;
+        t1 = c * old + s * t2;
+        t2 = c * t2 - s * old;
+      }
+    }
+  }
+  return problem;
+}
+
+TEST(PgsInvariance, TangentsMatterToThePyramidAloneAndQuarterTurnsToNeither) {
+  ContactProblem problem = test::random_heap(2, 8, 12, 0.3);
+  const auto change = [&](Law law, double angle) {
+    problem.law = law;
+    return (solve(problem).v - solve(with_turned_tangents(problem, angle)).v).cwiseAbs().maxCoeff();
+  };
+  EXPECT_LT(change(Law::coulomb, 0.6), 1e-9);
+  EXPECT_LT(change(Law::pyramid, k_pi / 2), 1e-9);
+  EXPECT_GT(change(Law::pyramid, 0.6), 1e-3);
+}
+
+TEST(PgsInvariance, RolesOfTheTwoBodies) {
+  ContactProblem problem = test::random_heap(4, 6, 9, 0.3);
+  problem.law = Law::coulomb;
+  ContactProblem swapped = problem;
+  swapped.pairs.clear();
+  swapped.jacobian_offset = {0};
+  swapped.jacobian_data.clear();
+  for (int c = 0; c < problem.num_contacts(); ++c) {
+    const auto& pair = problem.pairs[static_cast<std::size_t>(c)];
+    swapped.pairs.push_back({pair.b, pair.a});
+    for (const auto& rows : {problem.jacobian_b(c), problem.jacobian_a(c)})
+      swapped.jacobian_data.insert(swapped.jacobian_data.end(), rows.data(), rows.data() + rows.size());
+    swapped.jacobian_offset.push_back(swapped.jacobian_data.size());
+  }
+  EXPECT_LT((solve(problem).v - solve(swapped).v).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+TEST(PgsInvariance, MassScale) {
+  ContactProblem problem = test::random_heap(4, 6, 9, 0.3);
+  problem.law = Law::pyramid;
+  ContactProblem heavy = problem;
+  for (double& m : heavy.mass_data) m *= 1e7;
+  heavy.f *= 1e7;
+  const ContactSolution a = solve(problem), b = solve(heavy);
+  EXPECT_LT((a.v - b.v).cwiseAbs().maxCoeff(), 1e-10);
+  EXPECT_LT((1e7 * a.r - b.r).norm(), 1e-9 * b.r.norm());
+}
+
+TEST(PgsInvariance, IslandsApartAndTogether) {
+  ContactProblem problem = test::random_heap(2, 14, 9, 0.3);
+  problem.law = Law::coulomb;
+  ASSERT_GT(find_islands(problem).size(), 1u);
+  ContactProblem linked = problem;  // open contacts join all bodies into one island
+  for (int k = 0; k + 1 < problem.num_blocks(); ++k) {
+    linked.add_contact(k, MatX::Ones(3, 6), k + 1, -MatX::Ones(3, 6), 1000 + static_cast<std::uint64_t>(k));
+    linked.w[linked.w.size() - 3] = 1e6;
+  }
+  ASSERT_EQ(find_islands(linked).size(), 1u);
+  EXPECT_LT((solve(problem).v - solve(linked).v).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+TEST(PgsInvariance, AFarCopyGivesTheSameBits) {
+  const ContactProblem one = test::random_heap(3, 6, 11, 0.3);
+  ContactProblem two = one;
+  for (int k = 0; k < one.num_blocks(); ++k) two.add_block(one.mass(k));
+  two.f.tail(one.f.size()) = one.f;
+  const auto shifted = [&](int k) { return k < 0 ? -1 : k + one.num_blocks(); };
+  for (int c = 0; c < one.num_contacts(); ++c) {
+    const auto& pair = one.pairs[static_cast<std::size_t>(c)];
+    two.add_contact(shifted(pair.a), one.jacobian_a(c), shifted(pair.b), one.jacobian_b(c),
+                    500 + static_cast<std::uint64_t>(c));
+    two.mu.back() = two.mu_static.back() = one.mu[static_cast<std::size_t>(c)];
+  }
+  const ContactSolution a = solve(one), b = solve(two);
+  EXPECT_EQ(a.r, b.r.head(a.r.size()));
+  EXPECT_EQ(a.r, b.r.tail(a.r.size()));
+  EXPECT_EQ(a.v, b.v.tail(a.v.size()));
+}
+
+TEST(PgsInvariance, SameBitsForOneAndTwoThreads) {
+  ContactProblem problem = test::random_heap(11, 400, 150, 0.3);
+  ASSERT_GT(find_islands(problem).size(), 50u);
+  for (const Law law : {Law::pyramid, Law::coulomb, Law::frictionless}) {
+    problem.law = law;
+    const ContactSolution one = solve(problem, 1), two = solve(problem, 2);
+    EXPECT_EQ(one.r, two.r);
+    EXPECT_EQ(one.v, two.v);
+    EXPECT_EQ(one.iterations, two.iterations);
+    EXPECT_EQ(one.r, solve(problem, 1).r);
+  }
+}
+
+/// Blocks 0 and 1 written as one block of twelve, so that contacts have blocks of any size and both sides in one.
+ContactProblem merged(const ContactProblem& problem) {
+  ContactProblem out;
+  out.h = problem.h;
+  out.law = problem.law;
+  MatX mass = MatX::Zero(12, 12);
+  mass.topLeftCorner<6, 6>() = problem.mass(0);
+  mass.bottomRightCorner<6, 6>() = problem.mass(1);
+  out.add_block(mass);
+  for (int k = 2; k < problem.num_blocks(); ++k) out.add_block(problem.mass(k));
+  out.f = problem.f;
+  const auto block = [](int k) { return k <= 0 ? k : k - 1; };
+  const auto rows = [&](int k, const ContactProblem::ConstJacobian& jacobian) -> MatX {
+    if (k < 0 || k > 1) return jacobian;
+    MatX wide = MatX::Zero(3, 12);
+    wide.middleCols(6 * k, 6) = jacobian;
+    return wide;
+  };
+  for (int c = 0; c < problem.num_contacts(); ++c) {
+    const auto i = static_cast<std::size_t>(c);
+    const auto& pair = problem.pairs[i];
+    const MatX rows_a = rows(pair.a, problem.jacobian_a(c)), rows_b = rows(pair.b, problem.jacobian_b(c));
+    out.add_contact(block(pair.a), rows_a, block(pair.b), rows_b, problem.key[i]);
+    out.mu.back() = out.mu_static.back() = problem.mu[i];
+  }
+  return out;
+}
+
+TEST(PgsInvariance, BlocksOfAnySizeAreSweptAlike) {
+  for (const Law law : {Law::pyramid, Law::coulomb, Law::frictionless}) {
+    ContactProblem problem = test::random_heap(6, 5, 14, 0.3);
+    problem.law = law;
+    const ContactProblem general = merged(problem);
+    ASSERT_TRUE(std::any_of(general.pairs.begin(), general.pairs.end(), [](const auto& p) { return p.a == p.b; }));
+    for (const int sweeps : {1, 10}) {
+      const PgsSolver solver({.shared = {.tolerance = 0, .max_iterations = sweeps}});
+      EXPECT_LT((solver.solve(problem, {}).r - solver.solve(general, {}).r).cwiseAbs().maxCoeff(), 1e-12);
+    }
+  }
+}
+
+TEST(PgsInvariance, SweepsAreSequentialOnSingleRows) {
+  // the definition, row by row on dense matrices, against the blockwise arithmetic of the sweeps
+  for (const Law law : {Law::pyramid, Law::coulomb}) {
+    ContactProblem problem = test::random_heap(8, 4, 9, 0.4);
+    problem.law = law;
+    const int rows = 3 * problem.num_contacts();
+    MatX jacobian = MatX::Zero(rows, problem.num_velocities());
+    MatX mass = MatX::Zero(problem.num_velocities(), problem.num_velocities());
+    for (int k = 0; k < problem.num_blocks(); ++k) mass.block<6, 6>(6 * k, 6 * k) = problem.mass(k);
+    for (int c = 0; c < problem.num_contacts(); ++c) {
+      const auto& pair = problem.pairs[static_cast<std::size_t>(c)];
+      if (pair.a >= 0) jacobian.block<3, 6>(3 * c, 6 * pair.a) = problem.jacobian_a(c);
+      if (pair.b >= 0) jacobian.block<3, 6>(3 * c, 6 * pair.b) = problem.jacobian_b(c);
+    }
+    const MatX w = jacobian * mass.ldlt().solve(jacobian.transpose());
+    const VecX q = jacobian * mass.ldlt().solve(problem.f) + problem.w;
+    VecX r = VecX::Zero(rows);
+    const auto step = [&](int i, double inverse_mass) { return r[i] - (w.row(i).dot(r) + q[i]) / inverse_mass; };
+    for (int sweep = 0; sweep < 5; ++sweep)
+      for (int c = 0; c < problem.num_contacts(); ++c) {
+        const int n = 3 * c;
+        r[n] = std::max(0.0, step(n, w(n, n)));
+        const double bound = problem.mu[static_cast<std::size_t>(c)] * r[n];
+        if (law == Law::pyramid) {
+          for (int i = n + 1; i < n + 3; ++i) r[i] = std::clamp(step(i, w(i, i)), -bound, bound);
+        } else {
+          const double larger = std::max(w(n + 1, n + 1), w(n + 2, n + 2));
+          const Vec2 t(step(n + 1, larger), step(n + 2, larger));
+          r.segment<2>(n + 1) = t.norm() > bound ? Vec2(bound / t.norm() * t) : t;
+        }
+      }
+    const PgsSolver solver({.shared = {.tolerance = 0, .max_iterations = 5}});
+    EXPECT_LT((solver.solve(problem, {}).r - r).cwiseAbs().maxCoeff(), 1e-12);
+  }
+}
+
+TEST(PgsInvariance, ContactImpulsesCarryNoMomentumOfTheirOwn) {
+  RandomStream random(1, "momentum");
+  std::vector<test::TestBody> bodies{{2, Vec3(1, 2, 3).asDiagonal(), Vec3(0.3, -2, 1), Vec3(1, 0, 2), Vec3(0, 1, 0)},
+                                     {5, Vec3(3, 2, 4).asDiagonal(), Vec3(2, 1, -1), Vec3(-1, 1, 0), Vec3(1, 0, 0)}};
+  ContactProblem problem;
+  problem.law = Law::coulomb;
+  for (const auto& body : bodies) test::add_body(problem, body);
+  for (int k = 0; k < 5; ++k)
+    test::add_contact(problem, bodies, 0, 1, test::random_vector(random),
+                      test::frame_of(test::random_vector(random).normalized()), 0.5);
+  const ContactSolution s = solve(problem);
+  ASSERT_GT(s.r.norm(), 0.1);
+  VecX gained = -problem.f;
+  for (int k = 0; k < 2; ++k) gained.segment<6>(6 * k) += problem.mass(k) * s.v.segment<6>(6 * k);
+  const Vec3 linear = gained.segment<3>(0) + gained.segment<3>(6);
+  const Vec3 angular = gained.segment<3>(3) + bodies[0].p.cross(gained.segment<3>(0)) + gained.segment<3>(9) +
+                       bodies[1].p.cross(gained.segment<3>(6));
+  EXPECT_LT(linear.norm(), 1e-14 * std::max(1.0, s.r.norm()));
+  EXPECT_LT(angular.norm(), 2e-14 * std::max(1.0, s.r.norm()));
+}
+
+}  // namespace
+}  // namespace nilas
