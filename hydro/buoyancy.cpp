@@ -1,0 +1,86 @@
+#include "core/base/parallel.h"
+#include "hydro/modules.h"
+#include "hydro/wet_body.h"
+
+namespace nilas {
+
+namespace {
+
+/// Submerged part at the pose it was last asked for.
+struct Afloat {
+  bool known = false;
+  Vec3 p = Vec3::Zero();
+  Quat q = Quat::Identity();
+  Submerged wet;
+};
+
+class Buoyancy : public ForceModule {
+ public:
+  Buoyancy(const Water& water, int threads) : water_(water), threads_(threads) {}
+  std::string name() const override { return "buoyancy"; }
+  bool conservative() const override { return true; }
+  void add_forces(const Bodies& bodies, double t, Wrenches& out) override;
+  double potential_energy(const Bodies& bodies) override;
+
+ private:
+  void update(const Bodies& bodies);
+  Submerged submerged(WetBody<Afloat>& body, const Mat3& R, const Vec3& p) const;
+
+  Water water_;
+  int threads_;
+  std::vector<WetBody<Afloat>> list_;
+  std::vector<std::size_t> moved_;  ///< bodies in the water whose pose is not the kept one
+};
+
+Submerged Buoyancy::submerged(WetBody<Afloat>& body, const Mat3& R, const Vec3& p) const {
+  if (auto* prism = std::get_if<PrismWater>(&body.geometry)) return prism->submerged(R, p, water_.level);
+  if (auto* mesh = std::get_if<MeshWater>(&body.geometry)) return mesh->submerged(R, p, water_.level);
+  return submerged_sphere(body.shape->radius, p, water_.level);
+}
+
+/// The energy account asks for the energy at the poses where the next step asks for the forces: each pose is clipped
+/// once.
+void Buoyancy::update(const Bodies& bodies) {
+  follow(bodies, list_, prepare_geometry);
+  moved_.clear();
+  for (std::size_t b = 0; b < list_.size(); ++b) {
+    const Afloat& kept = list_[b].result;
+    const bool same = kept.known && kept.p == bodies.p_GB[b] && kept.q.coeffs() == bodies.q_GB[b].coeffs();
+    if (!same && takes_water(bodies, static_cast<int>(b))) moved_.push_back(b);
+  }
+  if (moved_.empty()) return;
+  parallel_for(static_cast<std::ptrdiff_t>(moved_.size()), threads_, [&](std::ptrdiff_t i) {
+    const std::size_t b = moved_[static_cast<std::size_t>(i)];
+    const Vec3& p = bodies.p_GB[b];
+    list_[b].result = {true, p, bodies.q_GB[b], submerged(list_[b], bodies.R_GB[b], p)};
+  });
+}
+
+void Buoyancy::add_forces(const Bodies& bodies, double /*t*/, Wrenches& out) {
+  update(bodies);
+  for (std::size_t b = 0; b < list_.size(); ++b) {
+    if (!takes_water(bodies, static_cast<int>(b))) continue;
+    const Submerged& wet = list_[b].result.wet;
+    const Vec3 force(0, 0, water_.density * water_.gravity * wet.volume);
+    out[b] += Wrench{force, (wet.centre - bodies.p_GB[b]).cross(force)};
+  }
+}
+
+double Buoyancy::potential_energy(const Bodies& bodies) {
+  update(bodies);
+  double moment = 0;  // of the displaced volume below the level [m^4]
+  for (std::size_t b = 0; b < list_.size(); ++b) {
+    if (!takes_water(bodies, static_cast<int>(b))) continue;
+    const Submerged& wet = list_[b].result.wet;
+    moment += wet.volume * (water_.level - wet.centre.z());
+  }
+  return water_.density * water_.gravity * moment;
+}
+
+}  // namespace
+
+std::unique_ptr<ForceModule> make_buoyancy(const Water& water, int threads) {
+  return std::make_unique<Buoyancy>(water, threads);
+}
+
+}  // namespace nilas

@@ -1,0 +1,81 @@
+#include "core/base/parallel.h"
+#include "hydro/modules.h"
+#include "hydro/prism_faces.h"
+#include "hydro/sphere_surface.h"
+#include "hydro/wet_body.h"
+
+namespace nilas {
+
+namespace {
+
+/// Water pressure and friction of one body's faces, summed in its own frame.
+class FaceDrag {
+ public:
+  /// `flow`: velocity of the water past the centre of mass; `spin`: of the body; both in B. Coefficients times half the
+  /// density.
+  FaceDrag(const Vec3& flow, const Vec3& spin, double form, double skin)
+      : flow_(flow), spin_(spin), form_(form), skin_(skin) {}
+  void add(double area, const Vec3& centroid, const Vec3& normal) {
+    const Vec3 relative = flow_ - spin_.cross(centroid);
+    const double inflow = relative.dot(normal);
+    const Vec3 along = relative - inflow * normal;
+    Vec3 force = skin_ * area * along.norm() * along;
+    if (inflow < 0) force -= form_ * area * inflow * inflow * normal;
+    sum_.force += force;
+    sum_.torque += centroid.cross(force);
+  }
+  const Wrench& sum() const { return sum_; }
+
+ private:
+  Vec3 flow_, spin_;
+  double form_, skin_;  ///< [kg/m^3]
+  Wrench sum_;
+};
+
+class Drag : public ForceModule {
+ public:
+  Drag(const Water& water, const DragCoefficients& coefficients, int threads)
+      : water_(water), coefficients_(coefficients), threads_(threads) {}
+  std::string name() const override { return "drag"; }
+  void add_forces(const Bodies& bodies, double t, Wrenches& out) override;
+
+ private:
+  struct NoResult {};
+  Wrench drag_on(const Bodies& bodies, std::size_t b);
+
+  Water water_;
+  DragCoefficients coefficients_;
+  int threads_;
+  std::vector<WetBody<NoResult>> list_;
+};
+
+Wrench Drag::drag_on(const Bodies& bodies, std::size_t b) {
+  const Mat3& R = bodies.R_GB[b];
+  const WaterPlane plane = water_plane(R, bodies.p_GB[b], water_.level);
+  FaceDrag drag(R.transpose() * (water_.current - bodies.v_GB[b]), R.transpose() * bodies.w_GB[b],
+                0.5 * water_.density * coefficients_.form, 0.5 * water_.density * coefficients_.skin);
+  const auto add = [&](double area, const Vec3& centroid, const Vec3& normal) { drag.add(area, centroid, normal); };
+  WetGeometry& geometry = list_[b].geometry;
+  if (auto* prism = std::get_if<PrismWater>(&geometry)) prism->for_each_wet_face(plane, add);
+  if (auto* mesh = std::get_if<MeshWater>(&geometry)) mesh->for_each_wet_face(plane, add);
+  return {R * drag.sum().force, R * drag.sum().torque};
+}
+
+void Drag::add_forces(const Bodies& bodies, double /*t*/, Wrenches& out) {
+  follow(bodies, list_, [](const Shape& shape) -> WetGeometry {
+    if (shape.kind == ShapeKind::sphere) return MeshWater(sphere_surface(shape.radius));
+    return prepare_geometry(shape);
+  });
+  parallel_for(bodies.size(), threads_, [&](std::ptrdiff_t i) {
+    if (takes_water(bodies, static_cast<int>(i)))
+      out[static_cast<std::size_t>(i)] += drag_on(bodies, static_cast<std::size_t>(i));
+  });
+}
+
+}  // namespace
+
+std::unique_ptr<ForceModule> make_drag(const Water& water, const DragCoefficients& coefficients, int threads) {
+  return std::make_unique<Drag>(water, coefficients, threads);
+}
+
+}  // namespace nilas

@@ -1,0 +1,56 @@
+#include "hydro/mesh_water.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/error.h"
+#include "hydro/pyramid_sum.h"
+
+namespace nilas {
+
+MeshWater::MeshWater(TriangleMesh mesh) : mesh_(std::move(mesh)), height_(mesh_.vertices.size()) {
+  if (mesh_.triangles.empty()) throw InputError("a mesh without triangles displaces no water");
+  constexpr double k_third = 1.0 / 3.0;  // centroid of a triangle
+  faces_.reserve(mesh_.triangles.size());
+  for (const auto& [i, j, k] : mesh_.triangles) {
+    const Vec3& a = mesh_.vertices[static_cast<std::size_t>(i)];
+    const Vec3& b = mesh_.vertices[static_cast<std::size_t>(j)];
+    const Vec3& c = mesh_.vertices[static_cast<std::size_t>(k)];
+    const Vec3 doubled = (b - a).cross(c - a);
+    const double length = doubled.norm();
+    // A triangle without area carries no force; any normal serves.
+    const Vec3 normal = length > 0 ? Vec3(doubled / length) : Vec3::Zero();
+    faces_.push_back({k_third * (a + (b + c)), normal, 0.5 * length});
+  }
+}
+
+MeshWater::Heights MeshWater::read_heights(const WaterPlane& plane) {
+  Heights heights;
+  for (std::size_t v = 0; v < height_.size(); ++v) {
+    height_[v] = plane.height(mesh_.vertices[v]);
+    if (v == 0 || height_[v] < heights.lowest) {
+      heights.lowest = height_[v];
+      heights.deepest = v;
+    }
+    heights.highest = v == 0 ? height_[v] : std::max(heights.highest, height_[v]);
+  }
+  return heights;
+}
+
+std::array<double, 2> MeshWater::height_range(const WaterPlane& plane) {
+  const Heights heights = read_heights(plane);
+  return {heights.lowest, heights.highest};
+}
+
+Submerged MeshWater::submerged(const Mat3& R, const Vec3& p, double level) {
+  const WaterPlane plane = water_plane(R, p, level);
+  const Heights heights = read_heights(plane);
+  // Near the wet part, whose volume may be a small difference of pyramids otherwise; on the plane when there is a cut.
+  const Vec3& deepest = mesh_.vertices[heights.deepest];
+  PyramidSum sum(heights.highest <= 0 ? deepest : plane.foot(deepest));
+  visit_wet(heights, [&](double area, const Vec3& centroid, const Vec3& normal) { sum.add(area, centroid, normal); });
+  if (!(sum.volume() > 0)) return {0, p};
+  return {sum.volume(), p + R * sum.centre()};
+}
+
+}  // namespace nilas

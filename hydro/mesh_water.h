@@ -1,0 +1,95 @@
+#pragma once
+/// A closed mesh prepared for water forces at many poses: its faces with area, centroid and normal, and room for the
+/// heights.
+#include <array>
+#include <vector>
+
+#include "core/bodies/mesh.h"
+#include "hydro/cut_triangle.h"
+#include "hydro/water_plane.h"
+#include "hydro/wetted.h"
+
+namespace nilas {
+
+class MeshWater {
+ public:
+  /// Closed outward mesh in body frame. Throws InputError when it has no triangles.
+  explicit MeshWater(TriangleMesh mesh);
+  /// Volume below the plane and its centre in G, for the pose (R, p).
+  Submerged submerged(const Mat3& R, const Vec3& p, double level);
+  /// Calls visit(area, centroid_B, normal_B) for the wet part of every face.
+  template <class Visit>
+  void for_each_wet_face(const WaterPlane& plane, const Visit& visit) {
+    visit_wet(read_heights(plane), visit);
+  }
+  /// Calls visit(cut) with the CutTriangle of every face that the plane cuts.
+  template <class Visit>
+  void for_each_cut(const WaterPlane& plane, const Visit& visit);
+  /// Least and greatest height of the vertices [m].
+  std::array<double, 2> height_range(const WaterPlane& plane);
+
+ private:
+  struct Face {
+    Vec3 centroid, normal;  ///< [m], outward unit
+    double area = 0;        ///< [m^2]
+  };
+  /// Where the plane passes.
+  struct Heights {
+    double lowest = 0, highest = 0;  ///< [m]
+    std::size_t deepest = 0;         ///< index of the lowest vertex
+  };
+
+  Heights read_heights(const WaterPlane& plane);
+  template <class Visit>
+  void visit_wet(const Heights& heights, const Visit& visit) const;
+  int wet_corners(std::size_t triangle) const;
+  CutTriangle cut_triangle(std::size_t triangle) const;
+
+  TriangleMesh mesh_;
+  std::vector<Face> faces_;     ///< per triangle
+  std::vector<double> height_;  ///< of each vertex above the plane read last [m]
+};
+
+inline int MeshWater::wet_corners(std::size_t triangle) const {
+  const auto& [a, b, c] = mesh_.triangles[triangle];
+  const auto wet = [&](int vertex) { return static_cast<int>(height_[static_cast<std::size_t>(vertex)] < 0); };
+  return wet(a) + wet(b) + wet(c);
+}
+
+inline CutTriangle MeshWater::cut_triangle(std::size_t triangle) const {
+  std::array<Vec3, 3> corners;
+  std::array<double, 3> heights{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto vertex = static_cast<std::size_t>(mesh_.triangles[triangle][k]);
+    corners[k] = mesh_.vertices[vertex];
+    heights[k] = height_[vertex];
+  }
+  return {corners, heights};
+}
+
+template <class Visit>
+void MeshWater::visit_wet(const Heights& heights, const Visit& visit) const {
+  if (heights.lowest >= 0) return;
+  const bool submerged = heights.highest <= 0;
+  for (std::size_t t = 0; t < faces_.size(); ++t) {
+    const Face& face = faces_[t];
+    const int wet = submerged ? 3 : wet_corners(t);
+    if (wet == 3) {
+      visit(face.area, face.centroid, face.normal);
+    } else if (wet > 0) {
+      cut_triangle(t).visit_wet(face.normal, visit);
+    }
+  }
+}
+
+template <class Visit>
+void MeshWater::for_each_cut(const WaterPlane& plane, const Visit& visit) {
+  const Heights heights = read_heights(plane);
+  if (heights.lowest >= 0 || heights.highest <= 0) return;
+  for (std::size_t t = 0; t < faces_.size(); ++t) {
+    const int wet = wet_corners(t);
+    if (wet == 1 || wet == 2) visit(cut_triangle(t));
+  }
+}
+
+}  // namespace nilas

@@ -1,0 +1,33 @@
+#pragma once
+/// Volume and centre of a solid from the plane faces of its surface.
+#include "core/base/math.h"
+
+namespace nilas {
+
+/// Sum of the pyramids from one apex over all faces. A face in a plane through the apex adds nothing and may be left
+/// out: with the apex on the water plane, the cut of a floating solid needs no face.
+class PyramidSum {
+ public:
+  explicit PyramidSum(const Vec3& apex) : apex_(apex) {}
+  /// `normal`: outward unit normal.
+  void add(double area, const Vec3& centroid, const Vec3& normal) {
+    constexpr double k_pyramid_volume = 1.0 / 3.0;  // of base times height
+    const Vec3 arm = centroid - apex_;
+    const double volume = k_pyramid_volume * area * normal.dot(arm);
+    volume_ += volume;
+    moment_ += volume * arm;
+  }
+  double volume() const { return volume_; }
+  /// Centroid of the solid; `volume()` must not be 0.
+  Vec3 centre() const {
+    constexpr double k_pyramid_centroid = 3.0 / 4.0;  // of the way from apex to the base's centroid
+    return apex_ + k_pyramid_centroid / volume_ * moment_;
+  }
+
+ private:
+  Vec3 apex_;
+  double volume_ = 0;
+  Vec3 moment_ = Vec3::Zero();
+};
+
+}  // namespace nilas

@@ -1,0 +1,29 @@
+#include "hydro/modules.h"
+
+namespace nilas {
+
+namespace {
+
+class VirtualDrag : public ForceModule {
+ public:
+  VirtualDrag(double coefficient, const Vec3& velocity) : coefficient_(coefficient), velocity_(velocity) {}
+  std::string name() const override { return "virtual_drag"; }
+  void add_forces(const Bodies& bodies, double /*t*/, Wrenches& out) override {
+    for (std::size_t b = 0; b < out.size(); ++b) {
+      if (bodies.kind[b] != BodyKind::floe || bodies.motion[b] != Motion::free) continue;
+      out[b].force += coefficient_ * (velocity_ - bodies.v_GB[b]);
+    }
+  }
+
+ private:
+  double coefficient_;  ///< [N s/m]
+  Vec3 velocity_;       ///< [m/s]
+};
+
+}  // namespace
+
+std::unique_ptr<ForceModule> make_virtual_drag(double coefficient, const Vec3& velocity) {
+  return std::make_unique<VirtualDrag>(coefficient, velocity);
+}
+
+}  // namespace nilas

@@ -1,0 +1,259 @@
+#include <gtest/gtest.h>
+
+#include "hydro/modules.h"
+#include "tests/hydro/solids.h"
+
+namespace nilas::water_test {
+
+namespace {
+
+constexpr double k_deep = -50;  // [m] wholly under water
+
+Water still() { return {}; }
+
+Water with_current(const Vec3& current) {
+  Water water;
+  water.current = current;
+  return water;
+}
+
+Wrenches drag(const Bodies& bodies, const DragCoefficients& coefficients, const Water& water = still(),
+              int threads = 1) {
+  Wrenches out(static_cast<std::size_t>(bodies.size()));
+  make_drag(water, coefficients, threads)->add_forces(bodies, 0, out);
+  return out;
+}
+
+std::vector<Vec2> rectangle(double length, double width) {
+  const double x = 0.5 * length, y = 0.5 * width;
+  return {{-x, -y}, {x, -y}, {x, y}, {-x, y}};
+}
+
+std::vector<Shape> shapes() {
+  return {prism_shape(concave_outline(), 0.6),
+          prism_shape(forked_outline(), 3),
+          box_shape({2, 1, 0.5}),
+          cylinder_shape(0.6, 1.5),
+          sphere_shape(0.8),
+          mesh_shape(lofted_hull(), {})};
+}
+
+/// All shapes at random poses near the surface with random motion.
+Bodies random_bodies(const std::string& stream, int rounds) {
+  Bodies bodies;
+  RandomStream random(20, stream);
+  for (int k = 0; k < rounds; ++k)
+    for (const Shape& shape : shapes()) {
+      const Vec3 p(random.uniform(-5, 5), random.uniform(-5, 5), 0.7 * random.uniform(-1, 1));
+      const int b = add_body(bodies, shape, {random_attitude(random), p});
+      bodies.v_GB[static_cast<std::size_t>(b)] = random_vector(random);
+      bodies.w_GB[static_cast<std::size_t>(b)] = random_vector(random);
+    }
+  return bodies;
+}
+
+/// m v' = F - k v^2 with k = 0.5 rho C_f A: v = v_t tanh(F t / (m v_t)), v_t = sqrt(F / k). A plate on edge, pushed
+/// broadside; no skin drag on its rims. Runge-Kutta of fourth order, 400 steps over 8 time constants.
+TEST(Drag, PlatePushedBroadsideReachesItsTerminalVelocity) {
+  const double A = 3.0 * 2.0, push = 700, form = 1.2;
+  const double k = 0.5 * still().density * form * A, terminal = std::sqrt(push / k);
+  Bodies bodies;
+  add_body(bodies, prism_shape(rectangle(3, 2), 0.05),
+           {Quat(Eigen::AngleAxisd(k_pi / 2, Vec3::UnitY())), {0, 0, k_deep}});
+  const double m = bodies.mass[0], constant = m * terminal / push, h = constant / 50;
+  const auto module = make_drag(still(), {form, 0}, 1);
+  const auto acceleration = [&](double v) {
+    bodies.v_GB[0] = {v, 0, 0};
+    Wrenches out(1);
+    module->add_forces(bodies, 0, out);
+    return (push + out[0].force.x()) / m;
+  };
+  double v = 0;
+  for (int step = 1; step <= 2000; ++step) {
+    const double a = acceleration(v), b = acceleration(v + 0.5 * h * a), c = acceleration(v + 0.5 * h * b),
+                 d = acceleration(v + h * c);
+    v += h / 6 * (a + 2 * b + 2 * c + d);
+    if (step <= 400) {
+      ASSERT_NEAR(v, terminal * std::tanh(step * h / constant), 1e-8 * terminal);
+    }
+  }
+  EXPECT_NEAR(v, terminal, 1e-12 * terminal);
+}
+
+/// A level floe sinking at v: its bottom meets the flow, its deck does not, 0.5 rho C_f A v^2 at the centroid; its
+/// sides take skin drag upwards, each at its middle.
+TEST(Drag, SinkingFloe) {
+  const double T = 0.4, form = 1.1, skin = 0.01, q = 0.5 * 1025 * 0.09;
+  const Shape shape = prism_shape(concave_outline(), T);
+  Wrench expected;
+  expected.force = {0, 0, q * form * polygon_moments(shape.outline).area};
+  for (std::size_t i = 0; i < shape.outline.size(); ++i) {
+    const Vec2 a = shape.outline[i], b = shape.outline[(i + 1) % shape.outline.size()], middle = 0.5 * (a + b);
+    const Vec3 lift(0, 0, q * skin * T * (b - a).norm());
+    expected += {lift, Vec3(middle.x(), middle.y(), 0).cross(lift)};
+  }
+  Bodies bodies;
+  add_body(bodies, shape, {Quat::Identity(), {0, 0, k_deep}});
+  bodies.v_GB[0] = {0, 0, -0.3};
+  const Wrench wrench = drag(bodies, {form, skin})[0];
+  EXPECT_LT((wrench.force - expected.force).norm(), 1e-12 * expected.force.norm());
+  EXPECT_LT((wrench.torque - expected.torque).norm(), 1e-12 * expected.force.norm());
+}
+
+/// A plate sliding along itself: 0.5 rho C_s A v^2 over both faces and the two rims along the way.
+TEST(Drag, SkinOfASlidingPlate) {
+  const double L = 3, B = 2, T = 0.05, v = 0.8, skin = 0.004;
+  const Shape prism = prism_shape(rectangle(L, B), T), box = box_shape({L, B, T});
+  for (const Shape& shape : {prism, box}) {
+    Bodies bodies;
+    add_body(bodies, shape, {Quat(Eigen::AngleAxisd(0.6, Vec3::UnitX())), {0, 0, k_deep}});
+    bodies.v_GB[0] = {v, 0, 0};
+    const Wrench wrench = drag(bodies, {0, skin})[0];
+    const double expected = 0.5 * 1025 * skin * v * v * 2 * (L * B + L * T);
+    EXPECT_LT((wrench.force + Vec3(expected, 0, 0)).norm(), 1e-12 * expected);
+    EXPECT_LT(wrench.torque.norm(), 1e-12 * expected);
+  }
+}
+
+/// A box afloat at draught d, towed: form 0.5 rho C_f B d v^2 at half the draught; skin on bottom and two sides.
+TEST(Drag, TowedFloatingBox) {
+  const double L = 3, B = 2, T = 0.8, d = 0.5, v = 1.3, form = 0.9, skin = 0.005, q = 0.5 * 1025 * v * v;
+  for (const Shape& shape : {prism_shape(rectangle(L, B), T), box_shape({L, B, T})}) {
+    Bodies bodies;
+    add_body(bodies, shape, {Quat::Identity(), {0, 0, 0.5 * T - d}}, 500, BodyKind::vessel, Motion::articulated);
+    bodies.v_GB[0] = {v, 0, 0};
+    const Wrench wrench = drag(bodies, {form, skin})[0];
+    const double pressure = q * form * B * d, bottom = q * skin * L * B, sides = q * skin * 2 * L * d;
+    const double force = pressure + bottom + sides;
+    EXPECT_LT((wrench.force + Vec3(force, 0, 0)).norm(), 1e-12 * force);
+    // Arms below the centre of mass: wet sides and bow at their middle, the bottom at T/2.
+    const double torque = (pressure + sides) * (0.5 * T - 0.5 * d) + bottom * 0.5 * T;
+    EXPECT_LT((wrench.torque - Vec3(0, torque, 0)).norm(), 1e-12 * force);
+  }
+}
+
+/// The flow meets half the sphere: integral of cos^2 cos dA = pi r^2 / 2, so C_f / 2 on the cross-section. Skin:
+/// integral of sin^3 dA = 2 pi r^2 (3 pi / 8). 512 facets keep both within 0.5 %.
+TEST(Drag, Sphere) {
+  const double r = 0.8, q = 0.5 * 1025;
+  Bodies bodies;
+  add_body(bodies, sphere_shape(r), {Quat::Identity(), {0, 0, k_deep}});
+  RandomStream random(21, "sphere");
+  for (int k = 0; k < 20; ++k) {
+    bodies.v_GB[0] = random_vector(random).normalized();
+    const Vec3 form = drag(bodies, {1, 0})[0].force, skin = drag(bodies, {0, 1})[0].force;
+    const double expected_form = q * k_pi * r * r / 2, expected_skin = q * 0.75 * k_pi * k_pi * r * r;
+    EXPECT_LT((form + expected_form * bodies.v_GB[0]).norm(), 0.005 * expected_form);
+    EXPECT_LT((skin + expected_skin * bodies.v_GB[0]).norm(), 0.005 * expected_skin);
+  }
+}
+
+/// At rest in a current -U as moving at U in still water: the same bits; and a common velocity changes nothing.
+TEST(Drag, DependsOnTheRelativeVelocityOnly) {
+  const Vec3 U(0.7, -0.2, 0.1);
+  Bodies moving = random_bodies("galilei", 5), resting = moving, carried = moving;
+  for (std::size_t b = 0; b < moving.v_GB.size(); ++b) {
+    moving.v_GB[b] = U;
+    resting.v_GB[b].setZero();
+    carried.v_GB[b] = U + Vec3(3, 4, 5);
+  }
+  const Wrenches a = drag(moving, {}), b = drag(resting, {}, with_current(-U)),
+                 c = drag(carried, {}, with_current({3, 4, 5}));
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    EXPECT_EQ(a[k].force, b[k].force);
+    EXPECT_EQ(a[k].torque, b[k].torque);
+    EXPECT_LT((a[k].force - c[k].force).norm(), 1e-13 * a[k].force.norm() + 1e-13);
+    EXPECT_LT((a[k].torque - c[k].torque).norm(), 1e-13 * a[k].torque.norm() + 1e-13 * a[k].force.norm());
+  }
+}
+
+/// Turning body, motion and current together about z turns the wrench.
+TEST(Drag, TurnsWithTheFrame) {
+  const Quat turn(Eigen::AngleAxisd(1.234, Vec3::UnitZ()));
+  const Vec3 current(0.4, 0.3, 0);
+  const Bodies bodies = random_bodies("frame", 5);
+  Bodies turned = bodies;
+  for (int k = 0; k < bodies.size(); ++k) {
+    const auto b = static_cast<std::size_t>(k);
+    turned.set_pose(k, turn * bodies.p_GB[b], turn * bodies.q_GB[b]);
+    turned.v_GB[b] = turn * bodies.v_GB[b];
+    turned.w_GB[b] = turn * bodies.w_GB[b];
+  }
+  const Wrenches a = drag(bodies, {}, with_current(current)), b = drag(turned, {}, with_current(turn * current));
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    const double scale = a[k].force.norm() + a[k].torque.norm();
+    EXPECT_LT((turn * a[k].force - b[k].force).norm(), 1e-13 * scale);
+    EXPECT_LT((turn * a[k].torque - b[k].torque).norm(), 1e-13 * scale);
+  }
+}
+
+/// In still water drag only takes energy out, face by face: F v + T w <= 0.
+TEST(Drag, Dissipates) {
+  const Bodies bodies = random_bodies("power", 30);
+  for (const DragCoefficients& c : {DragCoefficients{1, 0}, DragCoefficients{0, 1}}) {
+    const Wrenches out = drag(bodies, c);
+    for (std::size_t b = 0; b < out.size(); ++b)
+      EXPECT_LE(out[b].force.dot(bodies.v_GB[b]) + out[b].torque.dot(bodies.w_GB[b]), 0);
+  }
+}
+
+/// One point per face: a square floe that spins or rocks about its centre meets no flow at any face's centroid, so no
+/// form drag; the stated limit of the rule.
+TEST(Drag, OnePointPerFaceSeesNoFormDragOnASpinningSquareFloe) {
+  Bodies bodies;
+  add_body(bodies, prism_shape(rectangle(1, 1), 0.2), {Quat::Identity(), {0, 0, k_deep}});
+  for (const Vec3& w : {Vec3(1, 0, 0), Vec3(0, 0, 1)}) {
+    bodies.w_GB[0] = w;
+    const Wrench form = drag(bodies, {1, 0})[0], skin = drag(bodies, {0, 1})[0];
+    EXPECT_LT(form.torque.norm(), 1e-13);
+    EXPECT_LT(skin.torque.dot(w), -1);
+  }
+}
+
+TEST(Drag, NothingOnWhatIsDryFixedOrAWall) {
+  const Shape box = box_shape({1, 1, 1});
+  Bodies bodies;
+  add_body(bodies, box, {Quat::Identity(), {0, 0, 5}});
+  add_body(bodies, box, {}, 900, BodyKind::rigid, Motion::fixed);
+  add_body(bodies, box, {}, 900, BodyKind::wall, Motion::fixed);
+  add_body(bodies, box, {}, 900, BodyKind::vessel, Motion::fixed);
+  const Wrenches out = drag(bodies, {}, with_current({1, 0, 0}));
+  for (std::size_t b = 0; b < 3; ++b) {
+    EXPECT_EQ(out[b].force, Vec3::Zero());
+    EXPECT_EQ(out[b].torque, Vec3::Zero());
+  }
+  EXPECT_GT(out[3].force.x(), 0);
+}
+
+TEST(Drag, SameBitsForAnyThreadCount) {
+  const Bodies bodies = random_bodies("threads", 30);
+  const Wrenches one = drag(bodies, {}, still(), 1), three = drag(bodies, {}, still(), 3);
+  for (std::size_t b = 0; b < one.size(); ++b) {
+    EXPECT_EQ(one[b].force, three[b].force);
+    EXPECT_EQ(one[b].torque, three[b].torque);
+  }
+}
+
+/// F = coefficient (velocity - v) on free floes and nothing else.
+TEST(VirtualDrag, PullsFloesTowardsItsVelocity) {
+  const Shape shape = prism_shape(rectangle(1, 1), 0.1);
+  Bodies bodies;
+  add_body(bodies, shape, {}, 900, BodyKind::floe);
+  add_body(bodies, shape, {}, 900, BodyKind::floe, Motion::fixed);
+  add_body(bodies, shape, {}, 900, BodyKind::rigid);
+  add_body(bodies, shape, {}, 900, BodyKind::vessel, Motion::articulated);
+  for (auto& v : bodies.v_GB) v = {0.1, 0.2, -0.3};
+  for (auto& w : bodies.w_GB) w = {1, 2, 3};
+  const auto module = make_virtual_drag(0.1, {0.389, 0, 0});
+  Wrenches out(4);
+  module->add_forces(bodies, 0, out);
+  EXPECT_LT((out[0].force - Vec3(0.0289, -0.02, 0.03)).norm(), 1e-16);
+  EXPECT_EQ(out[0].torque, Vec3::Zero());
+  for (std::size_t b = 1; b < 4; ++b) EXPECT_EQ(out[b].force, Vec3::Zero());
+  EXPECT_FALSE(module->conservative());
+  EXPECT_EQ(module->potential_energy(bodies), 0);
+}
+
+}  // namespace
+
+}  // namespace nilas::water_test

@@ -1,0 +1,113 @@
+#pragma once
+/// Solids, poses and bodies for the water tests.
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/random.h"
+#include "core/bodies/bodies.h"
+#include "core/bodies/mass_properties.h"
+#include "core/bodies/shape.h"
+
+namespace nilas::water_test {
+
+struct Solid {
+  std::string name;
+  TriangleMesh mesh;
+  double size = 1;  ///< half extent, for the range of heights [m]
+};
+
+/// L-shaped, about its centroid.
+inline std::vector<Vec2> concave_outline() {
+  std::vector<Vec2> outline{{0, 0}, {4, 0}, {4, 1}, {1.5, 1.5}, {1, 3}, {0, 3}};
+  const Vec2 centre = polygon_moments(outline).centroid;
+  for (auto& q : outline) q -= centre;
+  return outline;
+}
+
+/// W-shaped: a level cut through its arms leaves three separate wet parts of each cap.
+inline std::vector<Vec2> forked_outline() {
+  std::vector<Vec2> outline{{0, 0}, {5, 0}, {5, 4}, {4, 4}, {3.5, 1}, {3, 4}, {2, 4}, {1.5, 1}, {1, 4}, {0, 4}};
+  const Vec2 centre = polygon_moments(outline).centroid;
+  for (auto& q : outline) q -= centre;
+  return outline;
+}
+
+inline TriangleMesh tetrahedron(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  TriangleMesh mesh{{a, b, c, d}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+  if ((b - a).cross(c - a).dot(d - a) < 0)
+    for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+  return mesh;
+}
+
+/// Ship-like, not convex (hollow waterlines forward), exactly symmetric about y = 0. Stations along x, each a loop of
+/// points from the deck's middle down the port side to the keel and up the starboard side.
+inline TriangleMesh lofted_hull() {
+  constexpr int k_stations = 24, k_half = 8, k_loop = 2 * k_half;
+  TriangleMesh mesh;
+  for (int i = 0; i < k_stations; ++i) {
+    const double s = static_cast<double>(i) / (k_stations - 1);
+    const double breadth = 0.05 + 0.55 * std::pow(std::sin(0.5 * k_pi * std::min(1.0, 1.6 * (1 - s))), 2);
+    for (int j = 0; j < k_loop; ++j) {
+      const int level = std::min(j, k_loop - j);  // 0 deck, k_half keel
+      const double side = level == 0 || level == k_half ? 0 : j < k_half ? 1 : -1, angle = k_pi * level / k_half;
+      mesh.vertices.emplace_back(6 * s - 3, side * breadth * std::sin(angle), 0.4 * std::cos(angle) + 0.1 * s * s);
+    }
+  }
+  const auto index = [](int i, int j) { return i * k_loop + j % k_loop; };
+  const auto add_quad = [&](int i, int j) {
+    const int a = index(i, j), b = index(i, j + 1), c = index(i + 1, j + 1), d = index(i + 1, j);
+    const bool port = j < k_half;  // diagonals mirrored too
+    mesh.triangles.push_back(port ? std::array{a, b, c} : std::array{a, b, d});
+    mesh.triangles.push_back(port ? std::array{a, c, d} : std::array{b, c, d});
+  };
+  for (int i = 0; i + 1 < k_stations; ++i)
+    for (int j = 0; j < k_loop; ++j) add_quad(i, j);
+  for (int j = 1; j + 1 < k_loop; ++j) {
+    mesh.triangles.push_back({index(0, 0), index(0, j + 1), index(0, j)});
+    mesh.triangles.push_back({index(k_stations - 1, 0), index(k_stations - 1, j), index(k_stations - 1, j + 1)});
+  }
+  if (find_defects(mesh).inward)
+    for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+  return mesh;
+}
+
+inline std::vector<Solid> solids() {
+  TriangleMesh plate = box_shape({10, 8, 0.01}).surface;
+  TriangleMesh far_plate = plate;
+  for (auto& x : far_plate.vertices) x += Vec3(1000, -700, 400);
+  return {{"box", box_shape({2, 3, 1}).surface, 1.8},
+          {"concave prism", prism_shape(concave_outline(), 0.4).surface, 2.5},
+          {"forked prism", prism_shape(forked_outline(), 0.4).surface, 3},
+          {"tetrahedron", tetrahedron({0.1, 0.2, -0.5}, {1, 0, 0.3}, {-0.4, 0.9, 0.2}, {-0.3, -0.8, 0.7}), 1},
+          {"hull", lofted_hull(), 2},
+          {"thin plate", plate, 4},
+          {"thin plate far from its origin", far_plate, 4}};
+}
+
+inline Quat random_attitude(RandomStream& random) {
+  return Quat(random.normal(), random.normal(), random.normal(), random.normal()).normalized();
+}
+
+inline Vec3 random_vector(RandomStream& random) { return {random.normal(), random.normal(), random.normal()}; }
+
+/// A body with the mass properties of its surface at the given density (a sphere: its own).
+inline int add_body(Bodies& bodies, const Shape& shape, const Pose& pose, double density = 900,
+                    BodyKind kind = BodyKind::rigid, Motion motion = Motion::free) {
+  BodySpec spec;
+  spec.name = "body";
+  spec.kind = kind;
+  spec.motion = motion;
+  spec.shape = std::make_shared<const Shape>(shape);
+  const MassProperties properties =
+      shape.kind == ShapeKind::sphere
+          ? sphere_properties(shape.radius, density * 4 / 3 * k_pi * std::pow(shape.radius, 3))
+          : mesh_properties(shape.surface, density);
+  spec.mass = properties.mass;
+  spec.inertia_B = properties.inertia;
+  spec.pose = pose;
+  return bodies.add(spec);
+}
+
+}  // namespace nilas::water_test

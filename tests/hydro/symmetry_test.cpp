@@ -1,0 +1,123 @@
+/// Mirror and frame symmetry of the water forces: what makes port and starboard of a scene equal.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "hydro/modules.h"
+#include "tests/hydro/solids.h"
+
+namespace nilas::water_test {
+
+namespace {
+
+/// Vectors and axial vectors (angular velocity, torque) mirrored in the plane y = 0.
+Vec3 mirrored(const Vec3& x) { return {x.x(), -x.y(), x.z()}; }
+Vec3 mirrored_axial(const Vec3& x) { return {-x.x(), x.y(), -x.z()}; }
+Quat mirrored(const Quat& q) { return {q.w(), -q.x(), q.y(), -q.z()}; }
+
+TriangleMesh mirrored(TriangleMesh mesh) {
+  for (auto& x : mesh.vertices) x.y() = -x.y();
+  for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+  return mesh;
+}
+
+std::vector<Vec2> mirrored(std::vector<Vec2> outline) {
+  for (auto& q : outline) q.y() = -q.y();
+  std::reverse(outline.begin(), outline.end());
+  return outline;
+}
+
+struct Pair {
+  Bodies left, right;
+};
+
+Pair mirror_pair(const Shape& left, const Shape& right, RandomStream& random) {
+  Pair pair;
+  const Pose pose{random_attitude(random), Vec3(1, 2, 0.4 * random.uniform(-1, 1))};
+  add_body(pair.left, left, pose);
+  add_body(pair.right, right, {mirrored(pose.q), mirrored(pose.p)});
+  pair.left.v_GB[0] = random_vector(random);
+  pair.left.w_GB[0] = random_vector(random);
+  pair.right.v_GB[0] = mirrored(pair.left.v_GB[0]);
+  pair.right.w_GB[0] = mirrored_axial(pair.left.w_GB[0]);
+  return pair;
+}
+
+Wrench wrench_on(const Bodies& bodies, ForceModule& module) {
+  Wrenches out(1);
+  module.add_forces(bodies, 0, out);
+  return out[0];
+}
+
+/// Largest drag a wet face could take: dynamic pressure at the fastest point over the whole surface [N].
+double drag_bound(const Bodies& bodies, const Water& water) {
+  const Shape& shape = *bodies.shape[0];
+  const double speed = (water.current - bodies.v_GB[0]).norm() + bodies.w_GB[0].norm() * shape.bounding_radius;
+  double area = 0;
+  for (const auto& [a, b, c] : shape.surface.triangles) {
+    const auto corner = [&](int k) { return shape.surface.vertices[static_cast<std::size_t>(k)]; };
+    area += 0.5 * (corner(b) - corner(a)).cross(corner(c) - corner(a)).norm();
+  }
+  return 0.5 * water.density * speed * speed * area;
+}
+
+/// Mirrored outline or mesh, pose and motion give the mirrored wrench; the sums run the other way round, hence 1e-15 of
+/// the force (buoyancy) and of the terms that cancel in it (drag), not the last bit.
+TEST(Symmetry, MirroredFloesAndMeshes) {
+  std::vector<std::pair<Shape, Shape>> shapes;
+  for (const auto& outline : {concave_outline(), forked_outline()})
+    shapes.emplace_back(prism_shape(outline, 0.5), prism_shape(mirrored(outline), 0.5));
+  shapes.emplace_back(mesh_shape(lofted_hull(), {}), mesh_shape(mirrored(lofted_hull()), {}));
+  Water water;
+  water.current = {0.3, 0, 0};
+  const auto buoyancy = make_buoyancy(water, 1), drag = make_drag(water, {}, 1);
+  for (const auto& [left, right] : shapes) {
+    RandomStream random(30, std::to_string(left.outline.size()));
+    for (int k = 0; k < 100; ++k) {
+      const Pair pair = mirror_pair(left, right, random);
+      for (ForceModule* module : {buoyancy.get(), drag.get()}) {
+        const Wrench a = wrench_on(pair.left, *module), b = wrench_on(pair.right, *module);
+        const double scale = module->conservative() ? a.force.norm() : drag_bound(pair.left, water);
+        EXPECT_LE((mirrored(a.force) - b.force).norm(), 1e-15 * scale);
+        EXPECT_LE((mirrored_axial(a.torque) - b.torque).norm(), 1e-15 * scale * left.bounding_radius);
+      }
+    }
+  }
+}
+
+/// A hull moving in its centre plane: no side force, no roll or yaw moment.
+TEST(Symmetry, SymmetricHullAheadHasNoSideLoads) {
+  Bodies bodies;
+  add_body(bodies, mesh_shape(lofted_hull(), {}), {Quat(Eigen::AngleAxisd(0.02, Vec3::UnitY())), {0, 0, 0}}, 500,
+           BodyKind::vessel, Motion::articulated);
+  bodies.v_GB[0] = {1, 0, 0.1};
+  bodies.w_GB[0] = {0, 0.2, 0};
+  for (const auto& module : {make_buoyancy({}, 1), make_drag({}, {}, 1)}) {
+    const Wrench wrench = wrench_on(bodies, *module);
+    const double force = wrench.force.norm(), size = 3;
+    EXPECT_LT(std::abs(wrench.force.y()), 1e-15 * force);
+    EXPECT_LT(std::abs(wrench.torque.x()), 1e-15 * force * size);
+    EXPECT_LT(std::abs(wrench.torque.z()), 1e-15 * force * size);
+  }
+}
+
+/// Buoyancy turned about z: 1e-13 relative.
+TEST(Symmetry, BuoyancyTurnsWithTheFrame) {
+  const auto module = make_buoyancy({}, 1);
+  const Quat turn(Eigen::AngleAxisd(-2.1, Vec3::UnitZ()));
+  RandomStream random(31, "turn");
+  for (const Shape& shape : {prism_shape(concave_outline(), 0.6), mesh_shape(lofted_hull(), {})})
+    for (int k = 0; k < 50; ++k) {
+      Bodies bodies;
+      add_body(bodies, shape, {random_attitude(random), Vec3(1, 2, 0.4 * random.uniform(-1, 1))});
+      const Wrench a = wrench_on(bodies, *module);
+      bodies.set_pose(0, turn * bodies.p_GB[0], turn * bodies.q_GB[0]);
+      const Wrench b = wrench_on(bodies, *module);
+      EXPECT_LE((turn * a.force - b.force).norm(), 1e-13 * a.force.norm());
+      EXPECT_LE((turn * a.torque - b.torque).norm(), 1e-13 * a.force.norm() * shape.bounding_radius);
+    }
+}
+
+}  // namespace
+
+}  // namespace nilas::water_test
