@@ -1,0 +1,47 @@
+#pragma once
+/// What moves the vessel: one class per way of holding it, each with the step of vessel_system.h.
+#include <memory>
+
+#include "core/vessel/vessel_system.h"
+
+namespace nilas {
+
+class VesselMotion {
+ public:
+  VesselMotion(const VesselModel& model, double t0);
+  virtual ~VesselMotion() = default;
+
+  VesselBlock begin(const Wrench& free, double h);
+  void finish(const Wrench& contact_impulse);
+
+  virtual Vec6 velocity_after_impulses() const = 0;
+  virtual void displace(const Vec6& pseudo_twist, double h) = 0;
+  virtual double spring_energy() const { return 0; }
+  virtual VecX coordinates() const = 0;
+
+  const VesselState& state() const { return state_; }
+  const CarriageLoads& loads() const { return loads_; }
+  double time() const { return time_; }
+
+ protected:
+  virtual VesselBlock begin_step() = 0;
+  virtual void finish_step(const Wrench& contact_impulse) = 0;
+
+  Mat3 inertia_G() const;                            ///< R I R^T of the present pose
+  Vec3 turning(const Vec3& angular_momentum) const;  ///< the angular velocity with it at the present pose
+
+  MassProperties mass_;  ///< about the centre of mass, axes of V
+  Eigen::LLT<Mat3> inertia_factor_;
+  VesselState state_;
+  CarriageLoads loads_;
+  double time_;
+  Wrench free_;   ///< of the step under way
+  double h_ = 0;  ///< of the step under way, 0 between steps
+};
+
+std::unique_ptr<VesselMotion> make_fixed_vessel(const VesselModel& model, double t0);
+std::unique_ptr<VesselMotion> make_free_vessel(const VesselModel& model, double t0);
+/// Throws InputError when the force balance cannot hold the vessel.
+std::unique_ptr<VesselMotion> make_carried_vessel(const VesselModel& model, double t0);
+
+}  // namespace nilas

@@ -1,0 +1,110 @@
+#include "core/vessel/vessel_system.h"
+
+#include "core/base/error.h"
+#include "core/vessel/vessel_motion.h"
+
+namespace nilas {
+
+VesselMotion::VesselMotion(const VesselModel& model, double t0)
+    : mass_(model.mass), inertia_factor_(model.mass.inertia), time_(t0) {
+  if (!model.fixed && !(model.mass.mass > 0)) throw InputError("vessel: the mass must be > 0 kg");
+  if (!model.fixed && !physically_valid_inertia(model.mass.inertia))
+    throw InputError(
+        "vessel: the inertia about the centre of mass must be symmetric, its principal moments positive and none "
+        "larger "
+        "than the sum of the other two");
+  state_.pose.q = model.pose_V.q.normalized();
+  state_.pose.p = model.pose_V.p + state_.pose.q * model.mass.com;
+}
+
+VesselBlock VesselMotion::begin(const Wrench& free, double h) {
+  NILAS_DEMAND(h > 0 && h_ == 0);
+  free_ = free;
+  h_ = h;
+  return begin_step();
+}
+
+void VesselMotion::finish(const Wrench& contact_impulse) {
+  NILAS_DEMAND(h_ > 0);
+  finish_step(contact_impulse);
+  time_ += h_;
+  h_ = 0;
+}
+
+Mat3 VesselMotion::inertia_G() const {
+  const Mat3 R = state_.pose.q.toRotationMatrix();
+  return R * mass_.inertia * R.transpose();
+}
+
+Vec3 VesselMotion::turning(const Vec3& angular_momentum) const {
+  const Mat3 R = state_.pose.q.toRotationMatrix();
+  return R * inertia_factor_.solve(R.transpose() * angular_momentum);
+}
+
+namespace {
+
+class FixedVessel : public VesselMotion {
+ public:
+  using VesselMotion::VesselMotion;
+  Vec6 velocity_after_impulses() const override { return Vec6::Zero(); }
+  void displace(const Vec6&, double) override {}
+  VecX coordinates() const override {
+    VecX all(7);
+    all << state_.pose.p, state_.pose.q.coeffs();
+    return all;
+  }
+
+ protected:
+  VesselBlock begin_step() override { return {MatX(0, 0), VecX(0), MatX(6, 0), Vec6::Zero()}; }
+  void finish_step(const Wrench&) override {}
+};
+
+std::unique_ptr<VesselMotion> make_motion(const VesselModel& model, double t0) {
+  NILAS_DEMAND(!(model.fixed && model.carriage));
+  if (model.fixed) return std::make_unique<FixedVessel>(model, t0);
+  return model.carriage ? make_carried_vessel(model, t0) : make_free_vessel(model, t0);
+}
+
+std::vector<std::string> names(const VesselModel& model) {
+  if (!model.carriage) return {"vessel"};
+  switch (model.carriage->balance) {
+    case BalanceKind::six_cells:
+      return {"vessel", "carriage", "force balance six-cells"};
+    case BalanceKind::prismatic:
+      return {"vessel", "carriage", "force balance prismatic"};
+    case BalanceKind::rigid:
+      break;
+  }
+  return {"vessel", "carriage", "force balance rigid"};
+}
+
+}  // namespace
+
+struct VesselSystem::Implementation {
+  std::unique_ptr<VesselMotion> motion;
+  bool fixed, on_carriage;
+  std::vector<std::string> built;
+};
+
+VesselSystem::VesselSystem(const VesselModel& model, double t0)
+    : implementation_(std::make_unique<Implementation>(
+          Implementation{make_motion(model, t0), model.fixed, model.carriage.has_value(), names(model)})) {}
+VesselSystem::~VesselSystem() = default;
+VesselSystem::VesselSystem(VesselSystem&&) noexcept = default;
+VesselSystem& VesselSystem::operator=(VesselSystem&&) noexcept = default;
+
+const VesselState& VesselSystem::state() const { return implementation_->motion->state(); }
+double VesselSystem::time() const { return implementation_->motion->time(); }
+bool VesselSystem::fixed() const { return implementation_->fixed; }
+bool VesselSystem::on_carriage() const { return implementation_->on_carriage; }
+std::vector<std::string> VesselSystem::built() const { return implementation_->built; }
+
+VesselBlock VesselSystem::begin(const Wrench& free, double h) { return implementation_->motion->begin(free, h); }
+void VesselSystem::finish(const Wrench& contact_impulse) { implementation_->motion->finish(contact_impulse); }
+Vec6 VesselSystem::velocity_after_impulses() const { return implementation_->motion->velocity_after_impulses(); }
+void VesselSystem::displace(const Vec6& pseudo_twist, double h) { implementation_->motion->displace(pseudo_twist, h); }
+const CarriageLoads& VesselSystem::carriage_loads() const { return implementation_->motion->loads(); }
+double VesselSystem::spring_energy() const { return implementation_->motion->spring_energy(); }
+VecX VesselSystem::coordinates() const { return implementation_->motion->coordinates(); }
+
+}  // namespace nilas

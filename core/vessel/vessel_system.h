@@ -1,0 +1,146 @@
+#pragma once
+/// The vessel with its carriage and force balance as one Simbody tree, behind plain matrices.
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/math.h"
+#include "core/bodies/mass_properties.h"
+
+namespace nilas {
+
+/// One uniaxial load cell: a point and an axis in the carriage's frame, from the joint. The axis points from vessel to
+/// carriage and tension is positive: a carriage that pulls the vessel along +axis reads positive, a load of 120 N on
+/// the vessel along +axis reads -120 N.
+struct LoadCell {
+  Vec3 point = Vec3::Zero();  ///< [m]
+  Vec3 axis = Vec3::UnitX();  ///< unit
+};
+/// One longitudinal, two transverse (fore, aft), three vertical cells, spaced by `arm` [m]. Axes +X, +Y, +Z; their
+/// stiffness does not couple the axes at the joint.
+std::array<LoadCell, 6> default_cells(double arm);
+/// Reads columns x_m,y_m,z_m,ax,ay,az; axes need not be unit. Throws FileError, or InputError for a wrong or singular
+/// layout.
+std::array<LoadCell, 6> read_cells(const std::string& csv_file);
+
+/// Position and yaw of the carriage over time, with exact first derivatives.
+class CarriageMotion {
+ public:
+  struct State {
+    Vec3 p = Vec3::Zero();  ///< of the joint point in G [m]
+    double yaw = 0;         ///< [rad]
+    Vec3 v = Vec3::Zero();  ///< [m/s]
+    double yaw_rate = 0;    ///< [rad/s]
+  };
+  /// Speed along `direction` (rad from X), reached linearly over `ramp` seconds from t0; yaw constant.
+  static CarriageMotion straight(const Vec3& start, double yaw, double speed, double direction, double ramp, double t0);
+  /// Natural cubic spline through rows t_s,x_m,y_m,yaw_deg of a CSV file: their differences to the first row, along the
+  /// axes of G, are added to `start` and `yaw`. At rest before the first and after the last row. Throws FileError,
+  /// InputError.
+  static CarriageMotion path(const Vec3& start, double yaw, const std::string& csv_file);
+  State at(double t) const;
+
+ private:
+  struct Knots;
+  std::shared_ptr<const Knots> knots_;  ///< of a path
+  Vec3 start_ = Vec3::Zero();
+  double yaw_ = 0, speed_ = 0, direction_ = 0, ramp_ = 0, t0_ = 0;
+};
+
+enum class BalanceKind { rigid, six_cells, prismatic };
+
+struct CarriageModel {
+  CarriageMotion motion;
+  Vec3 joint_V = Vec3::Zero();  ///< joint point in the vessel frame V [m]
+  std::array<bool, 6> free{};   ///< surge sway heave roll pitch yaw; prismatic: heave, whatever stands here
+  BalanceKind balance = BalanceKind::rigid;
+  double stiffness = 0;  ///< of each cell [N/m]
+  double damping = 0;    ///< of each cell [N s/m]
+  std::array<LoadCell, 6> cells{};
+};
+
+struct VesselModel {
+  MassProperties mass;    ///< com and inertia (about com) in V
+  Pose pose_V;            ///< of frame V in G at the start; on a carriage: before the carriage moves
+  Vec3 v = Vec3::Zero();  ///< free vessel: velocity of the centre of mass at the start [m/s]
+  Vec3 w = Vec3::Zero();  ///< free vessel [rad/s]
+  bool fixed = false;
+  std::optional<CarriageModel> carriage;  ///< neither fixed nor carriage: free
+  bool gyroscopic = true;
+};
+
+/// The vessel's block of the contact problem for one step. Its coordinates are the mean speeds over the step,
+/// (displacement / h), so a contact sees where the hull will be at the step's end, however stiff the cells are; along
+/// the cells they are also the speeds at the step's end (exponential_mode.h).
+struct VesselBlock {
+  MatX mass;      ///< n x n, effective, symmetric positive definite; its inverse is the speeds' response to an impulse
+  VecX f;         ///< n, mass * (mean speeds without contact)
+  MatX jacobian;  ///< 6 x n: mean twist of the centre of mass (v; w) in G = jacobian * speeds + prescribed
+  Vec6 prescribed = Vec6::Zero();  ///< mean twist (v; w) of the vessel that the carriage imposes
+};
+
+/// Where the vessel is and how it moves. Frame B of the body arrays: axes of V, origin at the centre of mass. The part
+/// of the velocity that comes from the deflection of cells is the mean over the last step.
+struct VesselState {
+  Pose pose;              ///< of the centre-of-mass frame
+  Vec3 v = Vec3::Zero();  ///< of the centre of mass in G [m/s]
+  Vec3 w = Vec3::Zero();  ///< in G [rad/s]
+};
+
+/// What the carriage did to the vessel in one step: impulse over the step divided by its length, in G. Torques about
+/// the centre of mass and about the joint, the point of the carriage, both where they are at the step's end.
+struct CarriageLoads {
+  Wrench about_com;
+  Wrench about_joint;             ///< the same force
+  std::array<double, 6> cells{};  ///< six-cells only: the readings that balance about_joint [N]
+};
+
+/// One step is: begin(), solve contacts, finish(). At a step's end the momenta obey, to rounding,
+///   m (v+ - v-) = h (carriage + free) + contact impulse,
+///   L+ - L- = h (torques) + contact angular impulse,  L = R I R^T w with each instant's own R.
+/// The exception is a free vessel with gyroscopic = false: its angular velocity is kept while it turns, so L is not.
+/// On a carriage these equations define the carriage's load, which has no part along the joint's free axes; the
+/// gyroscopic term is always kept there. One system belongs to one thread.
+class VesselSystem {
+ public:
+  /// On a carriage, motion.at(before it moves) must be the place of pose_V * joint_V. Throws InputError for a mass,
+  /// inertia or force balance that cannot be.
+  VesselSystem(const VesselModel& model, double t0);
+  ~VesselSystem();
+  VesselSystem(VesselSystem&&) noexcept;
+  VesselSystem& operator=(VesselSystem&&) noexcept;
+
+  const VesselState& state() const;
+  double time() const;
+  bool fixed() const;
+  bool on_carriage() const;
+  /// Names of what was built: "vessel", "carriage", "force balance six-cells" ...
+  std::vector<std::string> built() const;
+
+  /// Starts a step of length h [s] under `free`: weight, hydrodynamic and other loads about the centre of mass in G,
+  /// constant over the step. A fixed vessel (or one with no free coordinate) has a block of size 0 and a prescribed
+  /// mean twist.
+  VesselBlock begin(const Wrench& free, double h);
+  /// Ends it with the contact impulse about the centre of mass at the step's start, in G [N s, N m s]. Throws
+  /// SimulationError when the vessel leaves finite numbers or the joint its range.
+  void finish(const Wrench& contact_impulse);
+  /// Twist (v; w) of the centre of mass just after the velocity step, before the pose moved: for energy accounts. On a
+  /// carriage, where the momenta balance between both poses, the twist at the step's end.
+  Vec6 velocity_after_impulses() const;
+  /// Moves a free vessel by a pseudo twist (v; w) over h: position stabilisation. Keeps the velocity and, when
+  /// gyroscopic, the angular momentum. No effect on carriage or fixed.
+  void displace(const Vec6& pseudo_twist, double h);
+  const CarriageLoads& carriage_loads() const;  ///< of the last step
+  /// Energy stored in the cells [J].
+  double spring_energy() const;
+  /// All coordinates and speeds, for the state hash and for restarts.
+  VecX coordinates() const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace nilas

@@ -1,0 +1,101 @@
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/vessel/vessel_motion.h"
+#include "core/vessel/vessel_tree.h"
+
+namespace nilas {
+
+namespace {
+
+/// Rotation by the vector `turn` [rad].
+Quat rotation(const Vec3& turn) {
+  const double angle = turn.norm();
+  return angle > 0 ? Quat(Eigen::AngleAxisd(angle, turn / angle)) : Quat::Identity();
+}
+
+/// Six speeds (w; v), semi-implicit Euler. With the gyroscopic term the angular momentum of the velocity step is kept
+/// to the last digit while the attitude turns about the mean of the angular velocities at both ends; without it the
+/// angular velocity is kept, and the angular momentum is not conserved.
+class FreeVessel : public VesselMotion {
+ public:
+  FreeVessel(const VesselModel& model, double t0)
+      : VesselMotion(model, t0), tree_(model.mass), gyroscopic_(model.gyroscopic) {
+    state_.v = model.v;
+    state_.w = model.w;
+    after_ << state_.v, state_.w;
+    angular_momentum_ = inertia_G() * state_.w;
+  }
+
+  Vec6 velocity_after_impulses() const override { return after_; }
+
+  void displace(const Vec6& pseudo_twist, double h) override {
+    state_.pose.p += h * pseudo_twist.head<3>();
+    state_.pose.q = (rotation(h * pseudo_twist.tail<3>()) * state_.pose.q).normalized();
+    if (gyroscopic_) state_.w = turning(angular_momentum_);
+  }
+
+  VecX coordinates() const override {
+    VecX all(13);
+    all << state_.pose.p, state_.pose.q.coeffs(), state_.v, state_.w;
+    return all;
+  }
+
+ protected:
+  VesselBlock begin_step() override {
+    const Quat& q = state_.pose.q;
+    VecX coordinates(7), speeds(6);
+    coordinates << q.w(), q.vec(), state_.pose.p;
+    speeds << state_.w, state_.v;
+    tree_.set_coordinates(coordinates);
+    // At rest, so that the force is free of the gyroscopic term: that acts while the attitude turns.
+    tree_.set_speeds(VecX::Zero(6));
+    VesselBlock block;
+    block.mass = tree_.mass_matrix();
+    block.f = block.mass * speeds + h_ * tree_.force(free_, {});
+    block.jacobian = tree_.jacobian();
+    return block;
+  }
+
+  void finish_step(const Wrench& contact) override {
+    if (!gyroscopic_) angular_momentum_ = inertia_G() * state_.w;
+    angular_momentum_ += h_ * free_.torque + contact.torque;
+    state_.v += (h_ * free_.force + contact.force) / mass_.mass;
+    state_.w = turning(angular_momentum_);
+    after_ << state_.v, state_.w;
+    if (!after_.allFinite())
+      throw SimulationError("at " + std::to_string(time_) + " s the vessel's velocity left finite numbers");
+    state_.pose.p += h_ * state_.v;
+    if (gyroscopic_)
+      turn();
+    else
+      state_.pose.q = (rotation(h_ * state_.w) * state_.pose.q).normalized();
+  }
+
+ private:
+  void turn() {
+    const Quat q = state_.pose.q;
+    const Vec3 w = state_.w;
+    // Each pass gains a factor of about h |w|; the last ones change nothing, so that the step is reversible.
+    constexpr int k_most_passes = 20;
+    for (int pass = 0; pass < k_most_passes; ++pass) {
+      const Vec3 w_end = state_.w;
+      state_.pose.q = (rotation(0.5 * h_ * (w + w_end)) * q).normalized();
+      state_.w = turning(angular_momentum_);
+      if (state_.w == w_end) break;
+    }
+  }
+
+  VesselTree tree_;
+  bool gyroscopic_;
+  Vec3 angular_momentum_;  ///< the conserved state of the rotation when gyroscopic, so that no rounding gathers in it
+  Vec6 after_;
+};
+
+}  // namespace
+
+std::unique_ptr<VesselMotion> make_free_vessel(const VesselModel& model, double t0) {
+  return std::make_unique<FreeVessel>(model, t0);
+}
+
+}  // namespace nilas

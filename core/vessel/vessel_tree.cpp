@@ -1,0 +1,161 @@
+#include "core/vessel/vessel_tree.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/vessel/simbody.h"
+
+namespace nilas {
+
+namespace {
+
+SimTK::Vec3 to_simbody(const Vec3& a) { return {a.x(), a.y(), a.z()}; }
+
+Vec3 from_simbody(const SimTK::Vec3& a) { return {a[0], a[1], a[2]}; }
+
+SimTK::Transform to_simbody(const Pose& pose) {
+  return {SimTK::Rotation(SimTK::Quaternion(pose.q.w(), pose.q.x(), pose.q.y(), pose.q.z())), to_simbody(pose.p)};
+}
+
+SimTK::Body::Rigid rigid_body(const MassProperties& mass) {
+  const Mat3& I = mass.inertia;
+  const SimTK::Inertia inertia(I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2));
+  return SimTK::Body::Rigid(SimTK::MassProperties(mass.mass, SimTK::Vec3(0), inertia));
+}
+
+}  // namespace
+
+struct VesselTree::Implementation {
+  /// The state is filled once the tree stands; `carriage_speeds` come first among all speeds.
+  void complete(int carriage_speeds) {
+    carriage = carriage_speeds;
+    state = system.realizeTopology();
+    system.realizeModel(state);
+    speeds = state.getNU() - carriage;
+  }
+  const SimTK::State& at(const SimTK::Stage& stage) const {
+    system.realize(state, stage);
+    return state;
+  }
+
+  SimTK::MultibodySystem system;
+  SimTK::SimbodyMatterSubsystem matter{system};
+  SimTK::MobilizedBody vessel;
+  SimTK::State state;
+  int carriage = 0, speeds = 0;
+};
+
+VesselTree::VesselTree(const MassProperties& mass) : implementation_(std::make_unique<Implementation>()) {
+  Implementation& tree = *implementation_;
+  tree.vessel = SimTK::MobilizedBody::Free(tree.matter.updGround(), rigid_body(mass));
+  tree.complete(0);
+}
+
+VesselTree::VesselTree(const MassProperties& mass, const TreeJoint& joint)
+    : implementation_(std::make_unique<Implementation>()) {
+  Implementation& tree = *implementation_;
+  SimTK::MobilizedBody::Planar carriage(tree.matter.updGround(), SimTK::Transform(SimTK::Vec3(0, 0, joint.height)),
+                                        SimTK::Body::Massless(), SimTK::Transform());
+  if (joint.axes.empty()) {
+    tree.vessel = SimTK::MobilizedBody::Weld(carriage, SimTK::Transform(), rigid_body(mass), to_simbody(joint.in_B));
+  } else {
+    SimTK::Array_<const SimTK::Function*> along;  // the mobilizer takes ownership
+    SimTK::Array_<SimTK::Array_<int>> coordinates(6);
+    for (int axis = 0; axis < 6; ++axis) {
+      const auto found = std::find(joint.axes.begin(), joint.axes.end(), axis);
+      if (found == joint.axes.end()) {
+        along.push_back(new SimTK::Function::Constant(0, 0));
+      } else {
+        along.push_back(new SimTK::Function::Linear(SimTK::Vector(SimTK::Vec2(1, 0))));
+        coordinates[axis].push_back(static_cast<int>(found - joint.axes.begin()));
+      }
+    }
+    tree.vessel =
+        SimTK::MobilizedBody::FunctionBased(carriage, SimTK::Transform(), rigid_body(mass), to_simbody(joint.in_B),
+                                            static_cast<int>(joint.axes.size()), along, coordinates);
+  }
+  constexpr int k_planar_speeds = 3;
+  tree.complete(k_planar_speeds);
+}
+
+VesselTree::~VesselTree() = default;
+VesselTree::VesselTree(VesselTree&&) noexcept = default;
+VesselTree& VesselTree::operator=(VesselTree&&) noexcept = default;
+
+int VesselTree::size() const { return implementation_->speeds; }
+
+void VesselTree::set_carriage(const CarriageMotion::State& state) {
+  Implementation& tree = *implementation_;
+  NILAS_DEMAND(tree.carriage > 0);
+  tree.state.updQ()(0, tree.carriage) = SimTK::Vector(SimTK::Vec3(state.yaw, state.p.x(), state.p.y()));
+  tree.state.updU()(0, tree.carriage) = SimTK::Vector(SimTK::Vec3(state.yaw_rate, state.v.x(), state.v.y()));
+}
+
+void VesselTree::set_coordinates(const VecX& q) {
+  Implementation& tree = *implementation_;
+  NILAS_DEMAND(q.size() == tree.state.getNQ() - tree.carriage);
+  SimTK::Vector& all = tree.state.updQ();
+  for (int i = 0; i < q.size(); ++i) all[tree.carriage + i] = q[i];
+}
+
+void VesselTree::set_speeds(const VecX& u) {
+  Implementation& tree = *implementation_;
+  NILAS_DEMAND(u.size() == tree.speeds);
+  SimTK::Vector& all = tree.state.updU();
+  for (int i = 0; i < u.size(); ++i) all[tree.carriage + i] = u[i];
+}
+
+Pose VesselTree::pose() const {
+  const SimTK::Transform& X = implementation_->vessel.getBodyTransform(implementation_->at(SimTK::Stage::Position));
+  const SimTK::Quaternion q = X.R().convertRotationToQuaternion();
+  return {Quat(q[0], q[1], q[2], q[3]).normalized(), from_simbody(X.p())};
+}
+
+Vec6 VesselTree::twist() const {
+  const SimTK::SpatialVec& V = implementation_->vessel.getBodyVelocity(implementation_->at(SimTK::Stage::Velocity));
+  Vec6 twist;
+  twist << from_simbody(V[1]), from_simbody(V[0]);
+  return twist;
+}
+
+MatX VesselTree::mass_matrix() const {
+  const Implementation& tree = *implementation_;
+  SimTK::Matrix all;
+  tree.matter.calcM(tree.at(SimTK::Stage::Position), all);
+  MatX mass(tree.speeds, tree.speeds);
+  for (int i = 0; i < tree.speeds; ++i)
+    for (int j = 0; j < tree.speeds; ++j)
+      mass(i, j) = 0.5 * (all(tree.carriage + i, tree.carriage + j) + all(tree.carriage + j, tree.carriage + i));
+  return mass;
+}
+
+MatX VesselTree::jacobian() const {
+  const Implementation& tree = *implementation_;
+  SimTK::RowVector_<SimTK::SpatialVec> all;
+  tree.matter.calcFrameJacobian(tree.at(SimTK::Stage::Position), tree.vessel, SimTK::Vec3(0), all);
+  MatX jacobian(6, tree.speeds);
+  for (int j = 0; j < tree.speeds; ++j) {
+    const SimTK::SpatialVec& column = all[tree.carriage + j];
+    jacobian.col(j) << from_simbody(column[1]), from_simbody(column[0]);
+  }
+  return jacobian;
+}
+
+VecX VesselTree::force(const Wrench& load, const CarriageMotion::State& acceleration) const {
+  const Implementation& tree = *implementation_;
+  const SimTK::State& state = tree.at(SimTK::Stage::Velocity);
+  SimTK::Vector no_mobility_forces(state.getNU(), 0.0), known(state.getNU(), 0.0), residual;
+  // Accelerations of the carriage that are given, zero for the vessel: what is missing for these is what drives the
+  // vessel.
+  if (tree.carriage > 0)
+    known(0, tree.carriage) = SimTK::Vector(SimTK::Vec3(acceleration.yaw_rate, acceleration.v.x(), acceleration.v.y()));
+  SimTK::Vector_<SimTK::SpatialVec> loads(tree.matter.getNumBodies(),
+                                          SimTK::SpatialVec(SimTK::Vec3(0), SimTK::Vec3(0)));
+  loads[tree.vessel.getMobilizedBodyIndex()] = SimTK::SpatialVec(to_simbody(load.torque), to_simbody(load.force));
+  tree.matter.calcResidualForceIgnoringConstraints(state, no_mobility_forces, loads, known, residual);
+  VecX force(tree.speeds);
+  for (int i = 0; i < tree.speeds; ++i) force[i] = -residual[tree.carriage + i];
+  return force;
+}
+
+}  // namespace nilas

@@ -1,0 +1,93 @@
+#pragma once
+/// A vessel of 500 kg with an inertia that has no zero entry, and carriages to hang it on.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "core/base/random.h"
+#include "core/vessel/vessel_system.h"
+
+namespace nilas::example {
+
+constexpr double k_mass = 500;  ///< [kg]
+constexpr double k_arm = 1.5;   ///< of the default cells [m]
+
+inline VesselModel vessel() {
+  VesselModel model;
+  model.mass.mass = k_mass;
+  model.mass.com = {2.9, 0.02, 0.3};
+  model.mass.inertia << 60, 1.5, -9, 1.5, 900, 2, -9, 2, 930;
+  model.pose_V.p = {1, -2, -0.2};
+  model.pose_V.q = Quat(Eigen::AngleAxisd(0.3, Vec3::UnitZ()));
+  return model;
+}
+
+/// The carriage of a vessel, standing still, its joint at `joint_V`.
+inline CarriageModel carriage(const VesselModel& model, const Vec3& joint_V) {
+  CarriageModel carriage;
+  carriage.joint_V = joint_V;
+  const Vec3 start = model.pose_V.p + model.pose_V.q * joint_V;
+  carriage.motion = CarriageMotion::straight(start, 0.3, 0, 0, 0, 0);
+  carriage.stiffness = 1e7;
+  carriage.damping = 1e4;
+  carriage.cells = default_cells(k_arm);
+  return carriage;
+}
+
+inline VesselModel carried(BalanceKind balance, const std::array<bool, 6>& free = {}) {
+  VesselModel model = vessel();
+  model.carriage = carriage(model, model.mass.com);
+  model.carriage->balance = balance;
+  model.carriage->free = free;
+  return model;
+}
+
+/// One step under a constant wrench, with an impulse.
+inline VesselBlock step(VesselSystem& system, const Wrench& load, double h, const Wrench& impulse = {}) {
+  VesselBlock block = system.begin(load, h);
+  system.finish(impulse);
+  return block;
+}
+
+inline void run(VesselSystem& system, const Wrench& load, double h, int steps) {
+  for (int i = 0; i < steps; ++i) step(system, load, h);
+}
+
+inline Vec3 random_vector(RandomStream& random, double size) {
+  return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
+}
+
+inline Wrench random_wrench(RandomStream& random, double size) {
+  const Vec3 force = random_vector(random, size);
+  return {force, random_vector(random, size)};
+}
+
+/// R I R^T w of a state.
+inline Vec3 angular_momentum(const VesselModel& model, const VesselState& state) {
+  const Mat3 R = state.pose.q.toRotationMatrix();
+  return R * model.mass.inertia * R.transpose() * state.w;
+}
+
+/// A file that goes when the test ends.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const std::string& text) {
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    std::string name = std::string(info->test_suite_name()) + "_" + info->name();
+    std::replace(name.begin(), name.end(), '/', '_');
+    path_ = testing::TempDir() + "nilas_" + name + ".csv";
+    std::ofstream(path_) << text;
+  }
+  ~TemporaryFile() { std::filesystem::remove(path_); }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+}  // namespace nilas::example
