@@ -1,0 +1,40 @@
+#pragma once
+/// Contact of convex outlines in the still-water plane, for the overlap relaxation.
+#include <vector>
+
+#include "core/base/math.h"
+
+namespace nilas {
+
+/// Convex counter-clockwise outline with the outward unit normal of each edge (i, i + 1).
+struct ConvexOutline {
+  std::vector<Vec2> corners;  ///< in G [m]
+  std::vector<Vec2> normals;
+};
+
+/// Computes the normals of the present corners.
+void fill_normals(ConvexOutline& outline);
+
+/// Axis on which two outlines lie furthest apart: edge `edge` of the first or the second outline.
+struct SeparatingAxis {
+  double gap = 0;  ///< along the axis; < 0: overlap depth [m]
+  int edge = 0;
+  bool of_first = true;
+};
+SeparatingAxis best_axis(const ConvexOutline& first, const ConvexOutline& second);
+/// Gap along one given edge normal [m].
+double gap_on_axis(const ConvexOutline& first, const ConvexOutline& second, int edge, bool of_first);
+
+/// Up to two touching points of two outlines; both points share the normal.
+struct Touching {
+  Vec2 normal = Vec2::UnitX();     ///< unit, from the first outline to the second
+  int count = 0;
+  Vec2 point[2];                   ///< [m]
+  double gap[2] = {0, 0};          ///< < 0: overlap [m]
+};
+/// Ends of the incident edge, cut back to the reference edge where they lie beside it, whose gap is below `reach` [m].
+/// Of overlapping outlines one point has the overlap depth of the axis.
+Touching touching_points(const ConvexOutline& first, const ConvexOutline& second, const SeparatingAxis& axis,
+                         double reach);
+
+}  // namespace nilas

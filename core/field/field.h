@@ -1,0 +1,67 @@
+#pragma once
+/// Ice fields: outlines of many floes inside a region.
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/base/math.h"
+
+namespace nilas {
+
+/// One floe of a field, in the still-water plane.
+struct FieldFloe {
+  std::vector<Vec2> outline;  ///< counter-clockwise, in G [m]
+  double thickness = 0;       ///< [m]; 0: the scene's
+  double density = 0;         ///< [kg/m^3]; 0: the scene's
+};
+
+enum class FloeShape { polygon, rectangle, square, parallelogram, disc };
+enum class SizeDistribution { fixed, uniform, lognormal, power_law };
+
+struct PackedSpec {
+  Vec2 low = Vec2::Zero(), high = Vec2::Ones();  ///< region [m]
+  double concentration = 0.8;      ///< area of ice / area of region
+  double overlap_tolerance = 1e-3;  ///< largest overlap depth left, as a fraction of the mean floe size
+  SizeDistribution distribution = SizeDistribution::lognormal;
+  double mean = 0.8, sd = 0.3, min = 0.3, max = 1.6;  ///< of sqrt(area) [m]
+  double exponent = 1.5;           ///< power law n(D) ~ D^-(1 + exponent)
+  FloeShape shape = FloeShape::polygon;
+  int vertices_min = 5, vertices_max = 9;
+  double aspect = 1.5;             ///< long side / short side of rectangle and parallelogram
+  double shear = 0;                ///< parallelogram, angle from a rectangle [rad]
+  std::vector<std::vector<Vec2>> keep_out;  ///< convex counter-clockwise outlines that ice keeps clear of; their area is no part of the region
+  double keep_out_margin = 0;      ///< [m]
+  std::uint64_t seed = 1;
+};
+struct FieldResult {
+  std::vector<FieldFloe> floes;
+  double concentration = 0;   ///< reached, ice area / free region area
+  double worst_overlap = 0;   ///< depth [m]
+  int passes = 0;             ///< relaxation passes used
+  int left_out = 0;           ///< floes dropped because they met a keep-out outline
+};
+/// Overlap relaxation: random floes with overlaps allowed, pushed apart until the largest overlap is within tolerance.
+/// Same spec, same field, bit for bit. Throws InputError when the concentration cannot be reached, saying what was.
+FieldResult pack_field(const PackedSpec& spec);
+
+struct GridSpec {
+  Vec2 low = Vec2::Zero(), high = Vec2::Ones();
+  int rows = 1;        ///< along Y
+  int columns = 1;     ///< along X
+  double gap = 0;      ///< between neighbours [m]
+  double shear = 0;    ///< lines of constant X turned by this angle from Y, mirrored about the region's middle line [rad]
+  bool stagger = false;  ///< every second row shifted by half a piece
+  std::vector<std::vector<Vec2>> keep_out;
+  double keep_out_margin = 0;
+};
+/// Rectangles or parallelograms filling the region; exactly mirror-symmetric about the region's middle line when rows is even.
+FieldResult grid_field(const GridSpec& spec);
+
+/// GeoJSON FeatureCollection, one Polygon per floe in metres, properties thickness_m and density_kg_m3.
+/// Throws FileError, InputError naming file and feature.
+FieldResult read_field(const std::filesystem::path& file);
+void write_field(const FieldResult& field, const std::filesystem::path& file);
+
+}  // namespace nilas

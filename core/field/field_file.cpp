@@ -1,0 +1,153 @@
+#include <cmath>
+#include <fstream>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "core/base/error.h"
+#include "core/bodies/mass_properties.h"
+#include "core/bodies/polygon.h"
+#include "core/field/field.h"
+#include "core/field/overlaps.h"
+
+namespace nilas {
+
+namespace {
+
+using nlohmann::json;
+
+/// Reads one GeoJSON file and words its faults.
+class FieldReader {
+ public:
+  explicit FieldReader(const std::filesystem::path& file) : file_(file) {}
+
+  FieldResult read() {
+    std::ifstream in(file_);
+    if (!in) throw FileError(file_.string() + ": cannot open the ice field");
+    const json root = json::parse(in, nullptr, false);
+    if (root.is_discarded()) refuse("the file is not JSON, or is cut short");
+    if (!root.is_object() || root.value("type", json()) != "FeatureCollection")
+      refuse("expected a GeoJSON object of type FeatureCollection");
+    if (!root.contains("features") || !root["features"].is_array()) refuse("expected an array \"features\"");
+    FieldResult result;
+    for (const json& feature : root["features"]) {
+      ++feature_;
+      result.floes.push_back(floe(feature));
+    }
+    feature_ = 0;
+    if (root.contains("properties")) result.concentration = number(root["properties"], "concentration");
+    return result;
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& message) const {
+    const std::string place = feature_ > 0 ? ": feature " + std::to_string(feature_) : "";
+    throw InputError(file_.string() + place + ": " + message);
+  }
+
+  FieldFloe floe(const json& feature) const {
+    if (!feature.is_object() || !feature.contains("geometry") || !feature["geometry"].is_object())
+      refuse("expected a Feature with a geometry");
+    const json& geometry = feature["geometry"];
+    const json type = geometry.value("type", json());
+    if (type != "Polygon") refuse("geometry type: found " + type.dump() + ", allowed \"Polygon\"");
+    const json rings = geometry.value("coordinates", json());
+    if (!rings.is_array() || rings.empty()) refuse("expected coordinates: an array with one ring of points");
+    if (rings.size() > 1) refuse(fmt::format("found {} rings, allowed 1: a floe has no holes", rings.size()));
+    FieldFloe floe;
+    floe.outline = outline(rings[0]);
+    if (feature.contains("properties") && !feature["properties"].is_null()) {
+      floe.thickness = number(feature["properties"], "thickness_m");
+      floe.density = number(feature["properties"], "density_kg_m3");
+    }
+    return floe;
+  }
+
+  std::vector<Vec2> outline(const json& ring) const {
+    if (!ring.is_array()) refuse("expected a ring: an array of points");
+    std::vector<Vec2> points;
+    for (const json& p : ring) {
+      if (!p.is_array() || p.size() != 2 || !p[0].is_number() || !p[1].is_number())
+        refuse("point " + std::to_string(points.size() + 1) + ": found " + p.dump() + ", allowed [x, y] in metres");
+      points.emplace_back(p[0].get<double>(), p[1].get<double>());
+      if (!points.back().allFinite()) refuse("point " + std::to_string(points.size()) + " is not finite");
+    }
+    constexpr std::size_t k_fewest_points = 4;  // a triangle and its closing point
+    if (points.size() < k_fewest_points) refuse(fmt::format("found {} points, allowed 4 or more", points.size()));
+    if (points.front() != points.back()) refuse("the ring is not closed: its last point must repeat the first");
+    points.pop_back();
+    if (!is_simple(points)) refuse("the outline crosses or touches itself");
+    if (polygon_moments(points).area < 0) std::reverse(points.begin(), points.end());
+    return points;
+  }
+
+  double number(const json& properties, const char* name) const {
+    if (!properties.is_object() || !properties.contains(name)) return 0;
+    const json& value = properties[name];
+    if (!value.is_number() || !(value.get<double>() >= 0) || !std::isfinite(value.get<double>()))
+      refuse(std::string(name) + ": found " + value.dump() + ", allowed a number of 0 or more");
+    return value.get<double>();
+  }
+
+  const std::filesystem::path& file_;
+  int feature_ = 0;  ///< counted from 1; 0: the file as a whole
+};
+
+double deepest_of_pieces(const std::vector<std::vector<Vec2>>& a, const std::vector<std::vector<Vec2>>& b) {
+  double deepest = 0;
+  for (const auto& piece : a)
+    for (const auto& other : b) deepest = std::max(deepest, convex_overlap(piece, other));
+  return deepest;
+}
+
+double deepest_between(const std::vector<FieldFloe>& floes) {
+  std::vector<LooseFloe> circles;
+  std::vector<std::vector<std::vector<Vec2>>> pieces;
+  for (const FieldFloe& floe : floes) {
+    circles.push_back(loose_floe(floe.outline));
+    pieces.emplace_back();
+    if (is_convex(floe.outline))
+      pieces.back().push_back(floe.outline);
+    else
+      pieces.back() = convex_pieces(floe.outline);
+  }
+  double deepest = 0;
+  for (const auto& [a, b] : near_pairs(circles, 1, 0))
+    deepest =
+        std::max(deepest, deepest_of_pieces(pieces[static_cast<std::size_t>(a)], pieces[static_cast<std::size_t>(b)]));
+  return deepest;
+}
+
+json feature_of(const FieldFloe& floe) {
+  json ring = json::array();
+  for (const Vec2& p : floe.outline) ring.push_back({p.x(), p.y()});
+  ring.push_back(ring.front());
+  json properties = json::object();
+  if (floe.thickness > 0) properties["thickness_m"] = floe.thickness;
+  if (floe.density > 0) properties["density_kg_m3"] = floe.density;
+  return {{"type", "Feature"},
+          {"properties", properties},
+          {"geometry", {{"type", "Polygon"}, {"coordinates", json::array({ring})}}}};
+}
+
+}  // namespace
+
+FieldResult read_field(const std::filesystem::path& file) {
+  FieldResult result = FieldReader(file).read();
+  result.worst_overlap = deepest_between(result.floes);
+  return result;
+}
+
+void write_field(const FieldResult& field, const std::filesystem::path& file) {
+  json features = json::array();
+  for (const FieldFloe& floe : field.floes) features.push_back(feature_of(floe));
+  const json root = {{"type", "FeatureCollection"},
+                     {"properties", {{"concentration", field.concentration}, {"worst_overlap_m", field.worst_overlap}}},
+                     {"features", std::move(features)}};
+  std::ofstream out(file);
+  out << root.dump() << '\n';
+  out.close();
+  if (!out) throw FileError(file.string() + ": cannot write the ice field");
+}
+
+}  // namespace nilas

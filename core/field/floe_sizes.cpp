@@ -1,0 +1,49 @@
+#include "core/field/floe_sizes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace nilas {
+
+namespace {
+
+/// n(D) ~ D^-(1 + a) between low and high, by inversion of its cumulative distribution.
+double power_law(double exponent, double low, double high, double u) {
+  if (exponent == 0) return low * std::pow(high / low, u);
+  const double at_low = std::pow(low, -exponent), at_high = std::pow(high, -exponent);
+  return std::pow(at_low + u * (at_high - at_low), -1 / exponent);
+}
+
+double draw_size(const PackedSpec& spec, RandomStream& random) {
+  switch (spec.distribution) {
+    case SizeDistribution::fixed:
+      return spec.mean;
+    case SizeDistribution::uniform:
+      return spec.mean + std::sqrt(3.0) * spec.sd * random.uniform(-1, 1);  // 3: sd of a uniform variable is width / sqrt(12)
+    case SizeDistribution::power_law:
+      return power_law(spec.exponent, spec.min, spec.max, random.uniform());
+    case SizeDistribution::lognormal:
+      break;
+  }
+  return random.lognormal(spec.mean, spec.sd);
+}
+
+}  // namespace
+
+std::vector<double> draw_areas(const PackedSpec& spec, double wanted, RandomStream& random) {
+  std::vector<double> areas;
+  double sum = 0;
+  while (true) {
+    double size = draw_size(spec, random);
+    if (spec.distribution != SizeDistribution::fixed) size = std::clamp(size, spec.min, spec.max);
+    const double area = size * size;
+    if (std::abs(sum + area - wanted) >= std::abs(sum - wanted)) break;  // without this floe the sum is nearer
+    areas.push_back(area);
+    sum += area;
+  }
+  std::sort(areas.begin(), areas.end(), std::greater<>());
+  return areas;
+}
+
+}  // namespace nilas

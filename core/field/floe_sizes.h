@@ -1,0 +1,14 @@
+#pragma once
+/// Sizes of the floes of a packed field.
+#include <vector>
+
+#include "core/base/random.h"
+#include "core/field/field.h"
+
+namespace nilas {
+
+/// Areas [m^2], largest first, whose sum is `wanted` [m^2] to within half a floe. sqrt(area) follows the spec's
+/// distribution, clipped to min..max; uniform spans mean +- sqrt(3) sd, power_law spans min..max.
+std::vector<double> draw_areas(const PackedSpec& spec, double wanted, RandomStream& random);
+
+}  // namespace nilas

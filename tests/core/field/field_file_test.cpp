@@ -1,0 +1,109 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "core/base/error.h"
+#include "core/field/field.h"
+
+namespace nilas {
+namespace {
+
+namespace fs = std::filesystem;
+
+class FieldFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::temp_directory_path() / ("nilas_field_" + std::string(test->name()) + "_" + std::to_string(getpid()));
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  fs::path written(const std::string& text) const {
+    std::ofstream(folder_ / "field.json") << text;
+    return folder_ / "field.json";
+  }
+  /// A file whose second feature has the given geometry and properties.
+  fs::path with_second(const std::string& geometry, const std::string& properties = "{}") const {
+    const std::string square = R"({"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1],[0,1],[0,0]]]})";
+    return written(R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},"geometry":)" + square +
+                   R"(},{"type":"Feature","properties":)" + properties + R"(,"geometry":)" + geometry + "}]}");
+  }
+  static std::string refusal(const fs::path& file) {
+    try {
+      read_field(file);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+
+  fs::path folder_;
+};
+
+bool names(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST_F(FieldFile, RoundTripKeepsEveryBit) {
+  PackedSpec spec;
+  spec.high = {9, 7};
+  spec.concentration = 0.7;
+  FieldResult field = pack_field(spec);
+  field.floes[0].thickness = 0.1 + 0.2;
+  field.floes[1].density = 917.3;
+  write_field(field, folder_ / "f.json");
+  const FieldResult read = read_field(folder_ / "f.json");
+  ASSERT_EQ(read.floes.size(), field.floes.size());
+  for (std::size_t i = 0; i < field.floes.size(); ++i) {
+    EXPECT_EQ(read.floes[i].outline, field.floes[i].outline);
+    EXPECT_EQ(read.floes[i].thickness, field.floes[i].thickness);
+    EXPECT_EQ(read.floes[i].density, field.floes[i].density);
+  }
+  EXPECT_EQ(read.concentration, field.concentration);
+  EXPECT_EQ(read.worst_overlap, 0);
+}
+
+TEST_F(FieldFile, ClockwiseRingsAreTurned) {
+  const auto field = read_field(with_second(R"({"type":"Polygon","coordinates":[[[3,0],[3,1],[4,1],[4,0],[3,0]]]})"));
+  const auto& outline = field.floes[1].outline;
+  ASSERT_EQ(outline.size(), 4u);
+  const Vec2 a = outline[1] - outline[0], b = outline[2] - outline[1];
+  EXPECT_GT(a.x() * b.y() - a.y() * b.x(), 0);
+}
+
+/// The second square overlaps the first by 0.25 m; a concave floe that wraps around a square does not.
+TEST_F(FieldFile, OverlapIsMeasured) {
+  const std::string shifted = R"({"type":"Polygon","coordinates":[[[0.75,0],[1.75,0],[1.75,1],[0.75,1],[0.75,0]]]})";
+  EXPECT_DOUBLE_EQ(read_field(with_second(shifted)).worst_overlap, 0.25);
+  const std::string wrapped =
+      R"({"type":"Polygon","coordinates":[[[-1,-1],[2,-1],[2,2],[1.5,2],[1.5,-0.5],[-0.5,-0.5],[-0.5,2],[-1,2],[-1,-1]]]})";
+  EXPECT_EQ(read_field(with_second(wrapped)).worst_overlap, 0);
+}
+
+TEST_F(FieldFile, FaultsNameFileAndFeature) {
+  const auto wrong = [&](const std::string& geometry, const std::string& properties = "{}") {
+    return refusal(with_second(geometry, properties));
+  };
+  const std::string good = R"({"type":"Polygon","coordinates":[[[3,0],[4,0],[4,1],[3,0]]]})";
+  EXPECT_EQ(wrong(good), "accepted");
+  EXPECT_PRED2(names, wrong(R"({"type":"Point","coordinates":[1,2]})"), "field.json: feature 2: geometry type: found \"Point\"");
+  EXPECT_PRED2(names, wrong(R"({"type":"Polygon","coordinates":[[[3,0],[4,0],[4,1]]]})"), "feature 2: found 3 points");
+  EXPECT_PRED2(names, wrong(R"({"type":"Polygon","coordinates":[[[3,0],[4,0],[4,1],[3,1]]]})"), "not closed");
+  EXPECT_PRED2(names, wrong(R"({"type":"Polygon","coordinates":[[[3,0],[4,1],[4,0],[3,1],[3,0]]]})"), "crosses");
+  EXPECT_PRED2(names, wrong(R"({"type":"Polygon","coordinates":[[[3,0],["x",0],[4,1],[3,0]]]})"), "point 2: found [\"x\",0]");
+  EXPECT_PRED2(names, wrong(R"({"type":"Polygon","coordinates":[[],[]]})"), "found 2 rings");
+  EXPECT_PRED2(names, wrong(good, R"({"thickness_m":-0.1})"), "feature 2: thickness_m: found -0.1");
+  EXPECT_PRED2(names, wrong(good, R"({"density_kg_m3":"heavy"})"), "density_kg_m3: found \"heavy\"");
+}
+
+TEST_F(FieldFile, FaultsOfTheWholeFile) {
+  EXPECT_PRED2(names, refusal(written("{\"type\": \"FeatureColl")), "not JSON");
+  EXPECT_PRED2(names, refusal(written("[1, 2]")), "FeatureCollection");
+  EXPECT_PRED2(names, refusal(written("{\"type\": \"FeatureCollection\"}")), "features");
+  EXPECT_THROW(read_field(folder_ / "missing.json"), FileError);
+  EXPECT_THROW(write_field({}, folder_ / "no_such_folder" / "f.json"), FileError);
+}
+
+}  // namespace
+}  // namespace nilas
