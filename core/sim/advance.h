@@ -1,0 +1,22 @@
+#pragma once
+/// Semi-implicit Euler for free rigid bodies: new velocities move the poses.
+#include "core/bodies/bodies.h"
+#include "core/sim/step_motion.h"
+
+namespace nilas {
+
+/// Velocity step of the free bodies without contact: v + h F/m, and with L = I w the angular momentum, I w' = L + h T.
+/// (The gyroscopic term is in advance(), through the conservation of L while the attitude changes.)
+void free_velocities(const Bodies& bodies, const std::vector<Wrench>& loads, double h, Velocities& out);
+
+/// Moves every free body over h with the velocities given. `gyroscopic`: the angular momentum of the velocity step is kept
+/// exactly, the attitude turns about the mean of the angular velocities at both ends; else the angular velocity is kept.
+void advance(Bodies& bodies, const Velocities& velocities, double h, bool gyroscopic, int threads);
+
+/// Moves free bodies by pseudo velocities over h without touching their velocities.
+void displace(Bodies& bodies, const Velocities& pseudo, double h);
+
+/// Rotation by the vector `turn` [rad] as a quaternion (exponential map).
+Quat exponential(const Vec3& turn);
+
+}  // namespace nilas

@@ -1,0 +1,159 @@
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/sim/world.h"
+#include "core/vessel/hull.h"
+#include "hydro/equilibrium.h"
+#include "hydro/wetted.h"
+
+namespace nilas {
+
+namespace {
+
+/// Layout of the default cells: transverse and vertical cells stand this share of the hull's length from the joint.
+constexpr double k_cell_arm_share = 0.25;
+/// Parts of a hull folder are float32 coordinates: convex only within this share of the hull's size.
+constexpr double k_part_tolerance = 1e-5;
+
+Mat3 tensor(const Vec6& entries) {
+  Mat3 m;
+  m << entries[0], entries[3], entries[4], entries[3], entries[1], entries[5], entries[4], entries[5], entries[2];
+  return m;
+}
+
+Hull load_hull(const VesselScene& vessel) {
+  if (!vessel.generate) return read_hull(vessel.hull);
+  return generate_hull(hull_form(vessel.generate->kind, vessel.generate->parameters));
+}
+
+double lowest(const TriangleMesh& mesh) {
+  double z = mesh.vertices.front().z();
+  for (const auto& p : mesh.vertices) z = std::min(z, p.z());
+  return z;
+}
+
+[[noreturn]] void refuse(const Scene& scene, const std::string& message) {
+  throw InputError(scene.file.string() + ": <vessel name='" + scene.vessel->name + "'>: " + message);
+}
+
+/// Mass, centre and inertia in V: as given, else of uniform density; the mass from the draught or the given height where not given.
+MassProperties vessel_mass(const Scene& scene, const TriangleMesh& fluid, const Mat3& R, const WorldParts& parts) {
+  const VesselScene& vessel = *scene.vessel;
+  const MassScene& given = vessel.mass;
+  if (given.value && given.draught) refuse(scene, "<mass> takes value or draught, not both");
+  const auto displaced = [&](double z) {
+    return parts.water->density * submerged_mesh(fluid, R, {0, 0, z}, parts.water->level).volume;
+  };
+  double mass = given.value.value_or(0);
+  if (!given.value) {
+    if (!parts.water) refuse(scene, "without <water> the vessel needs <mass value=...>");
+    if (given.draught)
+      mass = displaced(parts.water->level - *given.draught - lowest(fluid));
+    else if (vessel.position_has_z)
+      mass = displaced(vessel.position.z());
+    else
+      refuse(scene, "give <mass value=...>, <mass draught=...> or a position with three numbers");
+    if (!(mass > 0)) refuse(scene, "the hull displaces no water at the given height, so it has no mass");
+  }
+  MassProperties properties = mesh_properties(fluid, 1.0);
+  properties.inertia *= mass / properties.mass;
+  properties.mass = mass;
+  if (given.cog) properties.com = *given.cog;
+  if (given.inertia) properties.inertia = tensor(*given.inertia);
+  return properties;
+}
+
+/// Height of V's origin: as given, by the draught, or at floating equilibrium.
+double vessel_height(const Scene& scene, const TriangleMesh& fluid, const Mat3& R, double mass, const WorldParts& parts) {
+  const VesselScene& vessel = *scene.vessel;
+  if (vessel.position_has_z) return vessel.position.z();
+  if (!parts.water) refuse(scene, "without <water> the position needs three numbers");
+  if (vessel.mass.draught) return parts.water->level - *vessel.mass.draught - lowest(fluid);
+  return floating_height(fluid, R, mass, *parts.water);
+}
+
+CarriageModel carriage_model(const Scene& scene, const VesselModel& model, double length) {
+  const CarriageScene& given = *scene.vessel->carriage;
+  CarriageModel carriage;
+  carriage.joint_V = given.joint.value_or(model.mass.com);
+  const Vec3 start = model.pose_V.p + model.pose_V.q * carriage.joint_V;
+  const double yaw = scene.vessel->heading_deg * k_deg;
+  carriage.motion = given.path.empty() ? CarriageMotion::straight(start, yaw, given.speed, given.heading_deg * k_deg,
+                                                                  given.ramp, scene.time.start)
+                                       : CarriageMotion::path(start, yaw, given.path);
+  carriage.free = given.free;
+  carriage.stiffness = given.balance.stiffness;
+  carriage.damping = given.balance.damping;
+  if (given.balance.kind == "six-cells") {
+    carriage.balance = BalanceKind::six_cells;
+    carriage.cells =
+        given.balance.layout.empty() ? default_cells(k_cell_arm_share * length) : read_cells(given.balance.layout);
+  } else {
+    carriage.balance = given.balance.kind == "prismatic" ? BalanceKind::prismatic : BalanceKind::rigid;
+  }
+  return carriage;
+}
+
+/// Hull geometry about the centre of mass, as the body arrays want it.
+std::shared_ptr<const Shape> hull_shape(const Hull& hull, const Vec3& com) {
+  const auto shifted = [&](TriangleMesh mesh) {
+    for (auto& p : mesh.vertices) p -= com;
+    return mesh;
+  };
+  double size = 0;
+  for (const auto& p : hull.fluid.vertices) size = std::max(size, (p - com).norm());
+  std::vector<ConvexPolytope> parts;
+  for (const auto& part : hull.parts) parts.push_back(make_polytope(shifted(part), k_part_tolerance * size));
+  return std::make_shared<const Shape>(mesh_shape(shifted(hull.fluid), std::move(parts)));
+}
+
+double length_of(const TriangleMesh& mesh) {
+  double low = mesh.vertices.front().x(), high = low;
+  for (const auto& p : mesh.vertices) {
+    low = std::min(low, p.x());
+    high = std::max(high, p.x());
+  }
+  return high - low;
+}
+
+}  // namespace
+
+int build_vessel(const Scene& scene, WorldParts& parts) {
+  const VesselScene& vessel = *scene.vessel;
+  const Hull hull = load_hull(vessel);
+  VesselModel model;
+  model.pose_V.q = Quat(Eigen::AngleAxisd(vessel.heading_deg * k_deg, Vec3::UnitZ()));
+  const Mat3 R = model.pose_V.q.toRotationMatrix();
+  model.mass = vessel_mass(scene, hull.fluid, R, parts);
+  model.pose_V.p = {vessel.position.x(), vessel.position.y(),
+                    vessel_height(scene, hull.fluid, R, model.mass.mass, parts)};
+  model.v = vessel.velocity;
+  model.w = vessel.angular_velocity;
+  model.fixed = vessel.fixed;
+  model.gyroscopic = scene.contact.gyroscopic;
+  if (vessel.carriage) model.carriage = carriage_model(scene, model, length_of(hull.fluid));
+  parts.vessel.emplace(model, scene.time.start);
+
+  BodySpec spec;
+  spec.name = vessel.name;
+  spec.kind = BodyKind::vessel;
+  spec.motion = vessel.fixed ? Motion::fixed : Motion::articulated;
+  spec.material = "hull";
+  spec.shape = hull_shape(hull, model.mass.com);
+  spec.mass = model.mass.mass;
+  spec.inertia_B = model.mass.inertia;
+  const VesselState& state = parts.vessel->state();
+  spec.pose = state.pose;
+  spec.v = state.v;
+  spec.w = state.w;
+
+  RunInfo& info = parts.info;
+  info.has_vessel = true;
+  info.has_carriage = vessel.carriage.has_value();
+  info.has_cells = info.has_carriage && model.carriage->balance == BalanceKind::six_cells;
+  info.vessel_mass = model.mass;
+  for (const auto& name : parts.vessel->built()) info.modules.emplace_back(name, "<vessel>");
+  return parts.bodies.add(spec);
+}
+
+}  // namespace nilas

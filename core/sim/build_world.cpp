@@ -1,0 +1,97 @@
+#include <algorithm>
+
+#include "contact/detect/detector.h"
+#include "core/base/error.h"
+#include "core/sim/world.h"
+#include "hydro/modules.h"
+
+namespace nilas {
+
+static void build_modules(const Scene& scene, int threads, WorldParts& parts) {
+  if (!scene.hydro) return;
+  const HydroScene& hydro = *scene.hydro;
+  auto add = [&](std::unique_ptr<ForceModule> module, const std::string& why) {
+    parts.info.modules.emplace_back(module->name(), why);
+    if (!module->conservative()) parts.info.work_names.push_back(module->name());
+    parts.modules.push_back(std::move(module));
+  };
+  if (hydro.buoyancy) add(make_buoyancy(*parts.water, threads), "<hydro><buoyancy>");
+  if (hydro.drag)
+    add(make_drag(*parts.water, {hydro.drag->form, hydro.drag->skin}, threads), "<hydro><drag>");
+  if (hydro.virtual_drag)
+    add(make_virtual_drag(hydro.virtual_drag->coefficient, hydro.virtual_drag->velocity), "<hydro><virtual_drag>");
+  parts.info.has_hydro = hydro.buoyancy || hydro.drag;
+}
+
+static void build_water(const Scene& scene, WorldParts& parts) {
+  const bool needs_water = scene.hydro && (scene.hydro->buoyancy || scene.hydro->drag);
+  if (needs_water && !scene.water)
+    throw InputError(scene.file.string() + ": <hydro> asks for buoyancy or drag, but the scene has no <water>");
+  if (!scene.water) return;
+  Water water;
+  water.density = scene.water->density;
+  water.level = scene.water->level;
+  if (scene.water->current) water.current = scene.water->current->velocity;
+  if (needs_water && (scene.gravity.x() != 0 || scene.gravity.y() != 0 || scene.gravity.z() > 0))
+    throw InputError(scene.file.string() + ": <gravity>: with <hydro>, gravity must point along -Z");
+  water.gravity = scene.gravity.norm();
+  parts.water = water;
+}
+
+static void build_friction(const Scene& scene, WorldParts& parts) {
+  for (const auto& f : scene.contact.friction)
+    parts.friction.add(f.material_a, f.material_b, {f.static_, f.kinetic, f.restitution});
+}
+
+static void list_absent(const Scene& scene, RunInfo& info) {
+  const auto absent = [&](bool present, const char* name) {
+    if (!present) info.not_built.emplace_back(name);
+  };
+  absent(scene.vessel.has_value(), "vessel");
+  absent(scene.vessel && scene.vessel->carriage, "carriage");
+  absent(scene.ice.has_value(), "ice");
+  absent(scene.hydro && scene.hydro->buoyancy, "buoyancy");
+  absent(scene.hydro && scene.hydro->drag, "drag");
+  absent(scene.hydro && scene.hydro->virtual_drag, "virtual_drag");
+  absent(scene.tank.has_value(), "tank");
+  absent(scene.fracture, "fracture");
+}
+
+void refuse_overlaps(const Scene& scene, const Bodies& bodies) {
+  const auto kind = [&](int b) { return bodies.kind[static_cast<std::size_t>(b)]; };
+  double tolerance = FieldScene{}.overlap_tolerance;
+  if (scene.ice)
+    for (const auto& field : scene.ice->fields) tolerance = std::max(tolerance, field.overlap_tolerance);
+  ContactDetector detector;
+  for (const auto& c : detector.detect(bodies, 0)) {
+    if (kind(c.a) != BodyKind::floe && kind(c.b) != BodyKind::floe) continue;
+    const auto reach = [&](int b) { return bodies.shape[static_cast<std::size_t>(b)]->bounding_radius; };
+    const double allowed = tolerance * std::min(reach(c.a), reach(c.b));
+    if (-c.gap <= allowed) continue;
+    const auto& names = bodies.name;
+    throw InputError(scene.file.string() + ": '" + names[static_cast<std::size_t>(c.a)] + "' and '" +
+                     names[static_cast<std::size_t>(c.b)] + "' overlap by " + std::to_string(-c.gap) +
+                     " m at the start; allowed is " + std::to_string(allowed) +
+                     " m (overlap_tolerance times the smaller radius)");
+  }
+}
+
+WorldParts build_world(const Scene& scene, int threads, WarningCounts& warnings) {
+  WorldParts parts;
+  parts.info.scene_name = scene.name;
+  if (scene.fracture)
+    throw InputError(scene.file.string() + ": <fracture>: breaking ice is not built in this version");
+  build_water(scene, parts);
+  build_friction(scene, parts);
+  if (scene.vessel) parts.vessel_index = build_vessel(scene, parts);
+  if (scene.ice) build_ice(scene, parts, warnings);
+  build_structures(scene, parts);
+  build_modules(scene, threads, parts);
+  if (parts.info.has_carriage) parts.info.work_names.emplace_back("carriage");
+  parts.info.bodies = parts.bodies.size();
+  list_absent(scene, parts.info);
+  refuse_overlaps(scene, parts.bodies);
+  return parts;
+}
+
+}  // namespace nilas

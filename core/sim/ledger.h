@@ -1,0 +1,62 @@
+#pragma once
+/// Energy and momentum accounts of a run. Definitions and signs: docs/output_reference.md.
+#include <string>
+#include <vector>
+
+#include "core/sim/step_motion.h"
+#include "core/sim/step_record.h"
+
+namespace nilas {
+
+/// Loads of one step by source: each entry of `by_module` belongs to one force module.
+struct StepLoads {
+  const std::vector<Wrench>* gravity = nullptr;
+  std::vector<const std::vector<Wrench>*> conservative;
+  std::vector<const std::vector<Wrench>*> working;  ///< in the order of the ledger's works, the carriage excepted
+};
+
+/// The vessel's part where its motion comes from a carriage.
+struct VesselAccount {
+  int index = -1;
+  bool on_carriage = false;
+  Wrench carriage;      ///< mean load on the vessel about its centre of mass, in G [N, N m]
+  Mat3 inertia_before = Mat3::Zero(), inertia_after = Mat3::Zero();  ///< in G at both ends of the step [kg m^2]
+};
+
+class EnergyAccount {
+ public:
+  EnergyAccount(const std::vector<std::string>& work_names, double kinetic, double potential);
+
+  /// Books the works and losses of a velocity step.
+  void velocity_step(const Bodies& bodies, const StepMotion& motion, const StepLoads& loads, const VesselAccount& vessel);
+  /// Books what the position update did: `kinetic` and `potential` at the step's end; `pseudo` the stabilisation's velocities
+  /// (empty: none), along which the conservative loads worked.
+  void position_step(double kinetic, double potential, const Velocities& pseudo, const StepMotion& motion,
+                     const StepLoads& loads);
+  const Ledger& ledger() const { return ledger_; }
+  /// Initial kinetic energy plus the sum of absolute works: the scale of imbalance_J [J].
+  double energy_put_in() const { return put_in_; }
+
+ private:
+  Ledger ledger_;
+  double start_ = 0;                ///< kinetic + potential at the start
+  double put_in_ = 0;
+  double kinetic_after_velocity_ = 0;
+  double conservative_work_ = 0;    ///< of gravity and the conservative modules in this velocity step
+  double potential_before_ = 0;
+};
+
+/// Kinetic energy of all bodies that move.
+double kinetic_energy(const Bodies& bodies);
+/// Potential energy of weight.
+double weight_energy(const Bodies& bodies, const Vec3& gravity);
+
+struct MomentumBalance {
+  double linear = 0, linear_scale = 0;    ///< [N s]
+  double angular = 0, angular_scale = 0;  ///< about G's origin [N m s]
+};
+/// What the velocity step's momenta lack against its impulses, at the configuration where the contacts were found.
+MomentumBalance momentum_balance(const Bodies& bodies, const StepMotion& motion, const StepLoads& loads,
+                                 const VesselAccount& vessel);
+
+}  // namespace nilas

@@ -1,0 +1,357 @@
+#include "core/sim/simulation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/assemble.h"
+#include "contact/detect/detector.h"
+#include "contact/islands.h"
+#include "contact/position_correction.h"
+#include "contact/reach.h"
+#include "contact/registry.h"
+#include "core/base/error.h"
+#include "core/base/hash.h"
+#include "core/sim/advance.h"
+#include "core/sim/ledger.h"
+#include "core/sim/stopwatch.h"
+#include "core/sim/warm_start.h"
+#include "core/sim/world.h"
+
+namespace nilas {
+
+namespace {
+
+/// Contacts enter the problem when they can close within this multiple of the bodies' way in one step: a hit turns some
+/// points of a floe faster than what hit it.
+constexpr double k_reach_share = 1.5;
+
+struct ContactModel {
+  AssemblySettings assembly;
+  CorrectionSettings correction;
+  bool split_impulse = false;
+  bool warm_start = true;
+  bool stop_on_failure = false;
+  double margin = 0;  ///< [m]; 0: from the speeds
+};
+
+}  // namespace
+
+struct Simulation::World {
+  World(const Scene& scene, int thread_count, WarningCounts& warning_counts)
+      : parts(build_world(scene, thread_count, warning_counts)),
+        warnings(warning_counts),
+        threads(thread_count),
+        h(scene.time.step),
+        start(scene.time.start),
+        gravity(scene.gravity),
+        gyroscopic(scene.contact.gyroscopic),
+        detector(thread_count),
+        energy(parts.info.work_names, 0, 0) {
+    build_contact_model(scene.contact);
+    module_loads.resize(parts.modules.size(), Wrenches(size()));
+    weight.resize(size());
+    for (std::size_t b = 0; b < size(); ++b) weight[b].force = parts.bodies.mass[b] * gravity;
+    energy = EnergyAccount(parts.info.work_names, kinetic_energy(parts.bodies), potential());
+  }
+
+  std::size_t size() const { return static_cast<std::size_t>(parts.bodies.size()); }
+
+  void build_contact_model(const ContactScene& contact);
+  double potential();
+  double time() const { return start + static_cast<double>(steps) * h; }
+
+  const Wrenches& evaluate_loads();
+  std::vector<ArticulatedBlock> begin_vessel(const Wrenches& free);
+  std::vector<ContactPoint> find_contacts();
+  StepMotion velocity_step(const AssembledContacts& contacts, const ContactSolution& solution, const Wrenches& free,
+                           std::vector<ContactPoint> points);
+  void advance_poses(StepMotion& motion);
+  Velocities correct_positions(const StepMotion& motion, const AssembledContacts& contacts);
+  void copy_vessel_state();
+  VesselAccount vessel_account(const Mat3& inertia_before) const;
+  StepLoads step_loads() const;
+  VesselRecord vessel_record(const StepMotion& motion) const;
+  std::uint64_t state_hash() const;
+  void demand_finite() const;
+  void name_unnamed_pairs();
+
+  WorldParts parts;
+  WarningCounts& warnings;
+  int threads;
+  double h, start;
+  long steps = 0;
+  Vec3 gravity;
+  bool gyroscopic;
+  ContactDetector detector;
+  std::unique_ptr<ContactSolver> solver;
+  ContactModel model;
+  WarmStart warm;
+  Wrenches weight, free_loads;
+  std::vector<Wrenches> module_loads;
+  EnergyAccount energy;
+  std::size_t pairs_named = 0;  ///< of the pairs without friction, already told
+};
+
+void Simulation::World::build_contact_model(const ContactScene& contact) {
+  const ParsedLaw law = parse_law(contact.law);
+  model.assembly.h = h;
+  model.assembly.law = law.law;
+  model.assembly.facets = law.facets;
+  model.assembly.axes = contact.axes_deg * k_deg;
+  model.correction.h = h;
+  model.correction.erp = contact.erp;
+  model.correction.slop = contact.slop;
+  model.correction.max_speed = contact.max_speed;
+  model.split_impulse = contact.stabilisation == "split-impulse";
+  model.warm_start = contact.warm_start;
+  model.stop_on_failure = contact.on_failure == "stop";
+  model.margin = contact.margin;
+  SolverSettings settings;
+  settings.tolerance = contact.tolerance;
+  settings.max_iterations = contact.max_iterations;
+  settings.threads = threads;
+  solver = find_solver(contact.solver).make(settings);
+  parts.info.modules.emplace_back("contact", "law " + contact.law + ", solver " + contact.solver + ", stabilisation " +
+                                                 contact.stabilisation + ", detection " + contact.detection +
+                                                 ", integrator " + contact.integrator);
+}
+
+double Simulation::World::potential() {
+  double sum = weight_energy(parts.bodies, gravity);
+  for (const auto& module : parts.modules)
+    if (module->conservative()) sum += module->potential_energy(parts.bodies);
+  return sum;
+}
+
+const Wrenches& Simulation::World::evaluate_loads() {
+  free_loads = weight;
+  for (std::size_t k = 0; k < parts.modules.size(); ++k) {
+    std::fill(module_loads[k].begin(), module_loads[k].end(), Wrench{});
+    parts.modules[k]->add_forces(parts.bodies, time(), module_loads[k]);
+    for (std::size_t b = 0; b < size(); ++b) free_loads[b] += module_loads[k][b];
+  }
+  return free_loads;
+}
+
+std::vector<ArticulatedBlock> Simulation::World::begin_vessel(const Wrenches& free) {
+  if (!parts.vessel || parts.vessel->fixed()) return {};
+  VesselBlock block = parts.vessel->begin(free[static_cast<std::size_t>(parts.vessel_index)], h);
+  return {{parts.vessel_index, std::move(block.mass), std::move(block.f), std::move(block.jacobian), block.prescribed}};
+}
+
+std::vector<ContactPoint> Simulation::World::find_contacts() {
+  if (model.margin > 0) return detector.detect(parts.bodies, model.margin);
+  std::vector<double> reach = own_reach(parts.bodies, h, k_reach_share, gravity.norm());
+  const double farthest = reach.empty() ? 0 : *std::max_element(reach.begin(), reach.end());
+  std::vector<ContactPoint> points = detector.detect(parts.bodies, 2 * farthest);
+  drop_out_of_reach(points, std::move(reach));
+  return points;
+}
+
+StepMotion Simulation::World::velocity_step(const AssembledContacts& contacts, const ContactSolution& solution,
+                                            const Wrenches& free, std::vector<ContactPoint> points) {
+  StepMotion motion;
+  motion.h = h;
+  motion.p = parts.bodies.p_GB;
+  motion.R = parts.bodies.R_GB;
+  motion.before = {parts.bodies.v_GB, parts.bodies.w_GB};
+  motion.points = std::move(points);
+  for (std::size_t i = 0; i < motion.points.size(); ++i) {
+    const Vec3 r = solution.r.segment<3>(3 * static_cast<Eigen::Index>(i));
+    motion.impulses.emplace_back(contacts.C[i] * r);
+    motion.normal_impulses.emplace_back(contacts.C[i].col(0) * r[0]);
+  }
+  free_velocities(parts.bodies, free, h, motion.after);
+  for (std::size_t b = 0; b < size(); ++b) {
+    const int block = contacts.block_of_body[b];
+    if (block < 0 || !parts.bodies.is_free(static_cast<int>(b))) continue;
+    const int first = contacts.problem.block_offset[static_cast<std::size_t>(block)];
+    motion.after.v[b] = solution.v.segment<3>(first);
+    motion.after.w[b] = solution.v.segment<3>(first + 3);
+  }
+  return motion;
+}
+
+void Simulation::World::copy_vessel_state() {
+  const VesselState& state = parts.vessel->state();
+  const auto b = static_cast<std::size_t>(parts.vessel_index);
+  parts.bodies.set_pose(parts.vessel_index, state.pose.p, state.pose.q);
+  parts.bodies.v_GB[b] = state.v;
+  parts.bodies.w_GB[b] = state.w;
+}
+
+void Simulation::World::advance_poses(StepMotion& motion) {
+  advance(parts.bodies, motion.after, h, gyroscopic, threads);
+  if (!parts.vessel || parts.vessel->fixed()) return;
+  parts.vessel->finish(contact_impulse_on(motion, parts.vessel_index));
+  const Vec6 twist = parts.vessel->velocity_after_impulses();
+  const auto b = static_cast<std::size_t>(parts.vessel_index);
+  motion.after.v[b] = twist.head<3>();
+  motion.after.w[b] = twist.tail<3>();
+  copy_vessel_state();
+}
+
+Velocities Simulation::World::correct_positions(const StepMotion& motion, const AssembledContacts& contacts) {
+  if (!model.split_impulse) return {};
+  const Velocities pseudo = [&] {
+    Velocities out{std::vector<Vec3>(size(), Vec3::Zero()), std::vector<Vec3>(size(), Vec3::Zero())};
+    correction_velocities(contacts, motion.points, model.correction, out.v, out.w);
+    return out;
+  }();
+  displace(parts.bodies, pseudo, h);
+  return pseudo;
+}
+
+StepLoads Simulation::World::step_loads() const {
+  StepLoads loads;
+  loads.gravity = &weight;
+  for (std::size_t k = 0; k < parts.modules.size(); ++k)
+    (parts.modules[k]->conservative() ? loads.conservative : loads.working).push_back(&module_loads[k]);
+  return loads;
+}
+
+VesselAccount Simulation::World::vessel_account(const Mat3& inertia_before) const {
+  VesselAccount account;
+  if (!parts.vessel || !parts.vessel->on_carriage()) return account;
+  account.index = parts.vessel_index;
+  account.on_carriage = true;
+  account.carriage = parts.vessel->carriage_loads().about_com;
+  account.inertia_before = inertia_before;
+  account.inertia_after = parts.bodies.inertia_G(parts.vessel_index);
+  return account;
+}
+
+VesselRecord Simulation::World::vessel_record(const StepMotion& motion) const {
+  VesselRecord record;
+  const Wrench impulse = contact_impulse_on(motion, parts.vessel_index);
+  record.contact = {impulse.force / h, impulse.torque / h};
+  record.state = parts.vessel->state();
+  if (parts.vessel->on_carriage()) record.carriage = parts.vessel->carriage_loads();
+  record.has_cells = parts.info.has_cells;
+  if (parts.info.has_hydro) {
+    record.hydro.emplace();
+    for (const auto& loads : module_loads) *record.hydro += loads[static_cast<std::size_t>(parts.vessel_index)];
+  }
+  return record;
+}
+
+std::uint64_t Simulation::World::state_hash() const {
+  StateHash hash;
+  const Bodies& bodies = parts.bodies;
+  for (std::size_t b = 0; b < size(); ++b) {
+    if (bodies.motion[b] == Motion::fixed) continue;
+    hash.add_vector(bodies.p_GB[b]);
+    hash.add_vector(bodies.q_GB[b].coeffs());
+    hash.add_vector(bodies.v_GB[b]);
+    hash.add_vector(bodies.w_GB[b]);
+  }
+  if (parts.vessel) hash.add_vector(parts.vessel->coordinates());
+  return hash.value();
+}
+
+void Simulation::World::demand_finite() const {
+  const Bodies& bodies = parts.bodies;
+  for (std::size_t b = 0; b < size(); ++b)
+    if (!(bodies.p_GB[b].allFinite() && bodies.v_GB[b].allFinite() && bodies.w_GB[b].allFinite() &&
+          bodies.q_GB[b].coeffs().allFinite()))
+      throw SimulationError("at " + std::to_string(time()) + " s body '" + bodies.name[b] +
+                            "' left finite numbers; try a smaller <time step>");
+}
+
+void Simulation::World::name_unnamed_pairs() {
+  const auto pairs = parts.friction.unnamed_pairs();
+  for (; pairs_named < pairs.size(); ++pairs_named) {
+    const auto& [a, b] = pairs[pairs_named];
+    warnings.warn("frictionless " + a + " " + b,
+                  "'" + a + "' and '" + b + "' touch, but no <friction between> names them: frictionless");
+  }
+}
+
+static void note_penetration(const std::vector<ContactPoint>& points, StepRecord& record) {
+  int count = 0;
+  for (const auto& c : points) {
+    if (c.gap >= 0) continue;
+    ++count;
+    record.penetration_max = std::max(record.penetration_max, -c.gap);
+    record.penetration_mean -= c.gap;
+  }
+  if (count > 0) record.penetration_mean /= count;
+}
+
+Simulation::Simulation(const Scene& scene, int threads, WarningCounts& warnings)
+    : world_(std::make_unique<World>(scene, threads, warnings)) {}
+Simulation::~Simulation() = default;
+
+StepRecord Simulation::step() {
+  World& world = *world_;
+  StepRecord record;
+  Stopwatch watch(record.ms);
+
+  // loads other than contact, at the start pose
+  const Wrenches& free = world.evaluate_loads();
+  watch.lap(Phase::hydro);
+
+  // contacts that can close in this step
+  std::vector<ContactPoint> points = world.find_contacts();
+  note_penetration(points, record);
+  watch.lap(Phase::detection);
+
+  // one value holds the step's contact problem
+  const Mat3 vessel_inertia = world.parts.vessel ? world.parts.bodies.inertia_G(world.parts.vessel_index) : Mat3::Zero();
+  const AssembledContacts contacts = assemble(world.parts.bodies, free, points, world.parts.friction,
+                                              world.model.assembly, world.begin_vessel(free));
+  watch.lap(Phase::assembly);
+
+  // impulses, judged by the one yardstick
+  const VecX guess = world.model.warm_start ? world.warm.guess(contacts.problem.key) : VecX();
+  const ContactSolution solution = world.solver->solve(contacts.problem, guess);
+  world.warm.keep(contacts.problem.key, solution.r);
+  record.residuals = measure(contacts.problem, solution.r, solution.v);
+  record.status = solution.status;
+  record.iterations = solution.iterations;
+  watch.lap(Phase::solver);
+
+  // new velocities, then new poses, then the position correction that the scene chose
+  StepMotion motion = world.velocity_step(contacts, solution, free, std::move(points));
+  world.advance_poses(motion);
+  const Velocities pseudo = world.correct_positions(motion, contacts);
+  ++world.steps;
+  world.demand_finite();
+  world.name_unnamed_pairs();
+  watch.lap(Phase::integration);
+
+  // accounts of energy and momentum
+  const VesselAccount vessel = world.vessel_account(vessel_inertia);
+  const StepLoads loads = world.step_loads();
+  world.energy.velocity_step(world.parts.bodies, motion, loads, vessel);
+  world.energy.position_step(kinetic_energy(world.parts.bodies), world.potential(), pseudo, motion, loads);
+  const MomentumBalance balance = momentum_balance(world.parts.bodies, motion, loads, vessel);
+  watch.lap(Phase::output);
+
+  // what the outputs need
+  record.step = world.steps;
+  record.t = world.time();
+  record.h = world.h;
+  record.floes = world.parts.info.floes;
+  record.contacts = contacts.problem.num_contacts();
+  record.islands = static_cast<int>(find_islands(contacts.problem).size());
+  record.ledger = world.energy.ledger();
+  record.momentum_imbalance = balance.linear;
+  record.momentum_scale = balance.linear_scale;
+  record.angular_momentum_imbalance = balance.angular;
+  record.angular_momentum_scale = balance.angular_scale;
+  record.state_hash = world.state_hash();
+  if (world.parts.vessel) record.vessel = world.vessel_record(motion);
+  if (world.model.stop_on_failure && solution.status != SolveStatus::converged && record.contacts > 0)
+    throw SimulationError("at " + std::to_string(record.t) + " s the solver stopped with status " +
+                          to_string(solution.status) + ", law_map_m_s " + std::to_string(record.residuals.law_map_m_s));
+  return record;
+}
+
+double Simulation::time() const { return world_->time(); }
+const Bodies& Simulation::bodies() const { return world_->parts.bodies; }
+const RunInfo& Simulation::info() const { return world_->parts.info; }
+const Ledger& Simulation::initial_ledger() const { return world_->energy.ledger(); }
+int Simulation::vessel_index() const { return world_->parts.vessel_index; }
+
+}  // namespace nilas

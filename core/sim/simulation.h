@@ -1,0 +1,34 @@
+#pragma once
+/// A scene in motion: builds what the scene names and advances it step by step.
+#include <memory>
+#include <string>
+
+#include "core/bodies/bodies.h"
+#include "core/scene/scene.h"
+#include "core/sim/step_record.h"
+#include "core/base/log.h"
+
+namespace nilas {
+
+class Simulation {
+ public:
+  /// Builds only what the scene names. Throws InputError or FileError for content that cannot run (open hull, overlapping floes ...).
+  Simulation(const Scene& scene, int threads, WarningCounts& warnings);
+  ~Simulation();
+
+  /// Advances by the scene's step. Throws SimulationError when a body leaves finite numbers.
+  StepRecord step();
+
+  double time() const;
+  const Bodies& bodies() const;
+  const RunInfo& info() const;
+  /// Energies at the start, before the first step.
+  const Ledger& initial_ledger() const;
+  int vessel_index() const;  ///< in bodies(), -1 without a vessel
+
+ private:
+  struct World;
+  std::unique_ptr<World> world_;
+};
+
+}  // namespace nilas

@@ -1,0 +1,23 @@
+#include "core/sim/step_motion.h"
+
+namespace nilas {
+
+Vec3 relative_velocity(const StepMotion& motion, const Velocities& velocities, std::size_t contact) {
+  const ContactPoint& c = motion.points[contact];
+  const auto a = static_cast<std::size_t>(c.a), b = static_cast<std::size_t>(c.b);
+  return velocities.v[b] + velocities.w[b].cross(c.p - motion.p[b]) - velocities.v[a] -
+         velocities.w[a].cross(c.p - motion.p[a]);
+}
+
+Wrench contact_impulse_on(const StepMotion& motion, int body) {
+  Wrench sum;
+  for (std::size_t i = 0; i < motion.points.size(); ++i) {
+    const ContactPoint& c = motion.points[i];
+    if (c.a != body && c.b != body) continue;
+    const Vec3 impulse = c.b == body ? motion.impulses[i] : Vec3(-motion.impulses[i]);
+    sum += {impulse, (c.p - motion.p[static_cast<std::size_t>(body)]).cross(impulse)};
+  }
+  return sum;
+}
+
+}  // namespace nilas

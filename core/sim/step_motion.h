@@ -1,0 +1,35 @@
+#pragma once
+/// The velocities around one velocity step, for accounts of energy and momentum.
+#include <vector>
+
+#include "contact/assemble.h"
+#include "contact/detect/contact_point.h"
+#include "core/bodies/bodies.h"
+#include "core/bodies/module.h"
+
+namespace nilas {
+
+/// Linear and angular velocities of all bodies at the same instant, in G.
+struct Velocities {
+  std::vector<Vec3> v;  ///< of the centre of mass [m/s]
+  std::vector<Vec3> w;  ///< [rad/s]
+};
+
+/// One velocity step at the pose where the contacts were found. Body k takes part when it moves.
+struct StepMotion {
+  double h = 0;                        ///< [s]
+  std::vector<Vec3> p;                 ///< centres of mass at the step's start [m]
+  std::vector<Mat3> R;                 ///< attitudes R_GB at the step's start
+  Velocities before, after;            ///< around the impulses, before the pose moves
+  std::vector<ContactPoint> points;
+  std::vector<Vec3> impulses;          ///< per point, on body b, in G [N s]
+  std::vector<Vec3> normal_impulses;   ///< the part of it along the normal
+};
+
+/// Velocity of body B's point relative to body A's at a contact point.
+Vec3 relative_velocity(const StepMotion& motion, const Velocities& velocities, std::size_t contact);
+
+/// Sum of the contact impulses on one body about its centre of mass at the step's start [N s, N m s].
+Wrench contact_impulse_on(const StepMotion& motion, int body);
+
+}  // namespace nilas

@@ -1,0 +1,67 @@
+#pragma once
+/// What one step leaves for the outputs.
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contact/measure.h"
+#include "contact/solver.h"
+#include "core/base/math.h"
+#include "core/vessel/vessel_system.h"
+
+namespace nilas {
+
+/// Phases of a step, in the order they run.
+enum class Phase { hydro, detection, assembly, solver, integration, fracture, output };
+constexpr int k_num_phases = 7;
+const char* to_string(Phase phase);
+
+/// Energies now and works and losses as sums since the start [J]. Definitions: docs/output_reference.md.
+struct Ledger {
+  double kinetic = 0, potential = 0;
+  std::vector<double> works;  ///< one per entry of RunInfo::work_names
+  double friction = 0, impact = 0, stabilisation = 0, fracture = 0, crushing = 0, integrator = 0, imbalance = 0;
+};
+
+/// Loads on the vessel over the step (impulse / length), in G, torques about the centre of mass unless said.
+struct VesselRecord {
+  Wrench contact;
+  std::optional<CarriageLoads> carriage;
+  bool has_cells = false;
+  std::optional<Wrench> hydro;
+  VesselState state;  ///< at the step's end
+};
+
+struct StepRecord {
+  long step = 0;     ///< 1 for the first
+  double t = 0;      ///< at the step's end [s]
+  double h = 0;      ///< [s]
+  int floes = 0, contacts = 0, islands = 0, iterations = 0;
+  SolveStatus status = SolveStatus::converged;
+  Residuals residuals;
+  double penetration_max = 0, penetration_mean = 0;  ///< over contact points with gap < 0 at the step's start [m]
+  Ledger ledger;
+  double momentum_imbalance = 0, momentum_scale = 0;                  ///< [N s]
+  double angular_momentum_imbalance = 0, angular_momentum_scale = 0;  ///< [N m s]
+  std::array<double, k_num_phases> ms{};
+  std::uint64_t state_hash = 0;
+  std::optional<VesselRecord> vessel;
+};
+
+/// What is known when a run begins.
+struct RunInfo {
+  std::string scene_name;
+  std::vector<std::string> work_names;                 ///< ledger columns work_<name>_J
+  std::vector<std::pair<std::string, std::string>> modules;  ///< what was built and why
+  std::vector<std::string> not_built;
+  int floes = 0, bodies = 0;
+  double ice_mass = 0;           ///< of free floes [kg]
+  double concentration = 0;      ///< 0 when there is no field
+  bool has_vessel = false, has_carriage = false, has_cells = false, has_hydro = false;
+  MassProperties vessel_mass;    ///< com, inertia in V
+  double ice_thickness = 0;      ///< [m]
+};
+
+}  // namespace nilas

@@ -1,0 +1,42 @@
+#pragma once
+/// Everything a run moves and the models that move it, as built from a scene. Only what the scene names is here.
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contact/friction.h"
+#include "core/base/log.h"
+#include "core/bodies/bodies.h"
+#include "core/bodies/module.h"
+#include "core/scene/scene.h"
+#include "core/sim/step_record.h"
+#include "core/vessel/vessel_system.h"
+#include "hydro/water.h"
+
+namespace nilas {
+
+struct WorldParts {
+  Bodies bodies;
+  std::optional<Water> water;
+  std::vector<std::unique_ptr<ForceModule>> modules;
+  std::optional<VesselSystem> vessel;
+  int vessel_index = -1;
+  FrictionTable friction;
+  RunInfo info;
+};
+
+/// Builds all parts. Throws InputError, FileError for content that cannot run.
+WorldParts build_world(const Scene& scene, int threads, WarningCounts& warnings);
+
+/// The vessel entry of `bodies` and its system. Returns its index.
+int build_vessel(const Scene& scene, WorldParts& parts);
+/// Floes of all fields and single floes.
+void build_ice(const Scene& scene, WorldParts& parts, WarningCounts& warnings);
+/// Tank walls and <body> elements.
+void build_structures(const Scene& scene, WorldParts& parts);
+
+/// Throws InputError naming the pair when two bodies, one of them a floe, overlap at the start by more than the scene tolerates.
+void refuse_overlaps(const Scene& scene, const Bodies& bodies);
+
+}  // namespace nilas

@@ -1,0 +1,152 @@
+/// Whole steps on small scenes with closed-form answers, and the accounts of energy and momentum.
+#include "core/sim/simulation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "core/base/error.h"
+#include "core/scene/read_scene.h"
+
+namespace {
+
+using namespace nilas;
+
+/// A scene from text, in a file that lives as long as the object.
+class SceneText {
+ public:
+  explicit SceneText(const std::string& body) {
+    std::string pattern = (std::filesystem::temp_directory_path() / "nilas-scene-XXXXXX").string();
+    folder_ = mkdtemp(pattern.data());
+    std::ofstream(folder_ / "scene.xml") << "<scene version=\"1\" name=\"test\">" << body << "</scene>\n";
+  }
+  ~SceneText() { std::filesystem::remove_all(folder_); }
+  SceneText(const SceneText&) = delete;
+  SceneText& operator=(const SceneText&) = delete;
+  Scene read() const { return read_scene(folder_ / "scene.xml"); }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+struct Rig {
+  explicit Rig(const std::string& body) : text(body), simulation(text.read(), 1, warnings) {}
+  StepRecord run(int steps) {
+    StepRecord record;
+    for (int k = 0; k < steps; ++k) {
+      record = simulation.step();
+      EXPECT_LE(record.momentum_imbalance, 1e-12 * record.momentum_scale + 1e-15);
+      EXPECT_LE(record.angular_momentum_imbalance, 1e-12 * record.angular_momentum_scale + 1e-15);
+    }
+    return record;
+  }
+  SceneText text;
+  WarningCounts warnings{make_logger("off", "")};
+  Simulation simulation;
+};
+
+const char* const k_contact =
+    "<contact law='coulomb' solver='pgs' tolerance='1e-10' max_iterations='5000'>"
+    "<friction between='structure structure' static='0.3' kinetic='0.3'/>"
+    "<friction between='ice ice' static='0.3' kinetic='0.3'/></contact>";
+
+TEST(Simulation, FreeFallIsSemiImplicitEuler) {
+  Rig rig("<time step='0.01' end='1'/><body name='b' shape='sphere' radius='0.1' mass='1' position='0 0 5'/>");
+  rig.run(100);
+  // v_n = -g h n; z_n = z_0 - g h^2 n (n + 1)/2
+  EXPECT_NEAR(rig.simulation.bodies().v_GB[0].z(), -9.81, 1e-12);
+  EXPECT_NEAR(rig.simulation.bodies().p_GB[0].z(), 5 - 9.81 * 1e-4 * 100 * 101 / 2, 1e-12);
+}
+
+TEST(Simulation, ABoxAtRestStaysAtRest) {
+  Rig rig(std::string("<time step='0.01' end='5'/>") + k_contact +
+          "<body name='ground' shape='plane' fixed='true'/>"
+          "<body name='box' shape='box' size='1 1 1' mass='2' position='0 0 0.5'/>");
+  const auto record = rig.run(300);
+  EXPECT_EQ(record.contacts, 4);
+  EXPECT_LT(rig.simulation.bodies().v_GB[1].norm(), 1e-8);
+  EXPECT_NEAR(rig.simulation.bodies().p_GB[1].z(), 0.5, 1e-8);
+}
+
+/// On a 20 degree slope: sticks for mu > tan 20, else slides with g (sin a - mu cos a).
+TEST(Simulation, ASlopeHoldsBelowTheFrictionAngle) {
+  for (const double mu : {0.40, 0.30}) {
+    Rig rig("<time step='0.01' end='5'/>"
+            "<contact law='coulomb' solver='pgs' tolerance='1e-10' max_iterations='5000'>"
+            "<friction between='structure structure' static='" +
+            std::to_string(mu) + "' kinetic='" + std::to_string(mu) +
+            "'/></contact>"
+            "<gravity value='3.355217606 0 -9.218384585'/>"
+            "<body name='ground' shape='plane' fixed='true'/>"
+            "<body name='box' shape='box' size='1 1 0.2' mass='2' position='0 0 0.1'/>");
+    rig.run(50);
+    const double expected = mu > std::tan(20 * k_deg) ? 0 : 0.5 * (3.355217606 - mu * 9.218384585);
+    EXPECT_NEAR(rig.simulation.bodies().v_GB[1].x(), expected, 1e-7) << "mu " << mu;
+  }
+}
+
+TEST(Simulation, TwoFloesCollideWithoutLossOfMomentum) {
+  Rig rig(std::string("<time step='0.01' end='2'/><gravity value='0 0 0'/>") + k_contact +
+          "<ice thickness='0.1'>"
+          "<floe name='a' outline='0 0 1 0 1 1 0 1' velocity='0.5 0 0'/>"
+          "<floe name='b' outline='1.05 0.3 2 0.3 2 1.3 1.05 1.3'/></ice>");
+  rig.run(100);
+  const Bodies& bodies = rig.simulation.bodies();
+  const Vec3 momentum = bodies.mass[0] * bodies.v_GB[0] + bodies.mass[1] * bodies.v_GB[1];
+  EXPECT_NEAR(momentum.x(), bodies.mass[0] * 0.5, 1e-12);
+  EXPECT_NEAR(momentum.y(), 0, 1e-12);
+  EXPECT_GT(bodies.v_GB[1].x(), 0.1);
+}
+
+/// Impact, friction, weight and buoyancy together: the ledger closes to rounding.
+TEST(Simulation, TheLedgerCloses) {
+  Rig rig(std::string("<time step='0.01' end='5'/>") + k_contact +
+          "<water density='1000'/><hydro><buoyancy/><drag form='1' skin='0.005'/></hydro>"
+          "<ice thickness='0.1'>"
+          "<floe name='a' outline='0 0 1 0 1 1 0 1' velocity='0.5 0.1 0' z='0.02'/>"
+          "<floe name='b' outline='1.05 0.3 2 0.3 2 1.3 1.05 1.3' z='-0.03'/></ice>");
+  const Ledger start = rig.simulation.initial_ledger();
+  const auto record = rig.run(300);
+  const double scale = std::abs(start.kinetic) + std::abs(start.potential);
+  EXPECT_LT(std::abs(record.ledger.imbalance), 1e-12 * scale);
+  EXPECT_GT(record.ledger.impact, 0);
+  EXPECT_LT(record.ledger.works.at(0), 0) << "drag takes energy";
+}
+
+/// A scene without water, vessel, ice builds no module but contact, and says so.
+TEST(Simulation, OnlyWhatTheSceneNamesIsBuilt) {
+  Rig rig("<time step='0.01' end='1'/><body name='b' shape='sphere' radius='0.1' mass='1'/>");
+  EXPECT_EQ(rig.simulation.info().modules.size(), 1u);
+  EXPECT_TRUE(rig.simulation.info().work_names.empty());
+  EXPECT_FALSE(rig.simulation.info().has_vessel);
+}
+
+TEST(Simulation, AFloeStartsAtItsFloatingHeight) {
+  Rig rig("<time step='0.01' end='1'/><water density='1000'/><hydro><buoyancy/></hydro>"
+          "<ice thickness='0.1' density='900'><floe outline='0 0 1 0 1 1 0 1'/></ice>");
+  const double z = rig.simulation.bodies().p_GB[0].z();
+  EXPECT_NEAR(z, 0.1 * (0.5 - 0.9), 1e-15);
+  rig.run(100);
+  EXPECT_NEAR(rig.simulation.bodies().p_GB[0].z(), z, 1e-12);
+}
+
+TEST(Simulation, NonFiniteMotionStopsTheRunWithTheBodysName) {
+  Rig rig("<time step='1e200' end='1e203'/><body name='lost' shape='sphere' radius='0.1' mass='1' velocity='1e200 0 0'/>");
+  try {
+    rig.run(10);
+    FAIL() << "no error";
+  } catch (const SimulationError& e) {
+    EXPECT_NE(std::string(e.what()).find("lost"), std::string::npos);
+  }
+}
+
+TEST(Simulation, FloesOverlappingAtTheStartAreRefused) {
+  EXPECT_THROW(Rig("<time end='1'/><ice thickness='0.1'><floe outline='0 0 1 0 1 1 0 1'/>"
+                   "<floe outline='0.9 0 2 0 2 1 0.9 1'/></ice>"),
+               InputError);
+}
+
+}  // namespace
