@@ -1,0 +1,28 @@
+#pragma once
+/// bodies.csv: pose and velocity of every body, one row per body and instant. Columns: docs/output_reference.md.
+#include <filesystem>
+#include <string>
+
+#include "core/bodies/bodies.h"
+#include "core/output/output_file.h"
+
+namespace nilas {
+
+/// Written by default up to so many bodies.
+constexpr int k_bodies_csv_default_limit = 200;
+
+class BodiesCsv {
+ public:
+  /// Throws FileError.
+  explicit BodiesCsv(const std::filesystem::path& path);
+  /// All bodies at time t [s], 17 significant digits. The rows of one instant reach the file together. Throws
+  /// FileError.
+  void rows(double t, const Bodies& bodies);
+  void finish() { file_.close(); }
+
+ private:
+  OutputFile file_;
+  std::string block_;
+};
+
+}  // namespace nilas

@@ -1,0 +1,24 @@
+#pragma once
+/// Bodies as polygons, for pictures.
+#include <cstdint>
+#include <vector>
+
+#include "core/bodies/shape.h"
+
+namespace nilas {
+
+/// Polygons in a body frame: polygon k has the corners corners[ends[k-1]] .. corners[ends[k] - 1], counter-clockwise
+/// from outside.
+struct PolygonSurface {
+  std::vector<Vec3> points;           ///< [m]
+  std::vector<std::int32_t> corners;  ///< indices into points
+  std::vector<std::int32_t> ends;
+
+  void add_polygon(const std::vector<std::int32_t>& loop);
+};
+
+/// Prism: bottom, top and one quadrilateral per side. Sphere: a grid of parallels and meridians. Plane: nothing.
+/// Others: the triangles of their surface.
+PolygonSurface polygon_surface(const Shape& shape);
+
+}  // namespace nilas

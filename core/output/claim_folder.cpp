@@ -1,0 +1,71 @@
+#include "core/output/claim_folder.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <regex>
+#include <system_error>
+#include <vector>
+
+#include "core/base/error.h"
+
+namespace nilas {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Everything that a run writes beside its trajectory folder; ".part" is left where one was killed while writing.
+const std::vector<std::string>& own_files() {
+  static const std::vector<std::string> names{"scene.xml",      "vessel.csv",       "steps.csv",   "contacts.h5",
+                                              "trajectory.pvd", "events.csv",       "replay.html", "report.html",
+                                              "summary.json",   "bodies.csv",       "nilas.log",   "checkpoint.h5",
+                                              "scene.xml.part", "summary.json.part"};
+  return names;
+}
+
+bool is_own_frame(const std::string& name) {
+  static const std::regex pattern(R"(step-\d{6,}\.vtp(\.part)?)");
+  return std::regex_match(name, pattern);
+}
+
+[[noreturn]] void fail(const fs::path& path, const std::string& what, const std::string& reason) {
+  throw FileError(path.string() + ": cannot " + what + ": " + reason);
+}
+
+void remove_file(const fs::path& path) {
+  std::error_code error;
+  if (fs::is_directory(fs::symlink_status(path, error))) return;
+  fs::remove(path, error);
+  if (error) fail(path, "remove the file of an earlier run", error.message());
+}
+
+void remove_frames(const fs::path& folder) {
+  std::error_code error;
+  if (!fs::is_directory(fs::symlink_status(folder, error))) return;
+  std::vector<fs::path> frames;
+  for (const auto& entry : fs::directory_iterator(folder, error))
+    if (is_own_frame(entry.path().filename().string())) frames.push_back(entry.path());
+  for (const auto& frame : frames) remove_file(frame);
+}
+
+}  // namespace
+
+void claim_folder(const fs::path& folder, bool force) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) fail(folder, "create the output folder", error.message());
+  if (!fs::is_directory(folder, error)) fail(folder, "use it as the output folder", "it is not a folder");
+  const bool empty = fs::is_empty(folder, error);
+  if (error) fail(folder, "read the output folder", error.message());
+  if (!empty && !force)
+    throw InputError(folder.string() +
+                     ": the output folder is not empty; choose another by --out, or give --force to "
+                     "replace the outputs of an earlier run in it");
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(folder, "write into the output folder", std::strerror(errno));
+  for (const auto& name : own_files()) remove_file(folder / name);
+  remove_frames(folder / "trajectory");
+}
+
+}  // namespace nilas

@@ -1,0 +1,52 @@
+#include "core/output/closing_account.h"
+
+#include <fmt/format.h>
+
+#include <numeric>
+
+#include "core/output/console.h"
+
+namespace nilas {
+
+namespace {
+
+constexpr double k_percent = 100, k_ms_per_s = 1000;
+
+std::string phase_line(const std::string& name, double ms, long steps, double total_ms) {
+  return fmt::format("  {:<14}{:>12.4f}{:>9.1f}\n", name, steps > 0 ? ms / static_cast<double>(steps) : 0,
+                     total_ms > 0 ? k_percent * ms / total_ms : 0);
+}
+
+/// `other` is what no step accounts for: building the scene, drawing progress.
+std::string phase_table(const RunStatistics& statistics, double wall_s) {
+  const auto& ms = statistics.total_ms();
+  const double in_steps = std::accumulate(ms.begin(), ms.end(), 0.0), total = std::max(wall_s * k_ms_per_s, in_steps);
+  std::string text = fmt::format("  {:<14}{:>12}{:>9}\n", "phase", "ms per step", "percent");
+  for (std::size_t p = 0; p < ms.size(); ++p)
+    if (ms[p] > 0) text += phase_line(to_string(static_cast<Phase>(p)), ms[p], statistics.steps(), total);
+  text += phase_line("other", total - in_steps, statistics.steps(), total);
+  return text + phase_line("all", total, statistics.steps(), total);
+}
+
+std::string worst_line(const char* label, const RunStatistics& statistics, const char* column, const char* unit) {
+  const Worst& worst = statistics.worst(column);
+  return fmt::format("{:<22}{:.3g} {} at {:g} s\n", label, worst.value, unit, worst.time);
+}
+
+}  // namespace
+
+std::string closing_account(const RunStatistics& statistics, double wall_s, const std::filesystem::path& outputs) {
+  const double simulated = statistics.end_time() - statistics.start_time();
+  std::string text = fmt::format("{:<22}{:g} s in {} steps\n", "simulated", simulated, statistics.steps());
+  text += fmt::format("{:<22}{}, {:.3g} x real time\n", "wall-clock", duration_text(wall_s),
+                      wall_s > 0 ? simulated / wall_s : 0);
+  text += phase_table(statistics, wall_s);
+  text += worst_line("worst law residual", statistics, "law_map_m_s", "m/s");
+  text += worst_line("worst penetration", statistics, "penetration_max_m", "m");
+  const Worst& imbalance = statistics.worst("imbalance_J");
+  text += fmt::format("{:<22}{:.3g} J at {:g} s, {:.2g} of the energy put in\n", "worst energy error", imbalance.value,
+                      imbalance.time, statistics.relative_imbalance());
+  return text + fmt::format("{:<22}{}\n", "outputs", outputs.string());
+}
+
+}  // namespace nilas

@@ -1,0 +1,125 @@
+#include "core/output/console.h"
+
+#include <fmt/format.h>
+#include <spdlog/sinks/base_sink.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <mutex>
+
+namespace nilas {
+
+namespace {
+
+constexpr double k_redraw_interval = 0.1;  // [s]
+constexpr int k_marks = 20;                // plain lines per run: one every 5 %
+constexpr const char* k_erase = "\r\x1b[K";
+/// The sum of many steps may end a rounding error short of a whole percent.
+constexpr double k_rounding = 1e-9;
+
+void erase_line(std::ostream& out, bool& shown) {
+  if (!shown) return;
+  out << k_erase << std::flush;
+  shown = false;
+}
+
+/// Comes before the sinks that write, so the progress line is gone when they do.
+class LineEraser : public spdlog::sinks::base_sink<std::mutex> {
+ public:
+  LineEraser(std::ostream& out, std::shared_ptr<bool> shown) : out_(out), shown_(std::move(shown)) {}
+
+ private:
+  void sink_it_(const spdlog::details::log_msg&) override { erase_line(out_, *shown_); }
+  void flush_() override {}
+
+  std::ostream& out_;
+  std::shared_ptr<bool> shown_;
+};
+
+}  // namespace
+
+ConsoleStyle console_style(bool silent) {
+  if (silent) return ConsoleStyle::silent;
+  return ::isatty(STDOUT_FILENO) != 0 ? ConsoleStyle::terminal : ConsoleStyle::plain;
+}
+
+double steady_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double Progress::share() const { return t_end > t_start ? std::clamp((t - t_start) / (t_end - t_start), 0.0, 1.0) : 1; }
+
+double Progress::real_time_factor() const { return wall > 0 ? (t - t_start) / wall : 0; }
+
+std::string duration_text(double seconds) {
+  constexpr double k_minute = 60, k_hour = 3600;
+  if (seconds < k_minute) return fmt::format("{:.3g} s", seconds);
+  const long whole = std::lround(seconds);
+  const long minutes = whole / static_cast<long>(k_minute);
+  if (whole < static_cast<long>(k_hour))
+    return fmt::format("{} min {:02} s", minutes, whole % static_cast<long>(k_minute));
+  return fmt::format("{} h {:02} min", minutes / static_cast<long>(k_minute), minutes % static_cast<long>(k_minute));
+}
+
+std::string progress_text(const Progress& progress, int width, bool bar) {
+  constexpr double k_percent = 100;
+  constexpr int k_longest_bar = 24, k_brackets = 3;
+  const double share = progress.share(),
+               rate = progress.wall > 0 ? static_cast<double>(progress.steps) / progress.wall : 0;
+  const std::string left = share > 0 ? duration_text(progress.wall * (1 - share) / share) : "?";
+  std::string text = fmt::format("{:3.0f} %  {:.2f}/{:g} s  {:.3g} steps/s  {:.3g} x real time  {} left",
+                                 std::floor(k_percent * share + k_rounding), progress.t, progress.t_end, rate,
+                                 progress.real_time_factor(), left);
+  const int cells = std::min(width - static_cast<int>(text.size()) - k_brackets, k_longest_bar);
+  if (bar && cells > 1) {
+    const auto full = static_cast<std::size_t>(share * cells), all = static_cast<std::size_t>(cells);
+    text = "[" + std::string(full, '#') + std::string(all - full, '.') + "] " + text;
+  }
+  return text.substr(0, static_cast<std::size_t>(width));
+}
+
+Console::Console(std::ostream& out, ConsoleStyle style, double t_start, double t_end, WallClock clock)
+    : out_(out),
+      style_(style),
+      t_start_(t_start),
+      t_end_(t_end),
+      clock_(std::move(clock)),
+      wall_start_(clock_()),
+      last_drawn_(wall_start_ - k_redraw_interval),
+      line_shown_(std::make_shared<bool>(false)) {}
+
+Console::~Console() { erase_line(out_, *line_shown_); }
+
+void Console::make_room_for(spdlog::logger& logger) {
+  if (style_ != ConsoleStyle::terminal) return;
+  auto eraser = std::make_shared<LineEraser>(out_, line_shown_);
+  if (!logger.sinks().empty()) eraser->set_level(logger.sinks().front()->level());
+  logger.sinks().insert(logger.sinks().begin(), std::move(eraser));
+}
+
+void Console::progress(double t, long steps) {
+  if (style_ == ConsoleStyle::silent) return;
+  const double now = clock_();
+  const Progress state{t, t_start_, t_end_, steps, now - wall_start_};
+  if (style_ == ConsoleStyle::terminal) {
+    if (now - last_drawn_ < k_redraw_interval) return;
+    last_drawn_ = now;
+    out_ << k_erase << progress_text(state, k_console_columns - 1, true) << std::flush;
+    *line_shown_ = true;
+    return;
+  }
+  const int mark = static_cast<int>(state.share() * k_marks + k_rounding);
+  if (mark < next_mark_) return;
+  next_mark_ = mark + 1;
+  out_ << progress_text(state, k_console_columns, false) << std::endl;
+}
+
+void Console::close(const std::string& text) {
+  if (style_ == ConsoleStyle::silent) return;
+  erase_line(out_, *line_shown_);
+  out_ << text << std::flush;
+}
+
+}  // namespace nilas

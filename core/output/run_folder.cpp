@@ -1,0 +1,114 @@
+#include "core/output/run_folder.h"
+
+#include <chrono>
+
+#include "core/base/error.h"
+#include "core/output/claim_folder.h"
+#include "core/output/scene_xml.h"
+
+namespace nilas {
+
+struct RunFolder::Outputs {
+  Outputs(const std::filesystem::path& folder, const OutputScene& asked, const RunInfo& run_info, WarningCounts& counts)
+      : info(run_info),
+        warnings(counts),
+        channels(info),
+        statistics(info),
+        steps(folder / "steps.csv", info),
+        snapshot_every(asked.trajectory_every),
+        bodies_asked(asked.bodies) {
+    if (info.has_vessel) vessel.emplace(folder / "vessel.csv", channels);
+    if (snapshot_every > 0) trajectory.emplace(folder);
+  }
+
+  /// Snapshots fall on the step nearest to each multiple of the interval.
+  bool snapshot_due(double t, double h) const {
+    return snapshot_every > 0 && t - t_start >= static_cast<double>(snapshots) * snapshot_every - 0.5 * h;
+  }
+
+  RunInfo info;
+  WarningCounts& warnings;
+  VesselChannels channels;
+  RunStatistics statistics;
+  StepsCsv steps;
+  std::optional<VesselCsv> vessel;
+  std::optional<BodiesCsv> bodies;
+  std::optional<Trajectory> trajectory;
+  double snapshot_every;  ///< [s]; 0: none
+  std::optional<bool> bodies_asked;
+  double t_start = 0;
+  long snapshots = 0;
+  std::vector<double> vessel_values;
+};
+
+RunFolder::RunFolder(const std::filesystem::path& path, bool force) : path_(path) { claim_folder(path, force); }
+RunFolder::~RunFolder() = default;
+
+void RunFolder::open(const Scene& scene, const RunInfo& info, WarningCounts& warnings) {
+  write_scene_xml(path_ / "scene.xml", scene);
+  outputs_ = std::make_unique<Outputs>(path_, scene.output, info, warnings);
+}
+
+void RunFolder::start(double t, const Ledger& ledger, const Bodies& bodies) {
+  NILAS_DEMAND(outputs_ != nullptr);
+  Outputs& out = *outputs_;
+  out.t_start = t;
+  out.statistics.start(t, ledger);
+  const bool few = bodies.size() <= k_bodies_csv_default_limit;
+  if (out.snapshot_every > 0 && out.bodies_asked.value_or(few)) out.bodies.emplace(path_ / "bodies.csv");
+  if (out.snapshot_due(t, 0)) write_snapshot(t, 0, bodies);
+}
+
+void RunFolder::record(StepRecord record, const Bodies& bodies) {
+  using Clock = std::chrono::steady_clock;
+  const auto begin = Clock::now();
+  NILAS_DEMAND(outputs_ != nullptr);
+  Outputs& out = *outputs_;
+  out.vessel_values.clear();
+  if (out.vessel) {
+    NILAS_DEMAND(record.vessel.has_value());
+    if (!out.channels.read(*record.vessel, out.vessel_values))
+      out.warnings.warn("gimbal lock",
+                        "the vessel pitches to 90 degrees: its roll, pitch and yaw rates are written as 0");
+    out.vessel->row(record.t, out.vessel_values);
+  }
+  if (out.snapshot_due(record.t, record.h)) write_snapshot(record.t, record.step, bodies);
+  record.ms[static_cast<std::size_t>(Phase::output)] +=
+      std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+  out.steps.row(record);
+  out.statistics.add(record, out.vessel_values);
+}
+
+void RunFolder::write_snapshot(double t, long step, const Bodies& bodies) {
+  Outputs& out = *outputs_;
+  ++out.snapshots;
+  if (out.bodies) out.bodies->rows(t, bodies);
+  if (out.trajectory) out.trajectory->frame(t, step, bodies);
+}
+
+nlohmann::ordered_json RunFolder::finish(SummaryInput input, const Bodies& bodies) {
+  NILAS_DEMAND(outputs_ != nullptr);
+  Outputs& out = *outputs_;
+  out.steps.finish();
+  if (out.vessel) out.vessel->finish();
+  if (out.bodies) out.bodies->finish();
+  if (out.trajectory) out.trajectory->finish();
+  input.ice_mass_end = free_ice_mass(bodies);
+  auto summary = summary_json(out.info, out.statistics, input);
+  write_summary_json(path_ / "summary.json", summary);
+  return summary;
+}
+
+const RunStatistics& RunFolder::statistics() const {
+  NILAS_DEMAND(outputs_ != nullptr);
+  return outputs_->statistics;
+}
+
+double free_ice_mass(const Bodies& bodies) {
+  double mass = 0;
+  for (std::size_t b = 0; b < bodies.id.size(); ++b)
+    if (bodies.kind[b] == BodyKind::floe && bodies.motion[b] == Motion::free) mass += bodies.mass[b];
+  return mass;
+}
+
+}  // namespace nilas

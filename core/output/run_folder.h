@@ -1,0 +1,53 @@
+#pragma once
+/// The folder of one run and the outputs in it.
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "core/base/log.h"
+#include "core/bodies/bodies.h"
+#include "core/output/bodies_csv.h"
+#include "core/output/run_statistics.h"
+#include "core/output/steps_csv.h"
+#include "core/output/summary_json.h"
+#include "core/output/trajectory.h"
+#include "core/output/vessel_csv.h"
+#include "core/scene/scene.h"
+#include "core/sim/step_record.h"
+
+namespace nilas {
+
+/// Life: constructed, open(), start(), record() per step, finish(). Every complete step is readable at any moment.
+class RunFolder {
+ public:
+  /// Creates the folder. One that holds anything is refused (InputError) unless `force`, which removes what an earlier
+  /// run of Nilas wrote there and nothing else. Throws FileError when the folder cannot be made or written.
+  RunFolder(const std::filesystem::path& path, bool force);
+  ~RunFolder();
+
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path log_file() const { return path_ / "nilas.log"; }
+
+  /// Writes scene.xml and opens the outputs that the scene asks for. `warnings` must outlive the folder. Throws
+  /// FileError.
+  void open(const Scene& scene, const RunInfo& info, WarningCounts& warnings);
+  /// The state at time t [s] before the first step. Throws FileError.
+  void start(double t, const Ledger& ledger, const Bodies& bodies);
+  /// One step; `bodies` at its end. Time spent here is counted to Phase::output. Throws FileError.
+  void record(StepRecord record, const Bodies& bodies);
+  /// Closes the outputs and writes summary.json, with the mass of ice that `bodies` still hold. Throws FileError.
+  nlohmann::ordered_json finish(SummaryInput input, const Bodies& bodies);
+  const RunStatistics& statistics() const;
+
+ private:
+  struct Outputs;
+  void write_snapshot(double t, long step, const Bodies& bodies);
+
+  std::filesystem::path path_;
+  std::unique_ptr<Outputs> outputs_;
+};
+
+/// Free floes' mass [kg].
+double free_ice_mass(const Bodies& bodies);
+
+}  // namespace nilas

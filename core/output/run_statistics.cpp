@@ -1,0 +1,72 @@
+#include "core/output/run_statistics.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/measure.h"
+#include "core/base/error.h"
+
+namespace nilas {
+
+namespace {
+
+/// 0 / 0 is a balance that holds exactly.
+double ratio(double part, double scale) { return part == 0 ? 0 : part / scale; }
+
+}  // namespace
+
+RunStatistics::RunStatistics(const RunInfo& info) : works_(info.work_names.size(), 0) {
+  for (const auto& residual : residual_columns()) worst_.push_back({residual.name});
+  for (const char* name :
+       {"penetration_max_m", "penetration_mean_m", "imbalance_J", "momentum_imbalance_Ns",
+        "angular_momentum_imbalance_Nms", "momentum_imbalance_relative", "angular_momentum_imbalance_relative"})
+    worst_.push_back({name});
+  if (!info.has_vessel) return;
+  const VesselChannels channels(info);
+  load_names_.assign(channels.names().begin(), channels.names().begin() + channels.num_loads());
+  load_series_.resize(load_names_.size());
+}
+
+void RunStatistics::start(double t, const Ledger& ledger) {
+  t_start_ = t_end_ = t;
+  energy_put_in_ = ledger.kinetic;
+  works_ = ledger.works;
+}
+
+void RunStatistics::add(const StepRecord& record, const std::vector<double>& vessel_values) {
+  ++steps_;
+  t_end_ = record.t;
+  std::size_t column = 0;
+  for (const auto& residual : residual_columns()) note(column++, record.residuals.*residual.member, record.t);
+  for (const double value :
+       {record.penetration_max, record.penetration_mean, record.ledger.imbalance, record.momentum_imbalance,
+        record.angular_momentum_imbalance, ratio(record.momentum_imbalance, record.momentum_scale),
+        ratio(record.angular_momentum_imbalance, record.angular_momentum_scale)})
+    note(column++, value, record.t);
+  for (std::size_t k = 0; k < works_.size(); ++k) energy_put_in_ += std::abs(record.ledger.works[k] - works_[k]);
+  works_ = record.ledger.works;
+  for (std::size_t p = 0; p < total_ms_.size(); ++p) total_ms_[p] += record.ms[p];
+  for (std::size_t c = 0; c < load_series_.size(); ++c) load_series_[c].push_back(vessel_values[c]);
+}
+
+void RunStatistics::note(std::size_t column, double value, double t) {
+  Worst& worst = worst_[column];
+  // The negated comparison lets a value that is not a number in, and then keeps the first of them.
+  if (std::isnan(worst.value) || std::abs(value) <= std::abs(worst.value)) return;
+  worst.value = value;
+  worst.time = t;
+}
+
+const Worst& RunStatistics::worst(const std::string& name) const {
+  const auto found = std::find_if(worst_.begin(), worst_.end(), [&](const Worst& w) { return w.name == name; });
+  NILAS_DEMAND(found != worst_.end());
+  return *found;
+}
+
+double RunStatistics::relative_imbalance() const { return ratio(std::abs(worst("imbalance_J").value), energy_put_in_); }
+
+double RunStatistics::mean_ms(Phase phase) const {
+  return steps_ > 0 ? total_ms_[static_cast<std::size_t>(phase)] / static_cast<double>(steps_) : 0;
+}
+
+}  // namespace nilas

@@ -1,0 +1,59 @@
+#pragma once
+/// What a run amounts to: worst values, load series, time per phase. Source of summary.json and of the closing account.
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/output/vessel_channels.h"
+#include "core/sim/step_record.h"
+
+namespace nilas {
+
+/// The largest absolute value that a column of steps.csv took, and when; a value that is not a number counts as
+/// largest.
+struct Worst {
+  std::string name;
+  double value = 0;
+  double time = 0;  ///< [s]
+};
+
+class RunStatistics {
+ public:
+  explicit RunStatistics(const RunInfo& info);
+
+  /// The state before the first step.
+  void start(double t, const Ledger& ledger);
+  /// `vessel_values`: as read from the channels, empty without a vessel.
+  void add(const StepRecord& record, const std::vector<double>& vessel_values);
+
+  double start_time() const { return t_start_; }  ///< [s]
+  double end_time() const { return t_end_; }      ///< [s]
+  long steps() const { return steps_; }
+  /// Each residual, penetration_max_m, penetration_mean_m, imbalance_J, momentum_imbalance_Ns,
+  /// angular_momentum_imbalance_Nms and both momentum imbalances relative to their scales.
+  const std::vector<Worst>& worst() const { return worst_; }
+  const Worst& worst(const std::string& name) const;
+  /// Kinetic energy at the start plus the absolute works of all steps: the scale of imbalance_J [J].
+  double energy_put_in() const { return energy_put_in_; }
+  /// Largest |imbalance_J| over energy_put_in(); 0 when nothing was put in and nothing is missing.
+  double relative_imbalance() const;
+  const std::array<double, k_num_phases>& total_ms() const { return total_ms_; }
+  double mean_ms(Phase phase) const;
+
+  const std::vector<std::string>& load_names() const { return load_names_; }
+  const std::vector<double>& load_series(std::size_t channel) const { return load_series_[channel]; }
+
+ private:
+  void note(std::size_t column, double value, double t);
+
+  std::vector<Worst> worst_;
+  std::vector<std::string> load_names_;
+  std::vector<std::vector<double>> load_series_;
+  std::vector<double> works_;  ///< of the step before [J]
+  double energy_put_in_ = 0;
+  double t_start_ = 0, t_end_ = 0;
+  long steps_ = 0;
+  std::array<double, k_num_phases> total_ms_{};
+};
+
+}  // namespace nilas

@@ -1,0 +1,12 @@
+#pragma once
+/// scene.xml: the scene as run, every default and override written out. Running it again gives the same bits.
+#include <filesystem>
+
+#include "core/scene/scene.h"
+
+namespace nilas {
+
+/// Throws FileError.
+void write_scene_xml(const std::filesystem::path& path, const Scene& scene);
+
+}  // namespace nilas

@@ -1,0 +1,28 @@
+#pragma once
+/// steps.csv: how each step was solved, its accounts of energy and momentum, its timing. Columns:
+/// docs/output_reference.md.
+#include <filesystem>
+
+#include "core/output/csv_row.h"
+#include "core/output/output_file.h"
+#include "core/sim/step_record.h"
+
+namespace nilas {
+
+class StepsCsv {
+ public:
+  /// Throws FileError.
+  StepsCsv(const std::filesystem::path& path, const RunInfo& info);
+  /// Numbers in the fewest digits that read back to the same bits. Throws FileError.
+  void row(const StepRecord& record);
+  void finish() { file_.close(); }
+
+ private:
+  void add_ledger(const Ledger& ledger);
+
+  OutputFile file_;
+  CsvRow row_;
+  std::size_t num_works_;
+};
+
+}  // namespace nilas

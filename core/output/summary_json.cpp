@@ -1,0 +1,76 @@
+#include "core/output/summary_json.h"
+
+#include "core/output/load_statistics.h"
+#include "core/output/output_file.h"
+
+namespace nilas {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json vessel_json(const MassProperties& mass) {
+  const Mat3& I = mass.inertia;
+  return {{"mass_kg", mass.mass},
+          {"cog_m", {mass.com.x(), mass.com.y(), mass.com.z()}},
+          {"inertia_kg_m2", {I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)}}};
+}
+
+Json worst_json(const RunStatistics& statistics) {
+  Json worst = Json::object();
+  for (const Worst& w : statistics.worst()) worst[w.name] = {{"value", w.value}, {"time_s", w.time}};
+  worst["imbalance_J"]["relative_to_energy_put_in"] = statistics.relative_imbalance();
+  return worst;
+}
+
+Json loads_json(const RunStatistics& statistics) {
+  Json loads = Json::object();
+  for (std::size_t c = 0; c < statistics.load_names().size(); ++c) {
+    const LoadStatistics s = load_statistics(statistics.load_series(c));
+    loads[statistics.load_names()[c]] = {{"mean", s.mean}, {"std", s.std}, {"max", s.max}, {"p99", s.p99}};
+  }
+  return loads;
+}
+
+Json modules_json(const RunInfo& info, const RunStatistics& statistics) {
+  Json built = Json::array(), ms = Json::object();
+  for (const auto& [name, reason] : info.modules) built.push_back({{"name", name}, {"reason", reason}});
+  for (int p = 0; p < k_num_phases; ++p)
+    ms[to_string(static_cast<Phase>(p))] = statistics.mean_ms(static_cast<Phase>(p));
+  return {{"built", built}, {"ms_per_step", ms}};
+}
+
+}  // namespace
+
+Json summary_json(const RunInfo& info, const RunStatistics& statistics, const SummaryInput& input) {
+  Json summary;
+  summary["scene"] = info.scene_name;
+  summary["status"] = input.status;
+  summary["exit_code"] = input.exit_code;
+  summary["time_end_s"] = statistics.end_time();
+  summary["steps"] = statistics.steps();
+  summary["wall_s"] = input.wall_s;
+  summary["real_time_factor"] = input.wall_s > 0 ? (statistics.end_time() - statistics.start_time()) / input.wall_s : 0;
+  if (info.has_vessel) summary["vessel"] = vessel_json(info.vessel_mass);
+  summary["ice"] = {{"floes", info.floes},
+                    {"mass_kg", info.ice_mass},
+                    {"mass_end_kg", input.ice_mass_end},
+                    {"brash_kg", input.brash_mass},
+                    {"concentration", info.concentration}};
+  summary["worst"] = worst_json(statistics);
+  summary["loads"] = loads_json(statistics);
+  summary["modules"] = modules_json(info, statistics);
+  summary["not_built"] = info.not_built;
+  summary["versions"] = input.versions;
+  summary["seed"] = input.seed;
+  summary["threads"] = input.threads;
+  summary["machine"] = input.machine;
+  return summary;
+}
+
+void write_summary_json(const std::filesystem::path& path, const Json& summary) {
+  constexpr int k_indent = 2;
+  write_whole(path, summary.dump(k_indent, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace nilas

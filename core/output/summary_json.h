@@ -1,0 +1,31 @@
+#pragma once
+/// summary.json: one run in one object. Keys: docs/output_reference.md.
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "core/output/run_statistics.h"
+#include "core/sim/step_record.h"
+
+namespace nilas {
+
+/// What only the program that ran the scene knows.
+struct SummaryInput {
+  std::string status = "done";  ///< done, failed, interrupted ...
+  int exit_code = 0;
+  double wall_s = 0;  ///< of the whole run [s]
+  std::uint64_t seed = 0;
+  int threads = 1;
+  std::string machine;
+  std::map<std::string, std::string> versions;  ///< library or tool: version
+  double ice_mass_end = 0;                      ///< of free floes [kg]
+  double brash_mass = 0;                        ///< of ice that broke too small to follow [kg]
+};
+
+nlohmann::ordered_json summary_json(const RunInfo& info, const RunStatistics& statistics, const SummaryInput& input);
+
+/// Writes it through a rename, so a reader never finds half of it. Throws FileError.
+void write_summary_json(const std::filesystem::path& path, const nlohmann::ordered_json& summary);
+
+}  // namespace nilas

@@ -1,0 +1,63 @@
+#include "core/output/vessel_channels.h"
+
+#include "core/base/error.h"
+#include "core/output/attitude.h"
+
+namespace nilas {
+
+namespace {
+
+void add(const Vec3& x, std::vector<double>& values) { values.insert(values.end(), x.data(), x.data() + x.size()); }
+
+void add(const Wrench& wrench, std::vector<double>& values) {
+  add(wrench.force, values);
+  add(wrench.torque, values);
+}
+
+}  // namespace
+
+VesselChannels::VesselChannels(const RunInfo& info)
+    : has_carriage_(info.has_carriage), has_cells_(info.has_cells), has_hydro_(info.has_hydro) {
+  name_wrench("contact");
+  if (has_carriage_) {
+    name_wrench("carriage");
+    name_wrench("hull");
+  }
+  if (has_cells_)
+    for (int cell = 1; cell <= 6; ++cell) names_.push_back("cell" + std::to_string(cell) + "_N");
+  if (has_hydro_) name_wrench("hydro");
+  num_loads_ = static_cast<int>(names_.size());
+  for (const char* name : {"x_m", "y_m", "z_m", "yaw_deg", "pitch_deg", "roll_deg", "vx_m_s", "vy_m_s", "vz_m_s",
+                           "roll_rate_deg_s", "pitch_rate_deg_s", "yaw_rate_deg_s", "wx_rad_s", "wy_rad_s", "wz_rad_s"})
+    names_.emplace_back(name);
+}
+
+void VesselChannels::name_wrench(const std::string& source) {
+  for (const char* axis : {"x", "y", "z"}) names_.push_back(source + "_f" + axis + "_N");
+  for (const char* axis : {"x", "y", "z"}) names_.push_back(source + "_m" + axis + "_Nm");
+}
+
+bool VesselChannels::read(const VesselRecord& record, std::vector<double>& values) const {
+  NILAS_DEMAND(record.carriage.has_value() || !(has_carriage_ || has_cells_));
+  NILAS_DEMAND(record.hydro.has_value() || !has_hydro_);
+  values.clear();
+  add(record.contact, values);
+  if (has_carriage_) {
+    add(record.carriage->about_joint, values);
+    add(record.carriage->about_com, values);
+  }
+  if (has_cells_) values.insert(values.end(), record.carriage->cells.begin(), record.carriage->cells.end());
+  if (has_hydro_) add(*record.hydro, values);
+
+  const VesselState& state = record.state;
+  const EulerAngles angles = euler_angles(state.pose.q);
+  const EulerRates rates = euler_rates(state.pose.q, state.w);
+  add(state.pose.p, values);
+  add(Vec3(angles.yaw, angles.pitch, angles.roll) / k_deg, values);
+  add(state.v, values);
+  add(Vec3(rates.roll, rates.pitch, rates.yaw) / k_deg, values);
+  add(state.w, values);
+  return !angles.gimbal_lock;
+}
+
+}  // namespace nilas

@@ -1,0 +1,25 @@
+#pragma once
+/// vessel.csv: loads on the vessel and its motion, one row per step. Columns: docs/output_reference.md.
+#include <filesystem>
+#include <vector>
+
+#include "core/output/csv_row.h"
+#include "core/output/output_file.h"
+#include "core/output/vessel_channels.h"
+
+namespace nilas {
+
+class VesselCsv {
+ public:
+  /// Throws FileError.
+  VesselCsv(const std::filesystem::path& path, const VesselChannels& channels);
+  /// `values` as read from the channels. Throws FileError.
+  void row(double t, const std::vector<double>& values);
+  void finish() { file_.close(); }
+
+ private:
+  OutputFile file_;
+  CsvRow row_;
+};
+
+}  // namespace nilas

@@ -1,0 +1,130 @@
+#include "core/output/output_file.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+
+#include "core/base/error.h"
+#include "tests/core/output/sample_run.h"
+
+namespace nilas {
+namespace {
+
+using test::content;
+using test::ScratchFolder;
+
+/// Files stop growing at `bytes`, as on a disk that fills in the middle of a row.
+class SizeLimit {
+ public:
+  explicit SizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~SizeLimit() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int);
+};
+
+TEST(OutputFile, EveryPieceIsReadableAtOnce) {
+  const ScratchFolder folder;
+  OutputFile file(folder / "a.csv");
+  EXPECT_EQ(content(folder / "a.csv"), "");
+  file.append("one\n");
+  EXPECT_EQ(content(folder / "a.csv"), "one\n");
+  file.append("two\n");
+  EXPECT_EQ(content(folder / "a.csv"), "one\ntwo\n");
+}
+
+TEST(OutputFile, TheTailFollowsTheNewestPiece) {
+  const ScratchFolder folder;
+  OutputFile file(folder / "a.xml", "</all>");
+  file.append("<all>");
+  EXPECT_EQ(content(folder / "a.xml"), "<all></all>");
+  file.append("<x/>");
+  EXPECT_EQ(content(folder / "a.xml"), "<all><x/></all>");
+}
+
+TEST(OutputFile, OpeningEmptiesAnOlderFile) {
+  const ScratchFolder folder;
+  { OutputFile(folder / "a.csv").append("a long old text\n"); }
+  OutputFile file(folder / "a.csv");
+  file.append("new\n");
+  file.close();
+  EXPECT_EQ(content(folder / "a.csv"), "new\n");
+}
+
+TEST(OutputFile, APieceThatDoesNotFitLeavesTheFileWithWholePieces) {
+  const ScratchFolder folder;
+  OutputFile file(folder / "a.csv"), list(folder / "a.xml", "</all>");
+  file.append("0123456789\n");
+  list.append("<all>");
+  {
+    const SizeLimit limit(15);
+    EXPECT_THROW(file.append("abcdefgh\n"), FileError);
+    EXPECT_THROW(list.append("<x/><x/><x/>"), FileError);
+  }
+  EXPECT_EQ(content(folder / "a.csv"), "0123456789\n");
+  EXPECT_EQ(content(folder / "a.xml"), "<all></all>");
+  file.append("again\n");
+  EXPECT_EQ(content(folder / "a.csv"), "0123456789\nagain\n");
+}
+
+TEST(OutputFile, AFullDiskIsNamedWithTheFile) {
+  OutputFile file("/dev/full");
+  try {
+    file.append("row\n");
+    FAIL() << "a full device took a row";
+  } catch (const FileError& e) {
+    EXPECT_STREQ(e.what(), "/dev/full: cannot write: No space left on device");
+  }
+}
+
+TEST(OutputFile, AKilledProcessLeavesItsRows) {
+  const ScratchFolder folder;
+  const pid_t child = ::fork();
+  if (child == 0) {
+    OutputFile file(folder / "a.csv");
+    for (int row = 0; row < 1000; ++row) file.append("row\n");
+    std::raise(SIGKILL);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFSIGNALED(status));
+  EXPECT_EQ(test::lines(folder / "a.csv").size(), 1000u);
+}
+
+TEST(OutputFile, AFileThatCannotBeOpenedIsAFileError) {
+  const ScratchFolder folder;
+  EXPECT_THROW(OutputFile(folder / "absent/a.csv"), FileError);
+}
+
+TEST(WriteWhole, ReplacesTheFileAndLeavesNoTemporaryOne) {
+  const ScratchFolder folder;
+  write_whole(folder / "a.json", "old and long");
+  write_whole(folder / "a.json", "new");
+  EXPECT_EQ(content(folder / "a.json"), "new");
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.json.part"));
+}
+
+TEST(WriteWhole, KeepsTheOldFileWhenTheNewDoesNotFit) {
+  const ScratchFolder folder;
+  write_whole(folder / "a.json", "old");
+  {
+    const SizeLimit limit(10);
+    EXPECT_THROW(write_whole(folder / "a.json", "longer than ten bytes"), FileError);
+  }
+  EXPECT_EQ(content(folder / "a.json"), "old");
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.json.part"));
+}
+
+}  // namespace
+}  // namespace nilas

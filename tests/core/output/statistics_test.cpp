@@ -1,0 +1,87 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "core/output/load_statistics.h"
+#include "core/output/run_statistics.h"
+#include "tests/core/output/sample_run.h"
+
+namespace nilas {
+namespace {
+
+using test::full_record;
+using test::full_run;
+
+TEST(LoadStatistics, OfAKnownSeries) {
+  std::vector<double> series(101);
+  std::iota(series.begin(), series.end(), -100.0);  // -100 .. 0
+  const LoadStatistics s = load_statistics(series);
+  EXPECT_DOUBLE_EQ(s.mean, -50);
+  EXPECT_DOUBLE_EQ(s.std, std::sqrt((101.0 * 101.0 - 1) / 12));
+  EXPECT_EQ(s.max, 100);
+  EXPECT_DOUBLE_EQ(s.p99, 99);
+  EXPECT_DOUBLE_EQ(load_statistics({0, 10}).p99, 9.9);
+  EXPECT_EQ(load_statistics({-3}).p99, 3);
+  EXPECT_EQ(load_statistics({}).max, 0);
+}
+
+TEST(RunStatistics, KeepsTheWorstWithItsTime) {
+  RunStatistics statistics(full_run());
+  statistics.start(0, Ledger{});
+  StepRecord record = full_record();
+  const std::vector<double> values(30, 1);
+  for (const double x : {1.0, -3.0, 2.0}) {
+    record.ledger.imbalance = x;
+    record.residuals.natural_map_m_s = std::abs(x);
+    statistics.add(record, values);
+    record.t += 0.01;
+  }
+  EXPECT_EQ(statistics.worst("imbalance_J").value, -3);
+  EXPECT_DOUBLE_EQ(statistics.worst("imbalance_J").time, 0.02);
+  EXPECT_EQ(statistics.worst("natural_map_m_s").value, 3);
+  EXPECT_DOUBLE_EQ(statistics.worst("momentum_imbalance_relative").value, 1e-13 / 2);
+  EXPECT_EQ(statistics.steps(), 3);
+  EXPECT_EQ(statistics.load_series(0).size(), 3u);
+  EXPECT_EQ(statistics.mean_ms(Phase::detection), 2);
+}
+
+TEST(RunStatistics, AValueThatIsNotANumberIsTheWorst) {
+  RunStatistics statistics(full_run());
+  StepRecord record = full_record();
+  const std::vector<double> values(30, 1);
+  record.residuals.law_map_m_s = std::numeric_limits<double>::quiet_NaN();
+  statistics.add(record, values);
+  record.residuals.law_map_m_s = 1;
+  statistics.add(record, values);
+  EXPECT_TRUE(std::isnan(statistics.worst("law_map_m_s").value));
+}
+
+TEST(RunStatistics, EnergyPutInAddsTheAbsoluteWorksOfAllSteps) {
+  RunStatistics statistics(full_run());
+  Ledger start;
+  start.kinetic = 2;
+  start.works = {0, 0};
+  statistics.start(0, start);
+  StepRecord record = full_record();
+  const std::vector<double> values(30, 1);
+  record.ledger.works = {1, -4};
+  statistics.add(record, values);
+  record.ledger.works = {0, -4};
+  record.ledger.imbalance = 0.8;
+  statistics.add(record, values);
+  EXPECT_DOUBLE_EQ(statistics.energy_put_in(), 2 + 1 + 4 + 1);
+  EXPECT_DOUBLE_EQ(statistics.relative_imbalance(), 0.1);
+}
+
+TEST(RunStatistics, NothingMissingFromNothingIsABalance) {
+  RunInfo info;
+  RunStatistics statistics(info);
+  statistics.add(StepRecord{}, {});
+  EXPECT_EQ(statistics.relative_imbalance(), 0);
+  EXPECT_EQ(statistics.worst("momentum_imbalance_relative").value, 0);
+}
+
+}  // namespace
+}  // namespace nilas
