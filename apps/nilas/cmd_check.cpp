@@ -1,0 +1,88 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "apps/nilas/commands.h"
+#include "apps/nilas/scene_flags.h"
+#include "contact/detect/detector.h"
+#include "core/sim/world.h"
+
+namespace nilas {
+
+namespace {
+
+struct CheckOptions {
+  SceneFlags scene;
+  bool json = false;
+};
+
+struct Estimate {
+  int bodies = 0, contacts = 0;
+  double memory_MB = 0;
+};
+
+/// Contacts within one per cent of a typical floe's size, and the memory that bodies and contacts take.
+Estimate estimate(const WorldParts& parts) {
+  double radius = 0;
+  std::size_t bytes = 0;
+  const Bodies& bodies = parts.bodies;
+  for (std::size_t b = 0; b < bodies.shape.size(); ++b) {
+    const Shape& shape = *bodies.shape[b];
+    if (bodies.kind[b] == BodyKind::floe) radius += shape.bounding_radius / std::max(parts.info.floes, 1);
+    constexpr std::size_t k_bytes_per_vertex = 400;  // vertices, faces, adjacency and the narrow phase's copy
+    for (const auto& part : shape.parts) bytes += k_bytes_per_vertex * part.vertices.size();
+    bytes += shape.surface.triangles.size() * sizeof(std::array<int, 3>) + shape.surface.vertices.size() * sizeof(Vec3);
+  }
+  Estimate e;
+  e.bodies = bodies.size();
+  ContactDetector detector;
+  constexpr double k_touching_share = 0.01;
+  e.contacts = static_cast<int>(detector.detect(bodies, k_touching_share * radius + 1e-6).size());
+  constexpr std::size_t k_bytes_per_body = 2000, k_bytes_per_contact = 2000;
+  bytes += static_cast<std::size_t>(e.bodies) * k_bytes_per_body + static_cast<std::size_t>(e.contacts) * k_bytes_per_contact;
+  e.memory_MB = static_cast<double>(bytes) / 1e6;
+  return e;
+}
+
+int check(const CheckOptions& options) {
+  const Scene scene = read_flagged_scene(options.scene);
+  WarningCounts warnings(make_logger(options.json ? "off" : "warn", ""));
+  const WorldParts parts = build_world(scene, 1, warnings);
+  const Estimate e = estimate(parts);
+  if (options.json) {
+    auto modules = nlohmann::ordered_json::object();
+    for (const auto& [name, why] : parts.info.modules) modules[name] = why;
+    const nlohmann::ordered_json result{{"scene", scene.name},          {"valid", true},
+                                        {"modules", modules},           {"not_built", parts.info.not_built},
+                                        {"notes", scene.notes},         {"bodies", e.bodies},
+                                        {"floes", parts.info.floes},    {"contacts_estimated", e.contacts},
+                                        {"memory_MB_estimated", e.memory_MB}};
+    std::cout << result.dump(2) << "\n";
+    return exit_done;
+  }
+  std::cout << fmt::format("{}: valid\n\nrequired by the scene:\n", scene.file.string());
+  for (const auto& [name, why] : parts.info.modules) std::cout << fmt::format("  {:<26} {}\n", name, why);
+  std::cout << fmt::format("  {:<26} law {}, solver {}\n", "contact", scene.contact.law, scene.contact.solver);
+  std::cout << "not asked for, so not built:\n ";
+  for (const auto& name : parts.info.not_built) std::cout << " " << name;
+  std::cout << "\n";
+  for (const auto& note : scene.notes) std::cout << "note: " << note << "\n";
+  std::cout << fmt::format("\n{} bodies ({} floes), about {} contacts, about {:.0f} MB, {:.0f} steps of {} s\n", e.bodies,
+                           parts.info.floes, e.contacts, std::ceil(e.memory_MB),
+                           std::round((scene.time.end - scene.time.start) / scene.time.step), scene.time.step);
+  return exit_done;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand("check", "validates a scene without running it; says what it requires");
+  auto options = std::make_shared<CheckOptions>();
+  add_scene_flags(*command, options->scene);
+  command->add_flag("--json", options->json, "the result as JSON on stdout");
+  command->callback([&action, options] { action = [options] { return check(*options); }; });
+}
+
+}  // namespace nilas

@@ -1,0 +1,22 @@
+#include <iostream>
+
+#include "apps/nilas/commands.h"
+#include "core/scene/schema.h"
+
+namespace nilas {
+
+void add_schema(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand("schema", "prints the scene schema");
+  auto markdown = std::make_shared<bool>(false);
+  auto xsd = std::make_shared<bool>(true);
+  command->add_flag("--xsd", *xsd, "as an XML Schema (the default)");
+  command->add_flag("--markdown", *markdown, "as the scene reference page of the documentation");
+  command->callback([&action, markdown] {
+    action = [markdown] {
+      std::cout << (*markdown ? schema_markdown() : schema_xsd());
+      return exit_done;
+    };
+  });
+}
+
+}  // namespace nilas

@@ -1,0 +1,32 @@
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "apps/nilas/commands.h"
+#include "contact/registry.h"
+
+namespace nilas {
+
+static int list_solvers(bool json) {
+  auto list = nlohmann::ordered_json::array();
+  for (const auto& entry : solver_registry()) {
+    std::string laws;
+    auto names = nlohmann::ordered_json::array();
+    for (const Law law : entry.laws) {
+      laws += (laws.empty() ? "" : ", ") + std::string(to_string(law));
+      names.push_back(to_string(law));
+    }
+    list.push_back({{"name", entry.name}, {"laws", names}, {"summary", entry.summary}});
+    if (!json) std::cout << entry.name << "\n  laws: " << laws << "\n  " << entry.summary << "\n";
+  }
+  if (json) std::cout << list.dump(2) << "\n";
+  return exit_done;
+}
+
+void add_solvers(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand("solvers", "lists the contact solvers and the laws each can solve");
+  auto json = std::make_shared<bool>(false);
+  command->add_flag("--json", *json, "machine-readable list on stdout");
+  command->callback([&action, json] { action = [json] { return list_solvers(*json); }; });
+}
+
+}  // namespace nilas

@@ -1,0 +1,22 @@
+#pragma once
+/// The subcommands: each adds its flags to the program and, when chosen, sets the action to run.
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+
+namespace nilas {
+
+/// What the chosen subcommand does; returns the exit code.
+using Action = std::function<int()>;
+
+void add_run(CLI::App& app, Action& action);
+void add_check(CLI::App& app, Action& action);
+void add_hull(CLI::App& app, Action& action);
+void add_field(CLI::App& app, Action& action);
+void add_solvers(CLI::App& app, Action& action);
+void add_schema(CLI::App& app, Action& action);
+
+/// Exit codes of every command.
+enum ExitCode { exit_done = 0, exit_bad_input = 2, exit_numerics = 3, exit_file = 4, exit_interrupted = 130 };
+
+}  // namespace nilas

@@ -1,0 +1,33 @@
+#include "apps/nilas/scene_flags.h"
+
+#include <fmt/format.h>
+
+
+namespace nilas {
+
+void add_scene_flags(CLI::App& command, SceneFlags& flags) {
+  command.add_option("scene", flags.file, "scene file (XML)")->required();
+  command.add_option("--until", flags.until, "end time instead of the scene's [s]");
+  command.add_option("--dt", flags.dt, "time step instead of the scene's [s]");
+  command.add_option("--solver", flags.solver, "contact solver instead of the scene's (see `nilas solvers`)");
+  command.add_option("--law", flags.law, "contact law instead of the scene's");
+  command.add_option("--seed", flags.seed, "random seed instead of the scene's");
+  command
+      .add_option("--set", flags.set,
+                  "PATH=VALUE: overrides one attribute, e.g. contact/@tolerance=1e-8 or "
+                  "\"body[@name='box']/@mass=2\" (repeatable)")
+      ->allow_extra_args(false);
+}
+
+Scene read_flagged_scene(const SceneFlags& flags) {
+  Overrides overrides;
+  for (const auto& text : flags.set) overrides.push_back(split_override(text));
+  if (flags.until) overrides.emplace_back("time/@end", fmt::format("{}", *flags.until));
+  if (flags.dt) overrides.emplace_back("time/@step", fmt::format("{}", *flags.dt));
+  if (flags.solver) overrides.emplace_back("contact/@solver", *flags.solver);
+  if (flags.law) overrides.emplace_back("contact/@law", *flags.law);
+  if (flags.seed) overrides.emplace_back("seed/@value", fmt::format("{}", *flags.seed));
+  return read_scene(flags.file, overrides);
+}
+
+}  // namespace nilas

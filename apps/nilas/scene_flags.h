@@ -1,0 +1,25 @@
+#pragma once
+/// Flags that name a scene and override parts of it, shared by the commands that read one.
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/scene/read_scene.h"
+
+namespace nilas {
+
+struct SceneFlags {
+  std::string file;
+  std::vector<std::string> set;
+  std::optional<double> until, dt;
+  std::optional<std::string> solver, law;
+  std::optional<long> seed;
+};
+
+/// Adds SCENE and the override flags to a command.
+void add_scene_flags(CLI::App& command, SceneFlags& flags);
+/// Reads the scene with the overrides applied. Throws InputError for a --set that is not PATH=VALUE.
+Scene read_flagged_scene(const SceneFlags& flags);
+
+}  // namespace nilas

@@ -1,0 +1,217 @@
+/// The command line as a user meets it: exit codes, messages, refusals, interruption.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/program.h"
+
+namespace {
+
+using namespace nilas_test;
+
+constexpr const char* k_box = R"(<scene version="1" name="box">
+  <time step="0.01" start="0" end="0.2"/>
+  <contact law="coulomb" solver="pgs" tolerance="1e-9">
+    <friction between="structure structure" static="0.3" kinetic="0.3"/>
+  </contact>
+  <body name="ground" shape="plane" fixed="true"/>
+  <body name="box" shape="box" size="1 1 1" mass="2" position="0 0 0.5" velocity="1 0 0"/>
+</scene>
+)";
+
+bool mentions(const std::string& text, const std::string& word) { return text.find(word) != std::string::npos; }
+
+TEST(Cli, HelpNamesEveryCommand) {
+  const ScratchFolder folder;
+  const auto help = run_nilas("--help", folder.path());
+  EXPECT_EQ(help.exit_code, 0);
+  for (const char* command : {"run", "check", "hull", "field", "solvers", "schema"}) {
+    EXPECT_TRUE(mentions(help.out, command)) << command;
+    EXPECT_EQ(run_nilas(std::string(command) + " --help", folder.path()).exit_code, 0) << command;
+  }
+}
+
+TEST(Cli, UsageErrorsExitWithTwo) {
+  const ScratchFolder folder;
+  EXPECT_EQ(run_nilas("", folder.path()).exit_code, 2);
+  EXPECT_EQ(run_nilas("fly", folder.path()).exit_code, 2);
+  EXPECT_EQ(run_nilas("run", folder.path()).exit_code, 2);
+  EXPECT_EQ(run_nilas("run scene.xml --threads none", folder.path()).exit_code, 2);
+}
+
+TEST(Cli, ADryBoxRunsAndStops) {
+  const ScratchFolder folder;
+  folder.write("box.xml", k_box);
+  const auto result = run_nilas("run box.xml --out run --json", folder.path());
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto summary = nlohmann::json::parse(result.out);
+  EXPECT_EQ(summary["status"], "done");
+  EXPECT_EQ(summary["steps"], 20);
+  for (const char* file : {"scene.xml", "steps.csv", "bodies.csv", "summary.json", "nilas.log", "trajectory.pvd"})
+    EXPECT_TRUE(fs::exists(folder.path() / "run" / file)) << file;
+  EXPECT_FALSE(fs::exists(folder.path() / "run" / "vessel.csv")) << "no vessel, no vessel.csv";
+  // sliding friction: v = v0 - mu g t
+  const Table bodies(folder.path() / "run/bodies.csv");
+  EXPECT_NEAR(bodies["vx_m_s"].back(), 1 - 0.3 * 9.81 * 0.2, 1e-8);
+}
+
+TEST(Cli, FiveFaultsGiveFiveMessagesWithPlaces) {
+  const ScratchFolder folder;
+  folder.write("bad.xml", R"(<scene version="1" name="bad">
+  <time step="0.01" start="5" end="1"/>
+  <contcat law="coulomb"/>
+  <body name="a" shape="box" mass="-2"/>
+  <body name="b" shape="bxo"/>
+  <water densty="1025"/>
+</scene>
+)");
+  const auto result = run_nilas("run bad.xml --out run", folder.path());
+  EXPECT_EQ(result.exit_code, 2);
+  for (const char* place : {"bad.xml:2:", "bad.xml:3:", "bad.xml:4:", "bad.xml:5:", "bad.xml:6:"})
+    EXPECT_TRUE(mentions(result.err, place)) << place << "\n" << result.err;
+  EXPECT_TRUE(mentions(result.err, "contact"));
+  EXPECT_TRUE(mentions(result.err, "density"));
+  EXPECT_TRUE(mentions(result.err, "5 faults")) << result.err;
+  EXPECT_FALSE(fs::exists(folder.path() / "run")) << "nothing is written for a scene that cannot run";
+}
+
+TEST(Cli, MissingFilesAndUnwritableOutput) {
+  const ScratchFolder folder;
+  folder.write("box.xml", k_box);
+  EXPECT_EQ(run_nilas("run none.xml", folder.path()).exit_code, 4);
+  folder.write("file", "not a folder");
+  EXPECT_EQ(run_nilas("run box.xml --out file/run", folder.path()).exit_code, 4);
+  fs::create_directories(folder.path() / "full");
+  folder.write("full/notes.txt", "mine");
+  const auto refused = run_nilas("run box.xml --out full", folder.path());
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_TRUE(mentions(refused.err, "--force"));
+  EXPECT_EQ(run_nilas("run box.xml --out full --force --quiet", folder.path()).exit_code, 0);
+  EXPECT_EQ(read_text(folder.path() / "full/notes.txt"), "mine");
+}
+
+constexpr const char* k_ship = R"(<scene version="1" name="ship">
+  <time end="0.1"/>
+  <water density="1000"/>
+  <hydro><buoyancy/></hydro>
+  <vessel name="ship" hull="HULL" position="0 0"><mass draught="0.2"/></vessel>
+</scene>
+)";
+
+std::string ship_with(const std::string& hull) {
+  std::string text = k_ship;
+  return text.replace(text.find("HULL"), 4, hull);
+}
+
+TEST(Cli, AMissingHullAndAnOpenHullAreNamed) {
+  const ScratchFolder folder;
+  folder.write("missing.xml", ship_with("nowhere"));
+  const auto missing = run_nilas("check missing.xml", folder.path());
+  EXPECT_EQ(missing.exit_code, 2);
+  EXPECT_TRUE(mentions(missing.err, "nowhere")) << missing.err;
+
+  // a tetrahedron without its fourth face
+  folder.write("open.stl",
+               "solid open\n"
+               "facet normal 0 0 -1\nouter loop\nvertex 0 0 0\nvertex 0 1 0\nvertex 1 0 0\nendloop\nendfacet\n"
+               "facet normal 0 -1 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 0 1\nendloop\nendfacet\n"
+               "facet normal -1 0 0\nouter loop\nvertex 0 0 0\nvertex 0 0 1\nvertex 0 1 0\nendloop\nendfacet\n"
+               "endsolid open\n");
+  folder.write("open.xml", ship_with("open.stl"));
+  const auto open = run_nilas("check open.xml", folder.path());
+  EXPECT_EQ(open.exit_code, 2);
+  EXPECT_TRUE(mentions(open.err, "open.stl")) << open.err;
+  EXPECT_TRUE(mentions(open.err, "open edge")) << open.err;
+}
+
+TEST(Cli, OverlappingFloesAreNamed) {
+  const ScratchFolder folder;
+  folder.write("overlap.xml", R"(<scene version="1" name="overlap">
+  <time end="0.1"/>
+  <ice thickness="0.1">
+    <floe name="left" outline="0 0 1 0 1 1 0 1"/>
+    <floe name="right" outline="0.9 0 2 0 2 1 0.9 1"/>
+  </ice>
+</scene>
+)");
+  const auto result = run_nilas("run overlap.xml --out run", folder.path());
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_TRUE(mentions(result.err, "left") && mentions(result.err, "right")) << result.err;
+}
+
+TEST(Cli, WhatIsNotBuiltIsRefusedPlainly) {
+  const ScratchFolder folder;
+  folder.write("fracture.xml", R"(<scene version="1" name="f">
+  <ice><floe outline="0 0 1 0 1 1"/></ice>
+  <fracture flexural_strength="4e4"/>
+</scene>
+)");
+  const auto result = run_nilas("check fracture.xml", folder.path());
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_TRUE(mentions(result.err, "fracture.xml:3:")) << result.err;
+  EXPECT_TRUE(mentions(result.err, "not built")) << result.err;
+}
+
+TEST(Cli, InterruptionLeavesCompleteOutputs) {
+  const ScratchFolder folder;
+  folder.write("box.xml", k_box);
+  const std::string command = "cd '" + folder.path().string() + "' && timeout -s INT 1 '" NILAS_PROGRAM
+                              "' run box.xml --until 100000 --out run >out.txt 2>err.txt";
+  const int status = std::system(command.c_str());
+  // timeout reports 124 when it sent the signal, whatever the program answered; the summary holds the program's own code
+  EXPECT_EQ(WEXITSTATUS(status), 124);
+  const auto summary = nlohmann::json::parse(read_text(folder.path() / "run/summary.json"));
+  EXPECT_EQ(summary["status"], "interrupted");
+  EXPECT_EQ(summary["exit_code"], 130);
+  const Table steps(folder.path() / "run/steps.csv");
+  EXPECT_EQ(static_cast<long>(steps.rows()), summary["steps"].get<long>());
+}
+
+TEST(Cli, SetOverridesOneAttribute) {
+  const ScratchFolder folder;
+  folder.write("box.xml", k_box);
+  ASSERT_EQ(run_nilas("run box.xml --quiet --out run --set \"body[@name='box']/@velocity=2 0 0\" --dt 0.005 --until 0.1",
+                      folder.path())
+                .exit_code,
+            0);
+  const Table bodies(folder.path() / "run/bodies.csv");
+  EXPECT_NEAR(bodies["vx_m_s"].back(), 2 - 0.3 * 9.81 * 0.1, 1e-8);
+  const auto wrong = run_nilas("check box.xml --set contact/@tolerence=1", folder.path());
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_TRUE(mentions(wrong.err, "tolerance")) << wrong.err;
+}
+
+TEST(Cli, CheckSaysWhatIsBuilt) {
+  const ScratchFolder folder;
+  const auto result = run_nilas("check '" + shipped_scene("mirror-25.xml").string() + "' --json", folder.path());
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_TRUE(json["modules"].contains("buoyancy"));
+  EXPECT_EQ(json["floes"], 50);
+  const auto& absent = json["not_built"];
+  EXPECT_NE(std::find(absent.begin(), absent.end(), "fracture"), absent.end());
+}
+
+TEST(Cli, HullGenerateReportsAndWritesAFolderThatScenesTake) {
+  const ScratchFolder folder;
+  const auto made = run_nilas("hull --generate icebreaker --length 3 --beam 0.6 --draught 0.2 --stem-angle 30 "
+                              "--triangles 1000 --out ship --json",
+                              folder.path());
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const auto report = nlohmann::json::parse(made.out);
+  EXPECT_TRUE(report["closed"].get<bool>());
+  EXPECT_TRUE(report["symmetric"].get<bool>());
+  EXPECT_GT(report["volume_m3"].get<double>(), 0);
+  folder.write("ship.xml", ship_with("ship"));
+  EXPECT_EQ(run_nilas("run ship.xml --quiet --out run", folder.path()).exit_code, 0);
+}
+
+TEST(Cli, SchemaIsXml) {
+  const ScratchFolder folder;
+  const auto xsd = run_nilas("schema --xsd", folder.path());
+  EXPECT_EQ(xsd.exit_code, 0);
+  EXPECT_TRUE(mentions(xsd.out, "<xs:schema"));
+}
+
+}  // namespace
