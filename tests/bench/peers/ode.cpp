@@ -1,0 +1,161 @@
+/// The packed scene on ODE: QuickStep in double precision, first friction direction along the slip.
+/// usage: peer_ode SCENE SWEEPS
+#include <ode/ode.h>
+
+#include <memory>
+
+#include "tests/bench/peers/floe_scene.h"
+
+namespace {
+
+struct Touch {
+  dContact contact;
+  dBodyID a, b;
+};
+
+struct World {
+  dWorldID world = dWorldCreate();
+  dSpaceID space = dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ);
+  dJointGroupID joints = dJointGroupCreate(0);
+  std::vector<std::unique_ptr<std::vector<dReal>>> numbers;
+  std::vector<std::unique_ptr<std::vector<unsigned>>> indices;
+  std::vector<Touch> touches;
+  double friction = 0;
+};
+
+/// ODE keeps pointers into the arrays, so they live as long as the world.
+dGeomID prism(World& w, const std::vector<peers::Point>& outline, double bottom, double top) {
+  auto planes = std::make_unique<std::vector<dReal>>();
+  auto points = std::make_unique<std::vector<dReal>>();
+  auto polygons = std::make_unique<std::vector<unsigned>>();
+  const auto n = static_cast<unsigned>(outline.size());
+  for (const double z : {bottom, top})
+    for (const auto& p : outline) points->insert(points->end(), {p.x, p.y, z});
+  for (unsigned i = 0; i < n; ++i) {
+    const unsigned j = (i + 1) % n;
+    const double ex = outline[j].x - outline[i].x, ey = outline[j].y - outline[i].y, l = std::hypot(ex, ey);
+    planes->insert(planes->end(), {ey / l, -ex / l, 0, (ey * outline[i].x - ex * outline[i].y) / l});
+    polygons->insert(polygons->end(), {4u, i, j, n + j, n + i});
+  }
+  planes->insert(planes->end(), {0, 0, -1, -bottom, 0, 0, 1, top});
+  polygons->push_back(n);
+  for (unsigned i = 0; i < n; ++i) polygons->push_back(n - 1 - i);
+  polygons->push_back(n);
+  for (unsigned i = 0; i < n; ++i) polygons->push_back(n + i);
+  const dGeomID geom = dCreateConvex(w.space, planes->data(), n + 2, points->data(), 2 * n, polygons->data());
+  w.numbers.push_back(std::move(planes));
+  w.numbers.push_back(std::move(points));
+  w.indices.push_back(std::move(polygons));
+  return geom;
+}
+
+void collide(void* data, dGeomID g1, dGeomID g2) {
+  auto* w = static_cast<World*>(data);
+  const dBodyID a = dGeomGetBody(g1), b = dGeomGetBody(g2);
+  if (!a && !b) return;
+  constexpr int k_most = 8;
+  constexpr double k_slow = 1e-6;  // [m/s] no slip direction is known below
+  dContactGeom found[k_most];
+  const int n = dCollide(g1, g2, k_most, found, sizeof(dContactGeom));
+  for (int i = 0; i < n; ++i) {
+    Touch touch{};
+    touch.a = a;
+    touch.b = b;
+    touch.contact.geom = found[i];
+    touch.contact.surface.mode = dContactApprox1;
+    touch.contact.surface.mu = w->friction;
+    dVector3 va{}, vb{};
+    const dReal* p = found[i].pos;
+    if (a) dBodyGetPointVel(a, p[0], p[1], p[2], va);
+    if (b) dBodyGetPointVel(b, p[0], p[1], p[2], vb);
+    double slip[3], along = 0, norm = 0;
+    for (int k = 0; k < 3; ++k) along += (va[k] - vb[k]) * found[i].normal[k];
+    for (int k = 0; k < 3; ++k) {
+      slip[k] = va[k] - vb[k] - along * found[i].normal[k];
+      norm += slip[k] * slip[k];
+    }
+    norm = std::sqrt(norm);
+    if (norm > k_slow) {
+      touch.contact.surface.mode |= dContactFDir1;
+      for (int k = 0; k < 3; ++k) touch.contact.fdir1[k] = slip[k] / norm;
+    }
+    w->touches.push_back(touch);
+  }
+}
+
+dBodyID add_floe(World& w, const peers::FloeScene& s, const peers::Floe& f) {
+  const dBodyID body = dBodyCreate(w.world);
+  dMass mass;
+  dMassSetParameters(&mass, f.mass, 0, 0, 0, f.inertia[0], f.inertia[1], f.inertia[2], 0, 0, 0);
+  dBodySetMass(body, &mass);
+  dBodySetPosition(body, f.centre.x, f.centre.y, s.mid_plane());
+  dMatrix3 R;
+  dRFromAxisAndAngle(R, 0, 0, 1, f.yaw);
+  dBodySetRotation(body, R);
+  dGeomSetBody(prism(w, f.outline, -s.thickness / 2, s.thickness / 2), body);
+  return body;
+}
+
+peers::BodyState state(dBodyID body) {
+  peers::BodyState q{};
+  const dReal *p = dBodyGetPosition(body), *v = dBodyGetLinearVel(body), *a = dBodyGetAngularVel(body), *R = dBodyGetRotation(body);
+  for (int i = 0; i < 3; ++i) {
+    q.p[i] = p[i];
+    q.v[i] = v[i];
+    q.w[i] = a[i];
+    for (int j = 0; j < 3; ++j) q.R[i][j] = R[4 * i + j];
+  }
+  return q;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 3) return 2;
+  const peers::FloeScene s = peers::read(argv[1]);
+  const int sweeps = std::atoi(argv[2]);
+  dInitODE2(0);
+  World w;
+  w.friction = s.friction;
+  dWorldSetGravity(w.world, 0, 0, -s.gravity);
+  dWorldSetQuickStepNumIterations(w.world, sweeps);
+  std::vector<dBodyID> floes;
+  for (const auto& f : s.floes) floes.push_back(add_floe(w, s, f));
+  const dBodyID hull = dBodyCreate(w.world);
+  dBodySetKinematic(hull);
+  dGeomSetBody(prism(w, s.hull_outline(), s.hull_bottom, s.hull_top), hull);
+  dCreatePlane(w.space, 1, 0, 0, s.x0);
+  dCreatePlane(w.space, -1, 0, 0, -s.x1);
+  dCreatePlane(w.space, 0, 1, 0, s.y0);
+  dCreatePlane(w.space, 0, -1, 0, -s.y1);
+
+  std::vector<peers::Parts> window;
+  double contacts = 0, penetration = 0;
+  for (int n = 0; n < peers::k_last_measured; ++n) {
+    const double t0 = peers::now_ms();
+    for (std::size_t i = 0; i < floes.size(); ++i) {
+      const peers::Load load = peers::water_load(s, s.floes[i], state(floes[i]));
+      dBodyAddForce(floes[i], load.f[0], load.f[1], load.f[2]);
+      dBodyAddTorque(floes[i], load.t[0], load.t[1], load.t[2]);
+    }
+    dBodySetPosition(hull, s.hull_x + s.hull_speed * n * s.step, 0, 0);
+    dBodySetLinearVel(hull, s.hull_speed, 0, 0);
+    const double t1 = peers::now_ms();
+    w.touches.clear();
+    dSpaceCollide(w.space, &w, &collide);
+    const double t2 = peers::now_ms();
+    for (auto& touch : w.touches) dJointAttach(dJointCreateContact(w.world, w.joints, &touch.contact), touch.a, touch.b);
+    dWorldQuickStep(w.world, s.step);
+    dJointGroupEmpty(w.joints);
+    const double t3 = peers::now_ms();
+    if (n < peers::k_first_measured) continue;
+    window.push_back({t2 - t1, t3 - t2, t1 - t0, t3 - t0});
+    for (const auto& touch : w.touches) {
+      contacts += 1;
+      penetration = std::max(penetration, static_cast<double>(touch.contact.geom.depth));
+    }
+  }
+  peers::print_row("ode", s.floes.size(), sweeps, window, contacts / static_cast<double>(window.size()),
+                   penetration / s.thickness);
+  dCloseODE();
+}
