@@ -23,16 +23,16 @@ ContactProblem movable_graph(const AssembledContacts& contacts, bool move_articu
   return graph;
 }
 
-/// Contacts of all islands with some depth beyond the slop and something to move.
+/// Contacts of all islands with something to move and a depth beyond `smallest` [m].
 std::vector<int> contacts_to_correct(const ContactProblem& graph, const std::vector<ContactPoint>& points,
-                                     double slop) {
+                                     double smallest) {
   std::vector<int> chosen;
-  if (std::none_of(points.begin(), points.end(), [&](const ContactPoint& c) { return -c.gap > slop; })) return chosen;
+  if (std::none_of(points.begin(), points.end(), [&](const ContactPoint& c) { return -c.gap > smallest; })) return chosen;
   for (const auto& island : find_islands(graph)) {
     const auto& first = graph.pairs[static_cast<std::size_t>(island.front())];
     if (first.a < 0 && first.b < 0) continue;
     const bool deep = std::any_of(island.begin(), island.end(),
-                                  [&](int c) { return -points[static_cast<std::size_t>(c)].gap > slop; });
+                                  [&](int c) { return -points[static_cast<std::size_t>(c)].gap > smallest; });
     if (deep) chosen.insert(chosen.end(), island.begin(), island.end());
   }
   return chosen;
@@ -119,7 +119,9 @@ PositionCorrection position_correction(const AssembledContacts& contacts, const 
   PositionCorrection out;
   out.v = VecX::Zero(contacts.problem.num_velocities());
   const ContactProblem graph = movable_graph(contacts, settings.move_articulated);
-  const std::vector<int> chosen = contacts_to_correct(graph, points, settings.slop);
+  // a speed below the solver's tolerance would be met by standing still
+  const double smallest = settings.slop + settings.solver.tolerance * settings.h / settings.erp;
+  const std::vector<int> chosen = settings.erp > 0 ? contacts_to_correct(graph, points, smallest) : std::vector<int>{};
   if (chosen.empty()) return out;
 
   CorrectionProblem correction(contacts.problem, settings);

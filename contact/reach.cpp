@@ -4,43 +4,62 @@
 
 namespace nilas {
 
-std::vector<double> own_reach(const Bodies& bodies, double h, double share, double gravity) {
-  const auto n = static_cast<std::size_t>(bodies.size());
-  Vec3 mean = Vec3::Zero();
+namespace {
+
+Vec3 mean_free_velocity(const Bodies& bodies) {
+  Vec3 sum = Vec3::Zero();
   double free = 0;
-  for (std::size_t b = 0; b < n; ++b)
-    if (bodies.motion[b] == Motion::free) {
-      mean += bodies.v_GB[b];
+  for (int b = 0; b < bodies.size(); ++b)
+    if (bodies.is_free(b)) {
+      sum += bodies.v_GB[static_cast<std::size_t>(b)];
       free += 1;
     }
-  if (free > 0) mean /= free;
-  std::vector<double> reach(n);
-  for (std::size_t b = 0; b < n; ++b) {
-    const bool fixed = bodies.motion[b] == Motion::fixed;
-    const double speed =
-        fixed ? mean.norm() : (bodies.v_GB[b] - mean).norm() + bodies.w_GB[b].norm() * bodies.shape[b]->bounding_radius;
-    reach[b] = share * h * (speed + (fixed ? 0 : h * gravity));
+  return free > 0 ? Vec3(sum / free) : sum;
+}
+
+}  // namespace
+
+std::vector<double> own_reach(const Bodies& bodies, const Wrenches& loads, double h, double share) {
+  const Vec3 mean = mean_free_velocity(bodies);
+  std::vector<double> reach(static_cast<std::size_t>(bodies.size()));
+  for (std::size_t b = 0; b < reach.size(); ++b) {
+    Vec3 v = bodies.v_GB[b] - mean, w = bodies.w_GB[b];
+    if (bodies.motion[b] == Motion::free) {
+      const Mat3& R = bodies.R_GB[b];
+      v += h / bodies.mass[b] * loads[b].force;
+      w += R * (bodies.inertia_inverse_B[b] * (R.transpose() * (h * loads[b].torque)));
+    }
+    const double radius = bodies.motion[b] == Motion::fixed ? 0 : bodies.shape[b]->bounding_radius;
+    reach[b] = share * h * (v.norm() + w.norm() * radius);
   }
   return reach;
 }
 
-void drop_out_of_reach(std::vector<ContactPoint>& points, std::vector<double> reach) {
-  // longest reach along chains: repeated relaxation, which ends because a reach only grows and gaps are paid on the way
-  const auto at = [&](int b) -> double& { return reach[static_cast<std::size_t>(b)]; };
+void drop_out_of_reach(const Bodies& bodies, const std::vector<double>& own, std::vector<ContactPoint>& points) {
+  std::vector<double> reach = own;
+  const auto index = [](int b) { return static_cast<std::size_t>(b); };
+  /// Hands on what a body of index `from` can reach; true when that is more than `to` could by itself.
+  const auto push = [&](std::size_t from, std::size_t to, double gap) {
+    if (!bodies.is_free(static_cast<int>(to))) return false;
+    const double share = bodies.is_free(static_cast<int>(from)) ? bodies.mass[from] / (bodies.mass[from] + bodies.mass[to]) : 1;
+    const double pushed = share * (reach[from] - gap);
+    if (pushed <= reach[to]) return false;
+    reach[to] = pushed;
+    return true;
+  };
+  // repeated relaxation ends, because every hop loses a share of the reach
   for (bool changed = true; changed;) {
     changed = false;
     for (const auto& c : points) {
-      const double gap = std::max(c.gap, 0.0), from_a = at(c.a) - gap, from_b = at(c.b) - gap;
-      if (from_a > at(c.b)) {
-        at(c.b) = from_a;
-        changed = true;
-      } else if (from_b > at(c.a)) {
-        at(c.a) = from_b;
-        changed = true;
-      }
+      const double gap = std::max(c.gap, 0.0);
+      changed = push(index(c.a), index(c.b), gap) || changed;
+      changed = push(index(c.b), index(c.a), gap) || changed;
     }
   }
-  std::erase_if(points, [&](const ContactPoint& c) { return c.gap >= at(c.a) + at(c.b); });
+  std::erase_if(points, [&](const ContactPoint& c) {
+    const std::size_t a = index(c.a), b = index(c.b);
+    return c.gap > 0 && c.gap >= std::max(reach[a] + own[b], own[a] + reach[b]);
+  });
 }
 
 }  // namespace nilas

@@ -46,8 +46,8 @@ class AxisSearch {
   /// axis at once. Most pairs that no face settles are of this kind.
   bool try_shown_crossing() {
     const OverlayPoint* nearest = nearest_shown();
-    if (nearest == nullptr || nearest->edge_a < 0) return false;
-    choose_two_edges(pair_, nearest->edge_a, nearest->edge_b, room_.edges);
+    if (nearest == nullptr || nearest->feature.kind != FeatureKind::crossing) return false;
+    choose_two_edges(pair_, nearest->feature.first, nearest->feature.second, room_.edges);
     Axis next = best_;
     try_crossing_edges(pair_, room_.edges, next);
     if (next.s <= best_.s + pair_.tolerance) return false;

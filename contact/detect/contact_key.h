@@ -1,8 +1,28 @@
 #pragma once
-/// 64-bit names of touching features. A name is made of ids and the numbers of features only, so it lives as long as the features do.
+/// Names of touching features, and 64-bit keys made of them. A name holds numbers of vertices, edges and faces within their
+/// parts only, so it lives as long as the features do.
+#include <compare>
 #include <cstdint>
 
 namespace nilas {
+
+/// What meets at a contact point.
+enum class FeatureKind {
+  vertex_a,      ///< a vertex of A on B's surface
+  vertex_b,      ///< a vertex of B on A's surface
+  crossing,      ///< edge of A, edge of B
+  window_sides,  ///< two sides of the window that do not follow each other
+  support_sets,  ///< nearest points of whole supporting features, by one vertex of each
+  rim,           ///< of a cylinder
+  edge,
+  face
+};
+
+struct Feature {
+  FeatureKind kind = FeatureKind::vertex_a;
+  int first = -1, second = -1;
+  friend auto operator<=>(const Feature&, const Feature&) = default;
+};
 
 /// SplitMix64's finaliser over both words [Steele, Lea, Flood 2014].
 inline std::uint64_t mix(std::uint64_t seed, std::uint64_t word) {
@@ -12,20 +32,11 @@ inline std::uint64_t mix(std::uint64_t seed, std::uint64_t word) {
   return z ^ (z >> 31);
 }
 
-/// What meets at a contact point.
-enum class FeatureKind : std::uint64_t {
-  vertex_a = 1,
-  vertex_b,
-  crossing,      ///< edge of A and edge of B
-  support_sets,  ///< nearest points of whole supporting features
-  rim,           ///< of a cylinder
-  face
-};
-
-/// Numbers of vertices, edges or faces within their parts.
-inline std::uint64_t feature_tag(FeatureKind kind, std::int64_t first, std::int64_t second = 0) {
-  return mix(mix(static_cast<std::uint64_t>(kind), static_cast<std::uint64_t>(first)),
-             static_cast<std::uint64_t>(second));
+/// `pair` names two parts.
+inline std::uint64_t contact_key(std::uint64_t pair, const Feature& feature) {
+  const auto first = static_cast<std::uint64_t>(static_cast<std::uint32_t>(feature.first));
+  const auto second = static_cast<std::uint64_t>(static_cast<std::uint32_t>(feature.second));
+  return mix(mix(pair, static_cast<std::uint64_t>(feature.kind)), first << 32 | second);
 }
 
 }  // namespace nilas

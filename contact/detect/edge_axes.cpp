@@ -59,7 +59,7 @@ void edges_at_support(const FacetedGeometry& facets, const Vec3& n, double toler
   int face = -1;
   for (int v : vertices) {
     out.insert(out.end(), facets.vertex_edges[v].begin(), facets.vertex_edges[v].end());
-    for (int f : facets.polytope->vertex_faces[v])
+    for (int f : facets.vertex_faces[v])
       if (face < 0 || facets.polytope->normals[f].dot(n) > facets.polytope->normals[face].dot(n)) face = f;
   }
   if (face >= 0) out.insert(out.end(), facets.face_edges[face].begin(), facets.face_edges[face].end());

@@ -1,5 +1,8 @@
 #include "contact/detect/face_axes.h"
 
+#include <algorithm>
+#include <vector>
+
 #include "contact/detect/axis_choice.h"
 
 namespace nilas {
@@ -28,47 +31,82 @@ struct FaceSearch {
   }
 };
 
-/// Cutting planes: every point of y bounds the separation along each face normal of x from above, so most faces are never
-/// tried. The bounds start from the ball inside y; each face that is tried adds the point of y nearest to its plane.
-template <class Bounds>
-void search_faces(const FaceSearch& search, double enough, Axis& best) {
+/// Heights of a point over all faces.
+auto heights_of(const FacetedGeometry& facets, const Vec3& p) {
+  return facets.normals.col(0) * p.x() + facets.normals.col(1) * p.y() + facets.normals.col(2) * p.z() - facets.offsets;
+}
+
+/// Puts face f of x to the test; returns the point of y nearest to its plane, in x's frame.
+Vec3 try_face(const FaceSearch& search, int f, Axis& best) {
   const FacetedGeometry& facets = *search.x().facets;
   const RelativePose& y_in_x = search.y_in_x();
-  const auto heights = [&facets](const Vec3& p) {
-    return facets.normals.col(0) * p.x() + facets.normals.col(1) * p.y() + facets.normals.col(2) * p.z() -
-           facets.offsets;
-  };
-  Bounds bound = heights(y_in_x.point(search.y().centre)) - search.y().inner_radius;
+  const Vec3& n = facets.polytope->normals[f];
+  const Vec3 nearest = y_in_x.point(support_point(search.y(), -(y_in_x.R.transpose() * n)));
+  const Axis axis = search.axis(f, n.dot(nearest) - facets.offsets[f]);
+  if (beats(search.pair, axis.n, axis.s, best)) best = axis;
+  return nearest;
+}
+
+// Cutting planes: every point of y bounds the separation along each face normal of x from above, so most faces are never
+// tried. The bounds start from the ball inside y; each face that is tried adds the point of y nearest to its plane.
+
+constexpr int k_few_faces = 32;
+
+void search_few_faces(const FaceSearch& search, double enough, Axis& best) {
+  const FacetedGeometry& facets = *search.x().facets;
+  Eigen::Array<double, Eigen::Dynamic, 1, 0, k_few_faces, 1> bound =
+      heights_of(facets, search.y_in_x().point(search.y().centre)) - search.y().inner_radius;
   for (;;) {
     Eigen::Index f = 0;
     if (bound.maxCoeff(&f) < best.s - search.pair.tolerance) return;
-    const Vec3& n = facets.polytope->normals[f];
-    const Vec3 nearest = y_in_x.point(support_point(search.y(), -(y_in_x.R.transpose() * n)));
-    const Axis axis = search.axis(static_cast<int>(f), n.dot(nearest) - facets.offsets[f]);
-    if (beats(search.pair, axis.n, axis.s, best)) best = axis;
+    const Vec3 nearest = try_face(search, static_cast<int>(f), best);
     if (best.s > enough) return;
-    bound = bound.min(heights(nearest));
+    bound = bound.min(heights_of(facets, nearest));
     bound[f] = -std::numeric_limits<double>::infinity();
   }
 }
 
-void search_faces_of(const PairView& pair, AxisKind kind, double enough, Axis& best) {
-  constexpr int k_on_stack = 32;
-  using Few = Eigen::Array<double, Eigen::Dynamic, 1, 0, k_on_stack, 1>;
+/// As above, with a list of the faces still in question.
+void search_many_faces(const FaceSearch& search, double enough, Axis& best) {
+  const FacetedGeometry& facets = *search.x().facets;
+  Eigen::ArrayXd bound = heights_of(facets, search.y_in_x().point(search.y().centre)) - search.y().inner_radius;
+  Eigen::Index first = 0;
+  bound.maxCoeff(&first);
+  bound = bound.min(heights_of(facets, try_face(search, static_cast<int>(first), best)));
+  std::vector<int> open;
+  const auto in_question = [&](int f) { return bound[f] >= best.s - search.pair.tolerance; };
+  for (int f = 0; f < static_cast<int>(bound.size()); ++f)
+    if (f != first && in_question(f)) open.push_back(f);
+  while (!open.empty() && best.s <= enough) {
+    const auto highest = std::max_element(open.begin(), open.end(), [&](int f, int g) { return bound[f] < bound[g]; });
+    const int f = *highest;
+    open.erase(highest);
+    const Vec3 nearest = try_face(search, f, best);
+    std::erase_if(open, [&](int g) {
+      bound[g] = std::min(bound[g], facets.polytope->normals[g].dot(nearest) - facets.offsets[g]);
+      return !in_question(g);
+    });
+  }
+}
+
+void search_faces(const PairView& pair, AxisKind kind, double enough, Axis& best) {
   const FaceSearch search{pair, kind};
-  if (!search.x().facets) return;
-  if (search.x().facets->normals.rows() <= k_on_stack)
-    search_faces<Few>(search, enough, best);
+  if (!search.x().facets || best.s > enough) return;
+  if (search.x().facets->normals.rows() <= k_few_faces)
+    search_few_faces(search, enough, best);
   else
-    search_faces<Eigen::ArrayXd>(search, enough, best);
+    search_many_faces(search, enough, best);
 }
 
 }  // namespace
 
 Axis best_face_axis(const PairView& pair, double enough) {
   Axis best;
-  search_faces_of(pair, AxisKind::face_a, enough, best);
-  if (best.s <= enough) search_faces_of(pair, AxisKind::face_b, enough, best);
+  // The fewer faces first: they leave few of the many in question.
+  const auto count = [](const Part& part) { return part.facets ? part.facets->normals.rows() : Eigen::Index{0}; };
+  const bool a_first = count(pair.a) <= count(pair.b);
+  search_faces(pair, a_first ? AxisKind::face_a : AxisKind::face_b, enough, best);
+  search_faces(pair, a_first ? AxisKind::face_b : AxisKind::face_a, enough, best);
   return best;
 }
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "contact/detect/contact_key.h"
 #include "contact/detect/edge_axes.h"
 #include "contact/detect/point_reduction.h"
 
@@ -28,11 +27,11 @@ void lay_over(const SurfaceLoop& a, const SurfaceLoop& b, double tolerance, Faci
 constexpr double k_parallel_sine = 1e-6;
 
 /// Points that two neighbouring faces share come once.
-void drop_repeated_tags(std::vector<OverlayPoint>& points) {
+void drop_repeated(std::vector<OverlayPoint>& points) {
   std::sort(points.begin(), points.end(), [](const OverlayPoint& p, const OverlayPoint& q) {
-    return p.tag != q.tag ? p.tag < q.tag : p.gap < q.gap;
+    return p.feature != q.feature ? p.feature < q.feature : p.gap < q.gap;
   });
-  const auto same = [](const OverlayPoint& p, const OverlayPoint& q) { return p.tag == q.tag; };
+  const auto same = [](const OverlayPoint& p, const OverlayPoint& q) { return p.feature == q.feature; };
   points.erase(std::unique(points.begin(), points.end(), same), points.end());
 }
 
@@ -62,12 +61,6 @@ SupportSet support_set(const PatchView& view, const ContactPlane& plane, double 
 }
 
 Vec3 in_plane(const LoopCorner& c) { return {c.u, c.v, 0}; }
-
-std::uint64_t set_tag(const SupportSet& set) {
-  std::uint64_t tag = feature_tag(FeatureKind::support_sets, 0);
-  for (const LoopCorner& c : set.corners) tag = mix(tag, static_cast<std::uint64_t>(c.vertex));
-  return tag;
-}
 
 /// Place along p's segment in the middle of what lies beside q's [-].
 double middle_of_overlap(const Vec3& p, const Vec3& along_p, const Vec3& q, const Vec3& along_q) {
@@ -116,8 +109,9 @@ void face_each_other(const PairView& pair, const Axis& axis, FacingSurfaces& fac
   const int face_a = axis.kind == AxisKind::face_a ? axis.feature_a : -1;
   const int face_b = axis.kind == AxisKind::face_b ? axis.feature_b : -1;
   facing.plane = contact_plane(axis.n);
-  show_surface({pair.a, k_own_frame, 1.0, face_a}, facing.plane, pair.tolerance, facing.a);
-  show_surface({pair.b, pair.b_in_a, -1.0, face_b}, facing.plane, pair.tolerance, facing.b);
+  const double slack = pair.margin - axis.s;
+  show_surface({pair.a, k_own_frame, 1.0, face_a, slack}, facing.plane, pair.tolerance, facing.a);
+  show_surface({pair.b, pair.b_in_a, -1.0, face_b, slack}, facing.plane, pair.tolerance, facing.b);
   facing.points.clear();
   for (int i = 0; i < facing.a.size(); ++i)
     for (int j = 0; j < facing.b.size(); ++j) lay_over(facing.a[i], facing.b[j], pair.tolerance, facing);
@@ -128,18 +122,19 @@ void face_each_other(const PairView& pair, const Axis& axis, FacingSurfaces& fac
 void select_points(const PairView& pair, const Axis& axis, FacingSurfaces& facing) {
   auto& points = facing.points;
   const bool one_face_each = facing.a.size() * facing.b.size() == 1 && pair.a.facets && pair.b.facets;
-  if (!one_face_each) drop_repeated_tags(points);
+  if (!one_face_each) drop_repeated(points);
   points.erase(std::remove_if(points.begin(), points.end(),
                               [&](const OverlayPoint& p) { return !(p.gap < pair.margin); }),
                points.end());
   if (!(facing.smallest_gap <= axis.s + pair.tolerance) && axis.s < pair.margin) {
     static const RelativePose k_own_frame;
-    SupportSet a = support_set({pair.a, k_own_frame, 1.0, -1}, facing.plane, pair.tolerance);
-    SupportSet b = support_set({pair.b, pair.b_in_a, -1.0, -1}, facing.plane, pair.tolerance);
+    SupportSet a = support_set({pair.a, k_own_frame, 1.0}, facing.plane, pair.tolerance);
+    SupportSet b = support_set({pair.b, pair.b_in_a, -1.0}, facing.plane, pair.tolerance);
     reduce_to_ends(a, pair.tolerance);
     reduce_to_ends(b, pair.tolerance);
     const Vec3 p = meeting_point(a, b);
-    points.push_back({p.x(), p.y(), mix(set_tag(a), set_tag(b)), -1, -1, a.height, axis.s});
+    const Feature feature{FeatureKind::support_sets, a.corners.front().vertex, b.corners.front().vertex};
+    points.push_back({p.x(), p.y(), feature, a.height, axis.s});
   }
   keep_spread_points(pair.tolerance, pair.margin, points);
 }

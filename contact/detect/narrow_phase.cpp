@@ -62,7 +62,7 @@ void primitive_pair(const Bodies& bodies, const Part& a, const Part& b, double m
     point.p = bodies.p_GB[host.body] + R * contact.p;
     point.n = a_hosts ? Vec3(R * contact.n) : Vec3(-(R * contact.n));
     point.gap = contact.gap;
-    point.key = mix(key, contact.tag);
+    point.key = contact_key(key, contact.feature);
   }
 }
 
@@ -85,7 +85,7 @@ void polytope_or_cylinder_pair(const Bodies& bodies, const Part& a, const Part& 
     point.p = bodies.p_GB[a.body] + R * x;
     point.n = n_G;
     point.gap = p.gap;
-    point.key = mix(key, p.tag);
+    point.key = contact_key(key, p.feature);
   }
 }
 

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "contact/detect/contact_key.h"
-
 namespace nilas {
 
 namespace {
@@ -23,7 +21,7 @@ NearestPoint on_sphere(const Part& part, const Vec3& x) {
 /// Below this share of the radius a point counts as on the surface, where the line to its nearest point has no direction.
 constexpr double k_rounding = 1e-14;
 
-enum CylinderFeature : std::uint64_t { side, cap, rim };
+const Feature k_side{FeatureKind::face, 0, -1}, k_cap{FeatureKind::face, 1, -1}, k_rim{FeatureKind::rim, 0, -1};
 
 NearestPoint on_cylinder(const Part& part, const Vec3& x) {
   const double r = std::sqrt(x.x() * x.x() + x.y() * x.y());
@@ -34,10 +32,10 @@ NearestPoint on_cylinder(const Part& part, const Vec3& x) {
   if (beyond_side > 0 && beyond_cap > 0) {
     const Vec3 point = part.radius * radial + part.half_height * axial;
     const double distance = (x - point).norm();
-    return {point, (x - point) / distance, distance, rim};
+    return {point, (x - point) / distance, distance, k_rim};
   }
-  if (beyond_side > beyond_cap) return {x - beyond_side * radial, radial, beyond_side, side};
-  return {x - beyond_cap * axial, axial, beyond_cap, cap};
+  if (beyond_side > beyond_cap) return {x - beyond_side * radial, radial, beyond_side, k_side};
+  return {x - beyond_cap * axial, axial, beyond_cap, k_cap};
 }
 
 /// Nearest point of an edge with its name: the edge's or that of an end.
@@ -49,9 +47,9 @@ NearestPoint on_edge(const FacetedGeometry& facets, int e, const Vec3& x) {
   nearest.point = start + t * edge.along;
   nearest.distance = (x - nearest.point).norm();
   if (t > 0 && t < 1)
-    nearest.feature = feature_tag(FeatureKind::crossing, e);
+    nearest.feature = {FeatureKind::edge, e, -1};
   else
-    nearest.feature = feature_tag(FeatureKind::vertex_a, t > 0 ? edge.v1 : edge.v0);
+    nearest.feature = {FeatureKind::vertex_a, t > 0 ? edge.v1 : edge.v0, -1};
   return nearest;
 }
 
@@ -74,7 +72,7 @@ NearestPoint outside_polytope(const FacetedGeometry& facets, const Eigen::ArrayX
     const double height = heights[f];
     if (height <= 0 || height >= best.distance) continue;
     if (projects_inside(polytope, f, x))
-      return {x - height * polytope.normals[f], polytope.normals[f], height, feature_tag(FeatureKind::face, f)};
+      return {x - height * polytope.normals[f], polytope.normals[f], height, {FeatureKind::face, f, -1}};
     for (int e : facets.face_edges[f]) {
       const NearestPoint nearest = on_edge(facets, e, x);
       if (nearest.distance < best.distance) best = nearest;
@@ -91,7 +89,7 @@ NearestPoint on_polytope(const FacetedGeometry& facets, const Vec3& x) {
   const double height = heights.maxCoeff(&nearest);
   if (height > k_rounding * facets.polytope->radius) return outside_polytope(facets, heights, x);
   const Vec3& n = facets.polytope->normals[nearest];
-  return {x - height * n, n, height, feature_tag(FeatureKind::face, nearest)};
+  return {x - height * n, n, height, {FeatureKind::face, static_cast<int>(nearest), -1}};
 }
 
 }  // namespace

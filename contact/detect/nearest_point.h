@@ -1,7 +1,6 @@
 #pragma once
 /// The point of a part's surface nearest to a given point.
-#include <cstdint>
-
+#include "contact/detect/contact_key.h"
 #include "contact/detect/part.h"
 
 namespace nilas {
@@ -10,7 +9,7 @@ struct NearestPoint {
   Vec3 point = Vec3::Zero();    ///< on the surface, in the part's frame
   Vec3 normal = Vec3::UnitX();  ///< unit, outward, along the line through both points
   double distance = 0;          ///< signed: < 0 when the given point is inside [m]
-  std::uint64_t feature = 0;    ///< name of the face, edge or vertex it lies on
+  Feature feature;              ///< the face, edge or vertex it lies on
 };
 
 /// Exact for polytope, cylinder and sphere. Inside, the way out through the nearest face (cap, side).

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "contact/detect/contact_key.h"
-
 namespace nilas {
 
 namespace {
@@ -38,30 +36,23 @@ Side side_of(const SurfaceLoop& loop, std::size_t k, double sign) {
   return {0.5 * (p.u + q.u), 0.5 * (p.v + q.v), scale * du, scale * dv};
 }
 
-/// Names of points made by cutting, with A's features always first.
+/// Makes points by cutting; A's features are named first.
 struct Cutter {
   const SurfaceLoop& window;
   bool a_is_window;
 
-  /// Names the point where the edge that begins at `from` meets a side of the window.
-  void name(const Corner& from, int side, Corner& point) const {
+  /// What meets where the edge that begins at `from` leaves through a side of the window.
+  Feature feature(const Corner& from, int side) const {
     const int window_edge = window.corners[side].edge;
-    if (from.side < 0) {
-      point.crossed_subject = from.edge;
-      point.crossed_window = window_edge;
-      point.tag = a_is_window ? feature_tag(FeatureKind::crossing, window_edge, from.edge)
-                              : feature_tag(FeatureKind::crossing, from.edge, window_edge);
-      return;
-    }
+    if (from.side < 0)
+      return a_is_window ? Feature{FeatureKind::crossing, window_edge, from.edge}
+                         : Feature{FeatureKind::crossing, from.edge, window_edge};
     // The edge lies on an earlier side of the window: the point is the window's corner between both.
     const int count = static_cast<int>(window.corners.size());
     const FeatureKind kind = a_is_window ? FeatureKind::vertex_a : FeatureKind::vertex_b;
-    if (from.side == (side + 1) % count)
-      point.tag = feature_tag(kind, window.corners[from.side].vertex);
-    else if (side == (from.side + 1) % count)
-      point.tag = feature_tag(kind, window.corners[side].vertex);
-    else
-      point.tag = mix(feature_tag(FeatureKind::crossing, window.corners[from.side].edge), window_edge);
+    if (from.side == (side + 1) % count) return {kind, window.corners[from.side].vertex, -1};
+    if (side == (from.side + 1) % count) return {kind, window.corners[side].vertex, -1};
+    return {FeatureKind::window_sides, window.corners[from.side].edge, window_edge};
   }
 
   /// Always from the inner corner to the outer one, whichever way the loop runs.
@@ -70,7 +61,7 @@ struct Cutter {
     Corner corner;
     corner.u = inner.u + t * (outer.u - inner.u);
     corner.v = inner.v + t * (outer.v - inner.v);
-    name(from, side, corner);
+    corner.feature = feature(from, side);
     return corner;
   }
 };
@@ -106,7 +97,7 @@ void clip(const SurfaceLoop& loop_a, const SurfaceLoop& loop_b, bool a_is_window
   const double sign = twice_area(cutter.window) < 0 ? -1.0 : 1.0;
   buffers.now.clear();
   for (const LoopCorner& c : subject.corners)
-    buffers.now.push_back({c.u, c.v, feature_tag(kind, c.vertex), -1, -1, c.edge, -1, 0});
+    buffers.now.push_back({c.u, c.v, {kind, c.vertex, -1}, c.edge, -1, 0});
   for (std::size_t k = 0; k < cutter.window.corners.size() && !buffers.now.empty(); ++k) {
     const Side side = side_of(cutter.window, k, sign);
     double least = 0;
@@ -117,17 +108,8 @@ void clip(const SurfaceLoop& loop_a, const SurfaceLoop& loop_b, bool a_is_window
   }
   for (const Corner& c : buffers.now) {
     const double height_a = loop_a.height(c.u, c.v);
-    const int edge_a = a_is_window ? c.crossed_window : c.crossed_subject;
-    const int edge_b = a_is_window ? c.crossed_subject : c.crossed_window;
-    points.push_back({c.u, c.v, c.tag, edge_a, edge_b, height_a, loop_b.height(c.u, c.v) - height_a});
+    points.push_back({c.u, c.v, c.feature, height_a, loop_b.height(c.u, c.v) - height_a});
   }
-}
-
-double inset(const SurfaceLoop& loop, double u, double v) {
-  const double sign = twice_area(loop) < 0 ? -1.0 : 1.0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < loop.corners.size(); ++k) least = std::min(least, side_of(loop, k, sign).distance(u, v));
-  return least;
 }
 
 }  // namespace nilas

@@ -1,8 +1,8 @@
 #pragma once
 /// Two convex polygons of surface seen along the contact normal, one cut by the other.
-#include <cstdint>
 #include <vector>
 
+#include "contact/detect/contact_key.h"
 #include "core/base/math.h"
 
 namespace nilas {
@@ -25,8 +25,7 @@ struct SurfaceLoop {
 /// A point of the common area of two loops.
 struct OverlayPoint {
   double u = 0, v = 0;
-  std::uint64_t tag = 0;  ///< of the features that meet there
-  int edge_a = -1, edge_b = -1;  ///< the edges, where two cross
+  Feature feature;        ///< what meets there
   double height_a = 0;    ///< of A's surface there [m]
   double gap = 0;         ///< from A's surface to B's along the normal [m]
 };
@@ -35,8 +34,7 @@ struct OverlayPoint {
 struct ClipBuffers {
   struct Corner {
     double u = 0, v = 0;
-    std::uint64_t tag = 0;  ///< finished name of the point
-    int crossed_subject = -1, crossed_window = -1;  ///< edges that cross at the point
+    Feature feature;
     int edge = -1;          ///< the subject's edge to the next corner
     int side = -1;          ///< side of the window the edge to the next corner lies on, or -1: on the subject's own
     double distance = 0;    ///< inside the side at work [m]
@@ -48,8 +46,5 @@ struct ClipBuffers {
 /// the front should. Corners within `tolerance` [m] of a side of the window count as lying on it.
 void clip(const SurfaceLoop& loop_a, const SurfaceLoop& loop_b, bool a_is_window, double tolerance, ClipBuffers& buffers,
           std::vector<OverlayPoint>& points);
-
-/// Least distance from (u, v) to the sides of a loop: > 0 inside [m]. The loop may wind either way.
-double inset(const SurfaceLoop& loop, double u, double v);
 
 }  // namespace nilas

@@ -36,30 +36,39 @@ std::vector<EdgeSide> edge_sides(const ConvexPolytope& polytope) {
 }
 
 void add_edges(const ConvexPolytope& polytope, FacetedGeometry& facets) {
-  facets.vertex_edges.resize(polytope.vertices.size());
-  for (const auto& loop : polytope.faces) facets.face_edges.emplace_back(loop.size(), -1);
+  std::vector<std::vector<int>> of_vertex(polytope.vertices.size()), of_face;
+  for (const auto& loop : polytope.faces) of_face.emplace_back(loop.size(), -1);
   for (const auto& [v0, v1, f, k] : edge_sides(polytope)) {
     if (facets.edges.empty() || facets.edges.back().v0 != v0 || facets.edges.back().v1 != v1) {
       const int e = static_cast<int>(facets.edges.size());
       facets.edges.push_back({v0, v1, f, f, polytope.vertices[v1] - polytope.vertices[v0], Vec3::Zero()});
-      facets.vertex_edges[v0].push_back(e);
-      facets.vertex_edges[v1].push_back(e);
+      of_vertex[v0].push_back(e);
+      of_vertex[v1].push_back(e);
     }
     PartEdge& edge = facets.edges.back();
     edge.f1 = f;
     edge.arc = polytope.normals[f].cross(polytope.normals[edge.f0]);
-    facets.face_edges[f][k] = static_cast<int>(facets.edges.size()) - 1;
+    of_face[f][k] = static_cast<int>(facets.edges.size()) - 1;
+  }
+  for (std::size_t f = 0; f < of_face.size(); ++f) {
+    facets.face_vertices.add(polytope.faces[f]);
+    facets.face_edges.add(of_face[f]);
+  }
+  for (std::size_t v = 0; v < of_vertex.size(); ++v) {
+    facets.vertex_faces.add(polytope.vertex_faces[v]);
+    facets.vertex_edges.add(of_vertex[v]);
   }
 }
 
 void add_smooth_neighbours(const ConvexPolytope& polytope, FacetedGeometry& facets) {
-  facets.smooth_neighbours.resize(polytope.faces.size());
+  std::vector<std::vector<int>> neighbours(polytope.faces.size());
   const double smooth = std::cos(2.0 * k_patch_angle);
   for (const PartEdge& edge : facets.edges) {
     if (edge.f0 == edge.f1 || polytope.normals[edge.f0].dot(polytope.normals[edge.f1]) < smooth) continue;
-    facets.smooth_neighbours[edge.f0].push_back(edge.f1);
-    facets.smooth_neighbours[edge.f1].push_back(edge.f0);
+    neighbours[edge.f0].push_back(edge.f1);
+    neighbours[edge.f1].push_back(edge.f0);
   }
+  for (const auto& list : neighbours) facets.smooth_neighbours.add(list);
 }
 
 double face_excess(const ConvexPolytope& polytope, int plane, int loop) {
@@ -83,7 +92,7 @@ double roughness(const ConvexPolytope& polytope, const FacetedGeometry& facets) 
 constexpr int k_cells = 4;
 constexpr int k_cube_faces = 6;
 /// Up to here trying all vertices is quicker than walking over the surface.
-constexpr Eigen::Index k_few_vertices = 48;
+constexpr int k_few_vertices = 48;
 
 int cell_along(double ratio) {
   const int cell = static_cast<int>(std::floor((ratio + 1.0) * 0.5 * k_cells));
@@ -221,7 +230,15 @@ int support_vertex(const FacetedGeometry& facets, const Vec3& n) {
 }
 
 void support_vertices(const FacetedGeometry& facets, const Vec3& n, double tolerance, std::vector<int>& out) {
-  out.assign(1, support_vertex(facets, n));
+  if (facets.start_vertices.empty()) {
+    const Eigen::Array<double, Eigen::Dynamic, 1, 0, k_few_vertices, 1> all = heights(facets, n);
+    const double least = all.maxCoeff() - tolerance;
+    out.clear();
+    for (int v = 0; v < static_cast<int>(all.size()); ++v)
+      if (all[v] >= least) out.push_back(v);
+    return;
+  }
+  out.assign(1, climb(facets, n));
   const double least = height(facets, out[0], n) - tolerance;
   for (std::size_t i = 0; i < out.size(); ++i)
     for (int v : facets.polytope->vertex_neighbours[out[i]])

@@ -3,6 +3,7 @@
 /// of it again and again laid out for it.
 #include <array>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/base/math.h"
@@ -21,6 +22,21 @@ struct PartEdge {
   Vec3 arc = Vec3::Zero();    ///< normal of f1 x normal of f0, across the plane of the edge's normals
 };
 
+/// Lists of numbers, one after the other in memory.
+class NumberLists {
+ public:
+  void add(const std::vector<int>& list) {
+    items_.insert(items_.end(), list.begin(), list.end());
+    start_.push_back(static_cast<int>(items_.size()));
+  }
+  std::span<const int> operator[](int i) const {
+    return {items_.data() + start_[i], items_.data() + start_[i + 1]};
+  }
+
+ private:
+  std::vector<int> start_{0}, items_;
+};
+
 /// A polytope with one coordinate per column, so that one pass serves all vertices or all faces.
 struct FacetedGeometry {
   const ConvexPolytope* polytope = nullptr;
@@ -28,9 +44,10 @@ struct FacetedGeometry {
   Eigen::Array<double, Eigen::Dynamic, 3> normals;
   Eigen::ArrayXd offsets;
   std::vector<PartEdge> edges;
-  std::vector<std::vector<int>> vertex_edges;
-  std::vector<std::vector<int>> face_edges;         ///< edge k joins loop vertices k and k + 1
-  std::vector<std::vector<int>> smooth_neighbours;  ///< faces across an edge that turn by less than twice the patch angle
+  NumberLists face_vertices;      ///< loops, counter-clockwise from outside
+  NumberLists face_edges;         ///< edge k joins loop vertices k and k + 1
+  NumberLists vertex_faces, vertex_edges;
+  NumberLists smooth_neighbours;  ///< faces across an edge that turn by less than twice the patch angle
   std::vector<int> start_vertices;  ///< support vertex per cell of directions; empty where all vertices are tried
   double roughness = 0;             ///< how far vertices stand off the plane of their face or over a neighbour's [m]
 };
@@ -60,7 +77,7 @@ std::vector<Part> make_parts(const Bodies& bodies, int b);
 double extent(const Part& part, const Vec3& n);
 /// A vertex of the polytope where n . x is largest.
 int support_vertex(const FacetedGeometry& facets, const Vec3& n);
-/// All vertices, joined by edges to a support vertex, where n . x is within `tolerance` of the largest, in rising order.
+/// All vertices where n . x is within `tolerance` [m] of the largest, in rising order.
 void support_vertices(const FacetedGeometry& facets, const Vec3& n, double tolerance, std::vector<int>& out);
 
 

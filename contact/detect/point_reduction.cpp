@@ -11,6 +11,8 @@ namespace {
 
 /// Above this many points the number of quadrilaterals (1820 at 16) is not worth its time; flat ones are dropped first.
 constexpr std::size_t k_most_candidates = 16;
+/// Power of a point's closeness: half way to the margin counts 1/256 of touching.
+constexpr double k_sharpness = 8;
 /// Gaps that differ by less than this share of the points' reach are alike, whatever the margin [-].
 constexpr double k_least_slope = 1e-4;
 /// Weight of the points' spread beside their area [-]: decides where they lie in line and span none.
@@ -138,7 +140,7 @@ class SetChoice {
     double product = 1;
     for (int i : four) {
       const double share = 1 - (points_[i].gap - deepest_) / range_;
-      product *= share * share;
+      product *= std::pow(share, k_sharpness);
     }
     return product;
   }

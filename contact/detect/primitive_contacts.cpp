@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 
-#include "contact/detect/contact_key.h"
 #include "contact/detect/nearest_point.h"
 #include "contact/detect/point_reduction.h"
 
@@ -16,7 +15,7 @@ constexpr double k_upright = 1e-9;
 
 void keep_on_plane(const HostView& view, std::vector<OverlayPoint>& points, std::vector<LocalContact>& out) {
   keep_spread_points(k_length_resolution * view.guest.bounding_radius, view.margin, points);
-  for (const OverlayPoint& p : points) out.push_back({Vec3(p.u, p.v, 0.5 * p.gap), Vec3::UnitZ(), p.gap, p.tag});
+  for (const OverlayPoint& p : points) out.push_back({Vec3(p.u, p.v, 0.5 * p.gap), Vec3::UnitZ(), p.gap, p.feature});
 }
 
 void polytope_on_plane(const HostView& view, std::vector<LocalContact>& out) {
@@ -24,7 +23,7 @@ void polytope_on_plane(const HostView& view, std::vector<LocalContact>& out) {
   const auto& vertices = view.guest.facets->polytope->vertices;
   for (int v = 0; v < static_cast<int>(vertices.size()); ++v) {
     const Vec3 x = view.guest_in_host.point(vertices[v]);
-    if (x.z() < view.margin) points.push_back({x.x(), x.y(), feature_tag(FeatureKind::vertex_b, v), -1, -1, 0, x.z()});
+    if (x.z() < view.margin) points.push_back({x.x(), x.y(), {FeatureKind::vertex_b, v, -1}, 0, x.z()});
   }
   keep_on_plane(view, points, out);
 }
@@ -43,7 +42,7 @@ void cylinder_on_plane(const HostView& view, std::vector<LocalContact>& out) {
     const double z = k + 1 < rim.size() ? cap : -cap;
     const Vec3 x = view.guest_in_host.point(guest.radius * rim[k] + z * Vec3::UnitZ());
     const int name = 2 * static_cast<int>(k) + (z > 0 ? 1 : 0);
-    if (x.z() < view.margin) points.push_back({x.x(), x.y(), feature_tag(FeatureKind::rim, name), -1, -1, 0, x.z()});
+    if (x.z() < view.margin) points.push_back({x.x(), x.y(), {FeatureKind::rim, name, -1}, 0, x.z()});
   }
   keep_on_plane(view, points, out);
 }
@@ -61,7 +60,7 @@ void plane_contacts(const HostView& view, std::vector<LocalContact>& out) {
     case PartKind::sphere: {
       const Vec3 centre = view.guest_in_host.point(view.guest.centre);
       const double gap = centre.z() - view.guest.radius;
-      if (gap < view.margin) out.push_back({Vec3(centre.x(), centre.y(), 0.5 * gap), Vec3::UnitZ(), gap, 0});
+      if (gap < view.margin) out.push_back({Vec3(centre.x(), centre.y(), 0.5 * gap), Vec3::UnitZ(), gap, {}});
       return;
     }
     case PartKind::plane:

@@ -1,8 +1,8 @@
 #pragma once
 /// Contacts with closed forms: anything with a plane or a sphere.
-#include <cstdint>
 #include <vector>
 
+#include "contact/detect/contact_key.h"
 #include "contact/detect/pair_view.h"
 
 namespace nilas {
@@ -12,7 +12,7 @@ struct LocalContact {
   Vec3 p = Vec3::Zero();   ///< midway between the surfaces
   Vec3 n = Vec3::UnitX();  ///< from the host to the guest
   double gap = 0;          ///< [m]
-  std::uint64_t tag = 0;   ///< of the touching features
+  Feature feature;         ///< what of the parts touches
 };
 
 struct HostView {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "contact/detect/axis_choice.h"
 
@@ -11,6 +12,7 @@ namespace {
 
 /// Faces more inclined than this have no useful height over the contact plane.
 const double k_steep_cosine = std::cos(85.0 * k_deg);
+const double k_smooth_cosine = std::cos(k_patch_angle);
 /// A cylinder's cap or side line within this angle of the contact plane touches with all of it; beyond, a second point
 /// within the margin would lie less than six margins away from the first.
 const double k_flat_sine = std::sin(10.0 * k_deg);
@@ -44,10 +46,28 @@ struct Projection {
   }
 };
 
+double highest_corner(const FacetedGeometry& facets, int f, const Vec3& direction) {
+  double highest = -std::numeric_limits<double>::infinity();
+  for (int v : facets.face_vertices[f]) highest = std::max(highest, facets.polytope->vertices[v].dot(direction));
+  return highest;
+}
+
+/// Adds the faces joined to those of the patch by gentle edges.
+void grow_patch(const PatchView& view, const Vec3& direction, SurfacePatch& patch) {
+  const FacetedGeometry& facets = *view.part.facets;
+  if (patch.faces.empty() || facets.smooth_neighbours[patch.faces.front()].empty()) return;
+  const double least = highest_corner(facets, patch.faces.front(), direction) - view.slack;
+  for (std::size_t i = 0; i < patch.faces.size() && patch.faces.size() < k_most_faces; ++i)
+    for (int f : facets.smooth_neighbours[patch.faces[i]]) {
+      const bool known = std::find(patch.faces.begin(), patch.faces.end(), f) != patch.faces.end();
+      if (known || facets.polytope->normals[f].dot(direction) < k_smooth_cosine) continue;
+      if (highest_corner(facets, f, direction) >= least) patch.faces.push_back(f);
+    }
+}
+
 void collect_faces(const PatchView& view, const Vec3& direction, double tolerance, SurfacePatch& patch) {
   const FacetedGeometry& facets = *view.part.facets;
   const auto alignment = [&](int f) { return facets.polytope->normals[f].dot(direction); };
-  static const double k_smooth_cosine = std::cos(k_patch_angle);
   patch.faces.clear();
   if (view.face >= 0) {
     patch.faces.push_back(view.face);
@@ -56,27 +76,24 @@ void collect_faces(const PatchView& view, const Vec3& direction, double toleranc
     // the best face at each support vertex: along a supporting ridge of many facets that is a face beside each of its edges
     for (int v : patch.vertices) {
       double best = k_steep_cosine;
-      for (int f : facets.polytope->vertex_faces[v]) best = std::max(best, alignment(f));
+      for (int f : facets.vertex_faces[v]) best = std::max(best, alignment(f));
       const double least = std::min(best - k_alignment_tie, k_smooth_cosine);
-      for (int f : facets.polytope->vertex_faces[v])
+      for (int f : facets.vertex_faces[v])
         if (alignment(f) >= least && std::find(patch.faces.begin(), patch.faces.end(), f) == patch.faces.end())
           patch.faces.push_back(f);
     }
   }
-  for (std::size_t i = 0; i < patch.faces.size() && patch.faces.size() < k_most_faces; ++i)
-    for (int f : facets.smooth_neighbours[patch.faces[i]])
-      if (alignment(f) >= k_smooth_cosine && std::find(patch.faces.begin(), patch.faces.end(), f) == patch.faces.end())
-        patch.faces.push_back(f);
+  grow_patch(view, direction, patch);
 }
 
 void show_polytope(const PatchView& view, const Projection& projection, double tolerance, SurfacePatch& patch) {
   collect_faces(view, view.sign * projection.h, tolerance, patch);
-  const ConvexPolytope& polytope = *view.part.facets->polytope;
+  const FacetedGeometry& facets = *view.part.facets;
+  const ConvexPolytope& polytope = *facets.polytope;
   for (int f : patch.faces) {
     SurfaceLoop& loop = patch.add();
     projection.set_plane(polytope.normals[f], polytope.offsets[f], loop);
-    const std::vector<int>& vertices = polytope.faces[f];
-    const std::vector<int>& edges = view.part.facets->face_edges[f];
+    const std::span<const int> vertices = facets.face_vertices[f], edges = facets.face_edges[f];
     for (std::size_t k = 0; k < vertices.size(); ++k)
       loop.corners.push_back(projection.corner(polytope.vertices[vertices[k]], vertices[k], edges[k]));
   }

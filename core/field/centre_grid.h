@@ -25,7 +25,9 @@ class CentreGrid {
   }
 
  private:
-  int column(double x) const { return std::clamp(static_cast<int>(std::floor((x - low_.x()) / cell_)), 0, columns_ - 1); }
+  int column(double x) const {
+    return std::clamp(static_cast<int>(std::floor((x - low_.x()) / cell_)), 0, columns_ - 1);
+  }
   int row(double y) const { return std::clamp(static_cast<int>(std::floor((y - low_.y()) / cell_)), 0, rows_ - 1); }
   std::size_t cell_of(const Vec2& p) const { return static_cast<std::size_t>(column(p.x()) * rows_ + row(p.y())); }
 

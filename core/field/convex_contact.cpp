@@ -17,7 +17,8 @@ double edge_gap(const ConvexOutline& owner, const ConvexOutline& other, std::siz
   return lowest - (nx * owner.corners[edge].x() + ny * owner.corners[edge].y());
 }
 
-/// Tries every edge normal of `owner`. The deepest corner of `other` turns with the normal, so it is followed, not searched.
+/// Tries every edge normal of `owner`. The deepest corner of `other` turns with the normal, so it is followed, not
+/// searched.
 void keep_better_axis(const ConvexOutline& owner, const ConvexOutline& other, bool of_first, SeparatingAxis& best) {
   const std::size_t edges = owner.corners.size(), corners = other.corners.size();
   const auto height = [&](std::size_t edge, std::size_t corner) {

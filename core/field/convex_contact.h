@@ -27,10 +27,10 @@ double gap_on_axis(const ConvexOutline& first, const ConvexOutline& second, int 
 
 /// Up to two touching points of two outlines; both points share the normal.
 struct Touching {
-  Vec2 normal = Vec2::UnitX();     ///< unit, from the first outline to the second
+  Vec2 normal = Vec2::UnitX();  ///< unit, from the first outline to the second
   int count = 0;
-  Vec2 point[2];                   ///< [m]
-  double gap[2] = {0, 0};          ///< < 0: overlap [m]
+  Vec2 point[2];           ///< [m]
+  double gap[2] = {0, 0};  ///< < 0: overlap [m]
 };
 /// Ends of the incident edge, cut back to the reference edge where they lie beside it, whose gap is below `reach` [m].
 /// Of overlapping outlines one point has the overlap depth of the axis.

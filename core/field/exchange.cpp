@@ -92,7 +92,9 @@ void Exchange::try_move(int i) {
   if (overlap(i, trial.moved.centre, trial.outline, i) < before) keep(trial);
 }
 
-double Exchange::overlap_now(int floe) const { return overlap(floe, floes_[at(floe)].centre, outlines_[at(floe)], floe); }
+double Exchange::overlap_now(int floe) const {
+  return overlap(floe, floes_[at(floe)].centre, outlines_[at(floe)], floe);
+}
 
 double Exchange::overlap(int floe, const Vec2& centre, const ConvexOutline& outline, int other) const {
   const double radius = floes_[at(floe)].radius;

@@ -22,45 +22,57 @@ enum class SizeDistribution { fixed, uniform, lognormal, power_law };
 
 struct PackedSpec {
   Vec2 low = Vec2::Zero(), high = Vec2::Ones();  ///< region [m]
-  double concentration = 0.8;      ///< area of ice / area of region
-  double overlap_tolerance = 1e-3;  ///< largest overlap depth left, as a fraction of the mean floe size
+  double concentration = 0.8;                    ///< area of ice / free area of region
+  double overlap_tolerance = 1e-3;               ///< largest overlap depth left, as a fraction of the mean floe size
   SizeDistribution distribution = SizeDistribution::lognormal;
   double mean = 0.8, sd = 0.3, min = 0.3, max = 1.6;  ///< of sqrt(area) [m]
-  double exponent = 1.5;           ///< power law n(D) ~ D^-(1 + exponent)
+  double exponent = 1.5;                              ///< power law n(D) ~ D^-(1 + exponent)
   FloeShape shape = FloeShape::polygon;
   int vertices_min = 5, vertices_max = 9;
-  double aspect = 1.5;             ///< long side / short side of rectangle and parallelogram
-  double shear = 0;                ///< parallelogram, angle from a rectangle [rad]
-  std::vector<std::vector<Vec2>> keep_out;  ///< convex counter-clockwise outlines that ice keeps clear of; their area is no part of the region
-  double keep_out_margin = 0;      ///< [m]
+  double aspect = 1.5;  ///< long side / short side of rectangle and parallelogram
+  double shear = 0;     ///< parallelogram, angle from a rectangle [rad]
+  std::vector<std::vector<Vec2>>
+      keep_out;  ///< convex counter-clockwise outlines that ice keeps clear of; their area is no part of the region
+  double keep_out_margin = 0;  ///< [m]
   std::uint64_t seed = 1;
 };
 struct FieldResult {
   std::vector<FieldFloe> floes;
-  double concentration = 0;   ///< reached, ice area / free region area
-  double worst_overlap = 0;   ///< depth [m]
-  int passes = 0;             ///< relaxation passes used
-  int left_out = 0;           ///< floes dropped because they met a keep-out outline
+  double concentration = 0;  ///< reached, ice area / free region area
+  double worst_overlap = 0;  ///< depth [m]
+  int passes = 0;            ///< relaxation passes used
+  int fitted = 0;            ///< polygon floes whose outline was fitted to its neighbours, see pack_field
+  int left_out = 0;          ///< floes dropped because they met a keep-out outline
 };
-/// Overlap relaxation: random floes with overlaps allowed, pushed apart until the largest overlap is within tolerance.
-/// Same spec, same field, bit for bit. Throws InputError when the concentration cannot be reached, saying what was.
+/// Overlap relaxation [van den Berg, IceFieldCreator]: random floes start with overlaps and are pushed apart; floes
+/// that block each other change places and are shaken. Floes keep their areas. Rectangles, squares, parallelograms and
+/// discs keep their shapes; polygons beyond about 86 % are fitted: cut along the line between them and a neighbour and
+/// scaled back to their areas, as neighbours in real ice share edges. Ends with gaps between all floes, the region's
+/// edge and the keep-out outlines; where that fails, with overlaps of at most overlap_tolerance. Reaches about 95 %
+/// with polygons and squares, 92 % rectangles, 88 % parallelograms, 85 % discs, at the default sizes. Same spec, same
+/// field, bit for bit. Throws InputError for a wrong parameter, and when the concentration cannot be reached, saying
+/// what was.
 FieldResult pack_field(const PackedSpec& spec);
 
 struct GridSpec {
   Vec2 low = Vec2::Zero(), high = Vec2::Ones();
-  int rows = 1;        ///< along Y
-  int columns = 1;     ///< along X
-  double gap = 0;      ///< between neighbours [m]
-  double shear = 0;    ///< lines of constant X turned by this angle from Y, mirrored about the region's middle line [rad]
+  int rows = 1;      ///< along Y
+  int columns = 1;   ///< along X
+  double gap = 0;    ///< between neighbours [m]
+  double shear = 0;  ///< lines of constant X turned by this angle from Y, mirrored about the region's middle line [rad]
   bool stagger = false;  ///< every second row shifted by half a piece
   std::vector<std::vector<Vec2>> keep_out;
   double keep_out_margin = 0;
 };
-/// Rectangles or parallelograms filling the region; exactly mirror-symmetric about the region's middle line when rows is even.
+/// Rectangles filling the region, or parallelograms within it (shear leaves a notch at its ends). Rows are laid out
+/// from the region's middle line, so the field is mirror-symmetric about it, bit for bit when the line is y = 0. Above
+/// and below the line pieces come in mirror pairs, 2k and 2k + 1 when rows is even; of an odd number the middle row is
+/// not sheared. Rows shifted by stagger have half pieces at their ends. Throws InputError.
 FieldResult grid_field(const GridSpec& spec);
 
-/// GeoJSON FeatureCollection, one Polygon per floe in metres, properties thickness_m and density_kg_m3.
-/// Throws FileError, InputError naming file and feature.
+/// GeoJSON FeatureCollection, one Polygon without holes per floe, in metres, its first point repeated at the end;
+/// properties thickness_m and density_kg_m3 where not the scene's. Clockwise rings are turned. worst_overlap is
+/// measured on reading. Throws FileError, InputError naming file and feature (counted from 1).
 FieldResult read_field(const std::filesystem::path& file);
 void write_field(const FieldResult& field, const std::filesystem::path& file);
 

@@ -11,13 +11,13 @@ namespace nilas {
 
 namespace {
 
-constexpr double k_largest_growth = 0.5;  ///< of the scale, before a floe is cut to its cell
-constexpr int k_halvings = 12;            ///< to find the scale: leaves 1e-4 of it, which with_area makes up
-constexpr double k_area_tolerance = 1e-9;  ///< relative: a floe that its cell cuts by less keeps its outline
+constexpr double k_largest_growth = 0.5;    ///< of the scale, before a floe is cut to its cell
+constexpr int k_halvings = 12;              ///< to find the scale: leaves 1e-4 of it, which with_area makes up
+constexpr double k_area_tolerance = 1e-9;   ///< relative: a floe that its cell cuts by less keeps its outline
 constexpr double k_smallest_corner = 1e-3;  ///< area that a corner holds, as a share of the floe: smaller ones go
-constexpr double k_smallest_rest = 0.5;    ///< of a floe's area that a round of cuts may leave
-constexpr double k_largest_radius = 1;     ///< of the circle about a fitted floe, in floe sizes: a side ratio of 1 : 3.7
-constexpr double k_chamfer = 0.25;         ///< share of the shorter edge that a new corner takes
+constexpr double k_smallest_rest = 0.5;     ///< of a floe's area that a round of cuts may leave
+constexpr double k_largest_radius = 1;  ///< of the circle about a fitted floe, in floe sizes: a side ratio of 1 : 3.7
+constexpr double k_chamfer = 0.25;      ///< share of the shorter edge that a new corner takes
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -79,13 +79,14 @@ class Fitter {
   Fitter(std::vector<LooseFloe>& floes, const FieldBounds& bounds, const FittingLimits& limits)
       : floes_(floes), bounds_(bounds), limits_(limits), outlines_(placed_outlines(floes)), cells_(floes.size()) {}
 
-  int run() {
+  std::vector<std::size_t> run() {
     double largest = 0;
     for (const LooseFloe& floe : floes_) largest = std::max(largest, floe.radius);
     for (const NearPair& pair : near_pairs(floes_, 1, k_largest_growth * largest)) divide(pair.a, pair.b);
     for (std::size_t i = 0; i < floes_.size(); ++i) bound(static_cast<int>(i));
-    int changed = 0;
-    for (std::size_t i = 0; i < floes_.size(); ++i) changed += fit(i);
+    std::vector<std::size_t> changed;
+    for (std::size_t i = 0; i < floes_.size(); ++i)
+      if (fit(i)) changed.push_back(i);
     return changed;
   }
 
@@ -136,7 +137,9 @@ class Fitter {
 
   bool fit(std::size_t i) {
     LooseFloe& floe = floes_[i];
-    const auto area = [](const std::vector<Vec2>& outline) { return outline.empty() ? 0 : polygon_moments(outline).area; };
+    const auto area = [](const std::vector<Vec2>& outline) {
+      return outline.empty() ? 0 : polygon_moments(outline).area;
+    };
     double low = 1, high = 1 + k_largest_growth;
     if (area(grown(i, low)) >= floe.area * (1 - k_area_tolerance)) return false;
     for (int k = 0; k < k_halvings; ++k) {
@@ -163,7 +166,8 @@ class Fitter {
 
 }  // namespace
 
-int fit_outlines(std::vector<LooseFloe>& floes, const FieldBounds& bounds, const FittingLimits& limits) {
+std::vector<std::size_t> fit_outlines(std::vector<LooseFloe>& floes, const FieldBounds& bounds,
+                                      const FittingLimits& limits) {
   return Fitter(floes, bounds, limits).run();
 }
 

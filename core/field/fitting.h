@@ -16,7 +16,8 @@ struct FittingLimits {
 /// Cuts overlapping floes along the middle of their overlap and floes beyond the edge or in an obstacle along it, each
 /// by a small depth at most; drops or adds corners to keep their number in range; then scales every cut floe about its
 /// centroid back to its area, so that it grows into the free water beside it. To be repeated, with relaxation between.
-/// Returns how many floes were cut.
-int fit_outlines(std::vector<LooseFloe>& floes, const FieldBounds& bounds, const FittingLimits& limits);
+/// Returns the indices of the floes that changed.
+std::vector<std::size_t> fit_outlines(std::vector<LooseFloe>& floes, const FieldBounds& bounds,
+                                      const FittingLimits& limits);
 
 }  // namespace nilas

@@ -15,7 +15,8 @@ constexpr double k_corner_step = 15 * k_deg;  ///< largest turn between two edge
 Vec2 outward(const Vec2& from, const Vec2& to) { return Vec2(to.y() - from.y(), from.x() - to.x()).normalized(); }
 
 /// Area of the overlap of `common` with the union of outlines first, first + 1, ...: inclusion and exclusion.
-double covered_area(const std::vector<Vec2>& common, const std::vector<std::vector<Vec2>>& outlines, std::size_t first) {
+double covered_area(const std::vector<Vec2>& common, const std::vector<std::vector<Vec2>>& outlines,
+                    std::size_t first) {
   double area = 0;
   for (std::size_t k = first; k < outlines.size(); ++k) {
     std::vector<Vec2> part = common;
@@ -48,7 +49,8 @@ std::vector<Vec2> grown_outline(const std::vector<Vec2>& outline, double margin)
   std::vector<Vec2> grown;
   const std::size_t n = outline.size();
   for (std::size_t i = 0; i < n; ++i) {
-    const Vec2 before = outward(outline[(i + n - 1) % n], outline[i]), after = outward(outline[i], outline[(i + 1) % n]);
+    const Vec2 before = outward(outline[(i + n - 1) % n], outline[i]),
+               after = outward(outline[i], outline[(i + 1) % n]);
     const double turn = std::atan2(before.x() * after.y() - before.y() * after.x(), before.dot(after));
     const int steps = std::max(1, static_cast<int>(std::ceil(turn / k_corner_step)));
     // corners of the tangent polygon lie half a step beside its touching points, outside the circle

@@ -1,7 +1,8 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-
-#include <fmt/format.h>
+#include <set>
 
 #include "core/base/error.h"
 #include "core/field/exchange.h"
@@ -43,11 +44,16 @@ constexpr int k_shrink_rounds = 15;
 
 const char* name_of(FloeShape shape) {
   switch (shape) {
-    case FloeShape::rectangle: return "rectangles";
-    case FloeShape::square: return "squares";
-    case FloeShape::parallelogram: return "parallelograms";
-    case FloeShape::disc: return "discs";
-    case FloeShape::polygon: break;
+    case FloeShape::rectangle:
+      return "rectangles";
+    case FloeShape::square:
+      return "squares";
+    case FloeShape::parallelogram:
+      return "parallelograms";
+    case FloeShape::disc:
+      return "discs";
+    case FloeShape::polygon:
+      break;
   }
   return "polygons";
 }
@@ -55,7 +61,10 @@ const char* name_of(FloeShape shape) {
 class Packing {
  public:
   explicit Packing(const PackedSpec& spec)
-      : spec_(spec), gap_(k_gap * spec.mean), bounds_(field_bounds(spec)), floes_(draw_floes()),
+      : spec_(spec),
+        gap_(k_gap * spec.mean),
+        bounds_(field_bounds(spec)),
+        floes_(draw_floes()),
         relaxation_(floes_, bounds_, {gap_, k_reach * spec.mean}) {}
 
   FieldResult run() {
@@ -65,13 +74,15 @@ class Packing {
     result.concentration = concentration();
     result.worst_overlap = deepest_overlap(floes_, bounds_);
     result.passes = passes_;
+    result.fitted = static_cast<int>(fitted_.size());
     return result;
   }
 
  private:
   static FieldBounds field_bounds(const PackedSpec& spec) {
     FieldBounds bounds{spec.low, spec.high, {}};
-    for (auto& outline : grown_outlines(spec.keep_out, spec.keep_out_margin)) bounds.obstacles.push_back(obstacle(std::move(outline)));
+    for (auto& outline : grown_outlines(spec.keep_out, spec.keep_out_margin))
+      bounds.obstacles.push_back(obstacle(std::move(outline)));
     return bounds;
   }
 
@@ -79,13 +90,15 @@ class Packing {
     std::vector<std::vector<Vec2>> outlines;
     for (const Obstacle& o : bounds_.obstacles) outlines.push_back(o.outline.corners);
     free_area_ = free_area(spec_.low, spec_.high, outlines);
-    RandomStream sizes(spec_.seed, "field sizes"), shapes(spec_.seed, "field shapes"), places(spec_.seed, "field places");
+    RandomStream sizes(spec_.seed, "field sizes"), shapes(spec_.seed, "field shapes"),
+        places(spec_.seed, "field places");
     std::vector<LooseFloe> floes;
     for (const double area : draw_areas(spec_, spec_.concentration * free_area_, sizes))
       floes.push_back(draw_floe(spec_, area, shapes));
     if (floes.empty())
-      throw InputError(fmt::format("packed field: concentration {} of {:.3g} m^2 of free water is less than half a floe",
-                                   spec_.concentration, free_area_));
+      throw InputError(
+          fmt::format("packed field: concentration {} of {:.3g} m^2 of free water is less than half a floe",
+                      spec_.concentration, free_area_));
     place_floes(floes, bounds_, places);
     return floes;
   }
@@ -138,7 +151,8 @@ class Packing {
 
   bool fit() {
     for (int round = 0; round < k_fitting_rounds; ++round) {
-      fit_outlines(floes_, bounds_, {gap_, spec_.vertices_min, spec_.vertices_max});
+      for (const std::size_t i : fit_outlines(floes_, bounds_, {gap_, spec_.vertices_min, spec_.vertices_max}))
+        fitted_.insert(i);
       relaxation_.restart();
       if (relax(1, k_passes_per_fitting)) return true;
     }
@@ -153,20 +167,22 @@ class Packing {
       for (LooseFloe& floe : floes_) floe = with_area(floe, k_shrink * floe.area);
       relaxation_.restart();
     } while (!exchange(k_shrink_rounds));
-    throw InputError(fmt::format(
-        "packed field: concentration: found {}, but {} {} block each other at about {:.2f} (after {} passes); lower it or "
-        "spread the sizes wider",
-        spec_.concentration, wanted, name_of(spec_.shape), concentration(), passes_));
+    throw InputError(
+        fmt::format("packed field: concentration: found {}, but {} {} block each other at about {:.2f} (after {} "
+                    "passes); lower it or "
+                    "spread the sizes wider",
+                    spec_.concentration, wanted, name_of(spec_.shape), concentration(), passes_));
   }
 
   const PackedSpec& spec_;
-  double gap_;              ///< wanted [m]
+  double gap_;  ///< wanted [m]
   FieldBounds bounds_;
-  double free_area_ = 0;    ///< [m^2]
+  double free_area_ = 0;          ///< [m^2]
   std::vector<LooseFloe> floes_;  ///< largest first
   Relaxation relaxation_;
   RandomStream shaking_{spec_.seed, "field shaking"}, exchanges_{spec_.seed, "field exchanges"};
   int passes_ = 0;
+  std::set<std::size_t> fitted_;
 };
 
 }  // namespace

@@ -1,8 +1,8 @@
 #include "core/field/packed_spec.h"
 
-#include <cmath>
-
 #include <fmt/format.h>
+
+#include <cmath>
 
 #include "core/base/error.h"
 

@@ -31,17 +31,17 @@ class Relaxation {
 
  private:
   struct Pair {
-    int a, b;       ///< b < 0: obstacle -b - 1
-    int edge = 0;   ///< of the axis that separated the pair last
+    int a, b;      ///< b < 0: obstacle -b - 1
+    int edge = 0;  ///< of the axis that separated the pair last
     bool of_first = true;
   };
   struct Contact {
-    int a, b;               ///< b < 0: fixed
-    Vec2 normal;            ///< from a to b
-    double arm_a, arm_b;    ///< r x n about the centres [m]
-    double lack;            ///< wanted minus present gap [m]
-    double response;        ///< impulse per opening, at unit density
-    double impulse;         ///< r_i
+    int a, b;             ///< b < 0: fixed
+    Vec2 normal;          ///< from a to b
+    double arm_a, arm_b;  ///< r x n about the centres [m]
+    double lack;          ///< wanted minus present gap [m]
+    double response;      ///< impulse per opening, at unit density
+    double impulse;       ///< r_i
   };
 
   void find_pairs(double scale);

@@ -10,7 +10,8 @@ static HullGenerateScene build_generate(const SceneElement& element) {
   HullGenerateScene generate;
   assign(generate.kind, element, "generate");
   for (const auto& attribute : element.attributes)
-    if (attribute.name != "generate") generate.parameters[attribute.name] = number_of(element, attribute.name).value();
+    if (attribute.name != "generate")
+      if (const auto value = number_of(element, attribute.name)) generate.parameters[attribute.name] = *value;
   return generate;
 }
 

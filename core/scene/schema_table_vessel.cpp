@@ -35,9 +35,10 @@ static ElementSpec vessel() {
            .doc = "Of a free vessel at the start, in the ground frame."}}};
 }
 
+/// A parameter of a generated form: what is not named is the generator's to choose, lengths in proportion to `length`.
 static AttributeSpec form(const std::string& name, const std::string& unit, const Range& range,
-                          const std::string& value, const std::string& doc) {
-  return {.name = name, .unit = unit, .range = range, .default_value = value, .doc = doc};
+                          const std::string& note, const std::string& doc) {
+  return {.name = name, .unit = unit, .range = range, .default_note = note, .doc = doc};
 }
 
 static ElementSpec hull() {
@@ -53,20 +54,20 @@ static ElementSpec hull() {
                       .default_value = "icebreaker",
                       .doc = "Kind of form: icebreaker, or wedge (vertical sides, wedge bow)."},
                      form("length", "m", above(0), "6", "Length over all."),
-                     form("beam", "m", above(0), "1.2", "Beam."),
-                     form("draught", "m", above(0), "0.35", "Design waterline above the keel."),
-                     form("depth", "m", above(0), "0.6", "Keel to deck."),
+                     form("beam", "m", above(0), "0.2 of the length", "Beam."),
+                     form("draught", "m", above(0), "0.35/6 of the length", "Design waterline above the keel."),
+                     form("depth", "m", above(0), "0.1 of the length", "Keel to deck."),
                      form("stem_angle_deg", "deg", {.min = 0, .max = 90, .min_inclusive = false}, "25",
-                          "Between the stem and still water."),
-                     form("entrance_angle_deg", "deg", inside(0, 90), "30", "Half angle of the waterline at the stem."),
-                     form("bow_length", "m", above(0), "1.8", "Length of the forebody at the waterline."),
-                     form("stern_length", "m", at_least(0), "1", "Length of the run."),
+                          "Between the stem and still water; icebreaker only."),
+                     form("entrance_angle_deg", "deg", inside(0, 90), "30", "Half angle of the waterline at the stem; icebreaker only."),
+                     form("bow_length", "m", above(0), "0.3 of the length", "Length of the forebody at the waterline."),
+                     form("stern_length", "m", at_least(0), "1/6 of the length", "Length of the run; icebreaker only."),
                      form("flare_angle_deg", "deg", {.min = 0, .max = 90, .max_inclusive = false}, "8",
-                          "Of the sides amidships from the vertical."),
+                          "Of the sides amidships from the vertical; icebreaker only."),
                      {.name = "triangles",
                       .type = ValueType::integer,
                       .range = within(100, 1e6),
-                      .default_value = "6000",
+                      .default_note = "6000",
                       .doc = "Wanted number of triangles of the fluid mesh."}}};
 }
 

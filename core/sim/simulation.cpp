@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "contact/assemble.h"
 #include "contact/detect/detector.h"
@@ -141,10 +142,13 @@ std::vector<ArticulatedBlock> Simulation::World::begin_vessel(const Wrenches& fr
 
 std::vector<ContactPoint> Simulation::World::find_contacts() {
   if (model.margin > 0) return detector.detect(parts.bodies, model.margin);
-  std::vector<double> reach = own_reach(parts.bodies, h, k_reach_share, gravity.norm());
-  const double farthest = reach.empty() ? 0 : *std::max_element(reach.begin(), reach.end());
-  std::vector<ContactPoint> points = detector.detect(parts.bodies, 2 * farthest);
-  drop_out_of_reach(points, std::move(reach));
+  const std::vector<double> reach = own_reach(parts.bodies, free_loads, h, k_reach_share);
+  // no two bodies close a larger gap than the two that reach farthest
+  std::vector<double> farthest = reach;
+  farthest.resize(std::max<std::size_t>(farthest.size(), 2), 0);
+  std::partial_sort(farthest.begin(), farthest.begin() + 2, farthest.end(), std::greater<>());
+  std::vector<ContactPoint> points = detector.detect(parts.bodies, farthest[0] + farthest[1]);
+  drop_out_of_reach(parts.bodies, reach, points);
   return points;
 }
 

@@ -82,7 +82,6 @@ TriangleMesh surface(const HullForm& form, const HullFineness& fineness) {
   return SurfaceBuilder(lines, heights).take();
 }
 
-/// Sides, transom, deck and bottom; `edges` from the transom's corner to the stem.
 /// Triangles of surface(): four per cell of the sides, and both caps.
 struct Count {
   explicit Count(const HullForm& form, const HullFineness& n)
@@ -109,7 +108,8 @@ HullFineness fineness_for(const HullForm& form) {
     n.middle += std::max(0, (form.triangles - least.triangles()) / (4 * least.rows + 8));
     for (int more = 0; more < 2; ++more, ++n.middle) {
       const double error = std::abs(Count(form, n).triangles() - form.triangles) / static_cast<double>(form.triangles);
-      const double merit = std::abs(n.side - wanted_side) / static_cast<double>(wanted_side) + (error > k_close ? 1e3 * error : 0);
+      const double merit =
+          std::abs(n.side - wanted_side) / static_cast<double>(wanted_side) + (error > k_close ? 1e3 * error : 0);
       if (merit >= best_merit) continue;
       best_merit = merit;
       best = n;

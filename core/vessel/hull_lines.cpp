@@ -1,19 +1,20 @@
 #include "core/vessel/hull_lines.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 
-#include <fmt/format.h>
-
 #include "core/base/error.h"
+#include "core/vessel/hull_bow.h"
 
 namespace nilas {
 
 namespace {
 
-constexpr double k_transom_share = 0.6;   ///< transom's beam over the beam, design waterline
-constexpr double k_transom_rake = 1.0;    ///< horizontal over vertical: 45 degrees
-constexpr double k_bilge_share = 0.25;    ///< bilge radius over the draught
+constexpr double k_transom_share = 0.6;  ///< transom's beam over the beam, design waterline
+constexpr double k_transom_rake = 1.0;   ///< horizontal over vertical: 45 degrees
+constexpr double k_bilge_share = 0.25;   ///< bilge radius over the draught
 
 bool wedge(const HullForm& form) { return form.kind == "wedge"; }
 
@@ -30,74 +31,6 @@ Stations stations(const HullForm& form) {
   s.run_end = wedge(form) ? 0 : s.transom + form.stern_length;
   s.shoulder = s.stem - form.bow_length;
   return s;
-}
-
-/// Half a beam over what a straight bow of this length and entrance angle would drop: 1 is a wedge, small values are full
-/// shoulders behind a blunt entrance.
-double bow_fullness(const HullForm& form) {
-  return 0.5 * form.beam / (form.bow_length * std::tan(form.entrance_angle));
-}
-
-/// A point of the forebody's waterline, from the shoulder (t = 0) to the stem (t = 1).
-struct BowPoint {
-  double t;     ///< share of the bow length
-  double drop;  ///< from the parallel side, over bow length times slope at the stem
-};
-
-/// Fullness 0.5 and more: a parabola that runs into a straight entrance.
-std::vector<BowPoint> parabola_and_line(double fullness, int edges) {
-  const double ramp = 2 * (1 - fullness);
-  std::vector<BowPoint> points;
-  for (int k = 0; k <= edges; ++k) {
-    const double t = static_cast<double>(k) / edges;
-    points.push_back({t, t < ramp ? 0.5 * t * t / ramp : t - 0.5 * ramp});
-  }
-  return points;
-}
-
-/// Where the curve's tangent stands at share `k` of the way: half by its turn, half by its length, so that neither the
-/// sharp end nor the straight end of the curve is cut coarsely.
-double tangent_place(double power, double stem_slope, double k) {
-  constexpr int k_halvings = 60;
-  const auto way = [&](double t) {
-    const double turn = std::atan(stem_slope * std::pow(t, power - 1)) / std::atan(stem_slope);
-    const double length = (t + stem_slope / power * std::pow(t, power)) / (1 + stem_slope / power);
-    return 0.5 * (turn + length);
-  };
-  double low = 0, high = 1;
-  for (int i = 0; i < k_halvings; ++i) {
-    const double middle = 0.5 * (low + high);
-    (way(middle) < k ? low : high) = middle;
-  }
-  return k < 1 ? high : 1;
-}
-
-/// Fullness below 0.5: the polygon of tangents around drop = t^power / power; its first and last edges have the
-/// directions of the side and of the entrance exactly.
-std::vector<BowPoint> power_curve(double fullness, double stem_slope, int edges) {
-  const double power = 1 / fullness;
-  std::vector<BowPoint> points;
-  double t0 = 0, slope0 = 0, drop0 = 0;
-  for (int k = 1; k <= edges; ++k) {
-    const double t1 = tangent_place(power, stem_slope, static_cast<double>(k) / edges);
-    const double slope1 = std::pow(t1, power - 1), drop1 = slope1 * t1 / power;
-    const double t = (drop0 - drop1 + slope1 * t1 - slope0 * t0) / (slope1 - slope0);
-    points.push_back({t, drop0 + slope0 * (t - t0)});
-    t0 = t1;
-    slope0 = slope1;
-    drop0 = drop1;
-  }
-  points.push_back({1, fullness});
-  return points;
-}
-
-/// From the shoulder to the stem, one more point than edges.
-std::vector<BowPoint> bow_points(const HullForm& form, int edges) {
-  if (wedge(form)) return parabola_and_line(1, edges);
-  const double fullness = bow_fullness(form);
-  constexpr double k_parabola = 0.5;
-  return fullness >= k_parabola ? parabola_and_line(fullness, edges)
-                                : power_curve(fullness, std::tan(form.entrance_angle), edges);
 }
 
 /// The design waterline: transom's centre, transom's corner, run, parallel body, forebody, stem.
@@ -194,8 +127,7 @@ void demand_lengths(const HullForm& form) {
 
 void demand_angles(const HullForm& form) {
   const auto between = [](const char* name, double x, double low, double high) {
-    if (!(x >= low * k_deg && x <= high * k_deg))
-      refuse(name, x / k_deg, fmt::format("{} to {} degrees", low, high));
+    if (!(x >= low * k_deg && x <= high * k_deg)) refuse(name, x / k_deg, fmt::format("{} to {} degrees", low, high));
   };
   constexpr double k_flattest_stem = 10, k_finest_entrance = 5, k_bluntest_entrance = 80, k_most_flare = 45;  // [deg]
   between("stem_angle_deg", form.stem_angle, k_flattest_stem, 90);
@@ -212,8 +144,9 @@ void demand_bottom(const HullForm& form) {
   constexpr double k_least_bottom = 0.05;  // of the beam
   const double room = (1 - k_least_bottom) * 0.5 * form.beam - k_bilge_share * form.draught;
   if (room < 0)
-    refuse("draught", form.draught, fmt::format("at most {:.6g} m for this beam, or the bilges meet",
-                                                (1 - k_least_bottom) * 0.5 * form.beam / k_bilge_share));
+    refuse("draught", form.draught,
+           fmt::format("at most {:.6g} m for this beam, or the bilges meet",
+                       (1 - k_least_bottom) * 0.5 * form.beam / k_bilge_share));
   if (std::tan(form.flare_angle) * form.draught > room)
     refuse("flare_angle_deg", form.flare_angle / k_deg,
            fmt::format("at most {:.6g} degrees for this beam and draught, or the bottom vanishes",

@@ -1,6 +1,8 @@
 /// The packed scene on Nilas, and the file from which the peers read the same scene.
 /// usage: bench_packed write FLOES FOLDER     makes FOLDER/packed-FLOES.{xml,geojson,txt}
 ///        bench_packed run FOLDER FLOES SWEEPS
+#include <malloc.h>
+
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -33,7 +35,7 @@ Basin basin_for(int floes) {
   return {(area + k_stem * k_beam) / width, 0.5 * width};
 }
 
-FieldResult make_floes(int floes, const Basin& basin) {
+FieldResult make_floes(const Basin& basin) {
   PackedSpec spec;
   spec.low = {0, -basin.half_width};
   spec.high = {basin.x1, basin.half_width};
@@ -97,7 +99,7 @@ void write_for_peers(const fs::path& file, const Basin& basin, const FieldResult
 int write(int floes, const fs::path& folder) {
   fs::create_directories(folder);
   const Basin basin = basin_for(floes);
-  const FieldResult field = make_floes(floes, basin);
+  const FieldResult field = make_floes(basin);
   const std::string stem = "packed-" + std::to_string(floes);
   write_field(field, folder / (stem + ".geojson"));
   write_scene(folder / (stem + ".xml"), basin, stem + ".geojson");
@@ -131,6 +133,9 @@ int run(const fs::path& folder, const std::string& floes, const std::string& swe
 }  // namespace
 
 int main(int argc, char** argv) {
+  constexpr int k_keep_bytes = 1 << 28;  // as the program itself does
+  mallopt(M_TRIM_THRESHOLD, k_keep_bytes);
+  mallopt(M_MMAP_THRESHOLD, k_keep_bytes);
   const std::string mode = argc > 1 ? argv[1] : "";
   if (mode == "write" && argc == 4) return write(std::stoi(argv[2]), argv[3]);
   if (mode == "run" && argc == 5) return run(argv[2], argv[3], argv[4]);

@@ -78,6 +78,23 @@ TEST(Detector, PointsComeInOrder) {
   }
 }
 
+TEST(Detector, NoPairIsOverlooked) {
+  const auto floes = crowd(40, 6);
+  Bodies bodies = bodies_of(floes, in_order(floes.size()));
+  ContactDetector detector;
+  for (int step = 0; step < 5; ++step) {
+    for (int k = 0; k < 10; ++k) drift(bodies, 10 * step + k);
+    std::map<std::pair<int, int>, int> found;
+    for (const ContactPoint& c : detector.detect(bodies, 0.01)) ++found[{c.a, c.b}];
+    for (int a = 0; a < bodies.size(); ++a)
+      for (int b = a + 1; b < bodies.size(); ++b) {
+        Bodies pair;
+        for (int k : {a, b}) add_body(pair, floes[k].shape, bodies.p_GB[k], bodies.q_GB[k]);
+        EXPECT_EQ(ContactDetector().detect(pair, 0.01).size(), static_cast<std::size_t>(found[{a, b}])) << a << " " << b;
+      }
+  }
+}
+
 TEST(Detector, TheOrderOfBodiesDoesNotMatter) {
   const auto floes = crowd(60, 2);
   auto order = in_order(floes.size());

@@ -97,6 +97,29 @@ TEST(HullContacts, MatchBruteForce) {
   EXPECT_LT(worst, 1e-9);
 }
 
+TEST(HullContacts, TwoHullsMatchBruteForce) {
+  const Shape hull = hull_shape(2, {6, 1, 0.8});
+  RandomStream random(3, "hulls");
+  double worst = 0;
+  long fcl = 0;
+  for (int k = 0; k < 8; ++k) {
+    Bodies bodies;
+    add_body(bodies, hull, {0, 0, 0}, random_attitude(random), Motion::articulated);
+    add_body(bodies, hull, {0, 0, 0}, random_attitude(random));
+    const Vec3 d = Vec3(random.normal(), random.normal(), random.normal()).normalized();
+    const double truth = slide_to(bodies, d, random.uniform(-4e-3, 4e-3));
+    ContactDetector detector;
+    const auto points = detector.detect(bodies, 0.05);
+    fcl += detector.counts().fcl_queries;
+    ASSERT_FALSE(points.empty());
+    double gap = 1;
+    for (const ContactPoint& c : points) gap = std::min(gap, c.gap);
+    worst = std::max(worst, std::abs(gap - truth));
+  }
+  std::printf("two hulls: worst gap error %.2e m, %ld library queries\n", worst, fcl);
+  EXPECT_LT(worst, 1e-9);
+}
+
 TEST(HullContacts, AFloeThatSlidesOverSeamsKeepsItsContact) {
   // 0.8 degrees between neighbouring stations amidships.
   const Shape hull = hull_shape(4, {60, 10, 8});

@@ -76,8 +76,8 @@ TEST_F(FieldFile, ClockwiseRingsAreTurned) {
 TEST_F(FieldFile, OverlapIsMeasured) {
   const std::string shifted = R"({"type":"Polygon","coordinates":[[[0.75,0],[1.75,0],[1.75,1],[0.75,1],[0.75,0]]]})";
   EXPECT_DOUBLE_EQ(read_field(with_second(shifted)).worst_overlap, 0.25);
-  const std::string wrapped =
-      R"({"type":"Polygon","coordinates":[[[-1,-1],[2,-1],[2,2],[1.5,2],[1.5,-0.5],[-0.5,-0.5],[-0.5,2],[-1,2],[-1,-1]]]})";
+  const std::string wrapped = R"({"type":"Polygon","coordinates":[[[-1,-1],[2,-1],[2,2],[1.5,2],[1.5,-0.5],)"
+                              R"([-0.5,-0.5],[-0.5,2],[-1,2],[-1,-1]]]})";
   EXPECT_EQ(read_field(with_second(wrapped)).worst_overlap, 0);
 }
 
@@ -87,11 +87,13 @@ TEST_F(FieldFile, FaultsNameFileAndFeature) {
   };
   const std::string good = R"({"type":"Polygon","coordinates":[[[3,0],[4,0],[4,1],[3,0]]]})";
   EXPECT_EQ(wrong(good), "accepted");
-  EXPECT_PRED2(names, wrong(R"({"type":"Point","coordinates":[1,2]})"), "field.json: feature 2: geometry type: found \"Point\"");
+  EXPECT_PRED2(names, wrong(R"({"type":"Point","coordinates":[1,2]})"),
+               "field.json: feature 2: geometry type: found \"Point\"");
   EXPECT_PRED2(names, wrong(R"({"type":"Polygon","coordinates":[[[3,0],[4,0],[4,1]]]})"), "feature 2: found 3 points");
   EXPECT_PRED2(names, wrong(R"({"type":"Polygon","coordinates":[[[3,0],[4,0],[4,1],[3,1]]]})"), "not closed");
   EXPECT_PRED2(names, wrong(R"({"type":"Polygon","coordinates":[[[3,0],[4,1],[4,0],[3,1],[3,0]]]})"), "crosses");
-  EXPECT_PRED2(names, wrong(R"({"type":"Polygon","coordinates":[[[3,0],["x",0],[4,1],[3,0]]]})"), "point 2: found [\"x\",0]");
+  EXPECT_PRED2(names, wrong(R"({"type":"Polygon","coordinates":[[[3,0],["x",0],[4,1],[3,0]]]})"),
+               "point 2: found [\"x\",0]");
   EXPECT_PRED2(names, wrong(R"({"type":"Polygon","coordinates":[[],[]]})"), "found 2 rings");
   EXPECT_PRED2(names, wrong(good, R"({"thickness_m":-0.1})"), "feature 2: thickness_m: found -0.1");
   EXPECT_PRED2(names, wrong(good, R"({"density_kg_m3":"heavy"})"), "density_kg_m3: found \"heavy\"");

@@ -84,6 +84,7 @@ bool same_bits(const FieldResult& a, const FieldResult& b) {
 TEST(PackField, TowingFieldAtEightyPercent) {
   const auto spec = spec_of(40, 10, 0.8);
   const auto field = pack_field(spec);
+  EXPECT_EQ(field.fitted, 0);
   EXPECT_NEAR(static_cast<double>(field.floes.size()), 440, 60);
   expect_good(spec, field);
 }
@@ -112,6 +113,7 @@ TEST(PackField, PolygonsReachNinetyFivePercentWithTheirSizesAndCorners) {
   auto spec = spec_of(20, 12, 0.95);
   const auto field = pack_field(spec);
   expect_good(spec, field);
+  EXPECT_GT(field.fitted, static_cast<int>(field.floes.size()) / 2);
   for (const auto& floe : field.floes) {
     const double size = std::sqrt(polygon_moments(floe.outline).area);
     EXPECT_GE(size, spec.min * (1 - 1e-12));

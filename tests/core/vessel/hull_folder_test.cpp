@@ -113,8 +113,8 @@ TEST_F(HullFolder, UnsoundMeshesAreNamedWithTheirDefects) {
   Hull needle = example();
   auto& [a, b, c] = needle.fluid.triangles.front();
   const int corner = static_cast<int>(needle.fluid.vertices.size());
-  const Vec3 middle = 0.5 * (needle.fluid.vertices[static_cast<std::size_t>(a)] +
-                             needle.fluid.vertices[static_cast<std::size_t>(b)]);
+  const Vec3 middle =
+      0.5 * (needle.fluid.vertices[static_cast<std::size_t>(a)] + needle.fluid.vertices[static_cast<std::size_t>(b)]);
   needle.fluid.vertices.push_back(middle);
   needle.fluid.triangles.push_back({a, corner, b});
   needle.fluid.triangles.push_back({a, b, corner});

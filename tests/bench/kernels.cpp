@@ -1,0 +1,79 @@
+/// The parts of a step apart, on grids of floes that touch: detection, water, assembly with solve.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+
+#include "contact/assemble.h"
+#include "contact/detect/detector.h"
+#include "contact/registry.h"
+#include "hydro/modules.h"
+
+namespace {
+
+using namespace nilas;
+
+/// n x n square floes, 1 mm into each other, so that every neighbour is a contact.
+Bodies touching_grid(int n) {
+  constexpr double k_size = 0.5, k_thickness = 0.05, k_overlap = 1e-3, k_density = 920;
+  const double half = 0.5 * k_size;
+  const auto shape =
+      std::make_shared<const Shape>(prism_shape({{-half, -half}, {half, -half}, {half, half}, {-half, half}}, k_thickness));
+  const MassProperties mass = prism_properties(shape->outline, k_thickness, k_density);
+  Bodies bodies;
+  for (int i = 0; i < n * n; ++i) {
+    BodySpec spec;
+    spec.kind = BodyKind::floe;
+    spec.material = "ice";
+    spec.shape = shape;
+    spec.mass = mass.mass;
+    spec.inertia_B = mass.inertia;
+    spec.pose.p = {(k_size - k_overlap) * (i % n), (k_size - k_overlap) * (i / n), -0.02};
+    spec.v = {0.1 * ((i * 7) % 5 - 2), 0.1 * ((i * 11) % 5 - 2), 0};
+    bodies.add(spec);
+  }
+  return bodies;
+}
+
+void detect(benchmark::State& state) {
+  const Bodies bodies = touching_grid(static_cast<int>(state.range(0)));
+  ContactDetector detector;
+  for (auto _ : state) benchmark::DoNotOptimize(detector.detect(bodies, 1e-3));
+  state.SetItemsProcessed(state.iterations() * bodies.size());
+}
+BENCHMARK(detect)->Arg(16)->Arg(32)->Arg(64)->Unit(benchmark::kMillisecond);
+
+void water(benchmark::State& state) {
+  const Bodies bodies = touching_grid(static_cast<int>(state.range(0)));
+  const auto buoyancy = make_buoyancy({}, 1), drag = make_drag({}, {}, 1);
+  Wrenches loads(static_cast<std::size_t>(bodies.size()));
+  for (auto _ : state) {
+    buoyancy->add_forces(bodies, 0, loads);
+    drag->add_forces(bodies, 0, loads);
+  }
+  state.SetItemsProcessed(state.iterations() * bodies.size());
+}
+BENCHMARK(water)->Arg(16)->Arg(32)->Arg(64)->Unit(benchmark::kMillisecond);
+
+/// Arguments: floes along a side, sweeps.
+void solve(benchmark::State& state) {
+  const Bodies bodies = touching_grid(static_cast<int>(state.range(0)));
+  FrictionTable friction;
+  friction.add("ice", "ice", {0.3, 0.3, 0});
+  const auto points = ContactDetector().detect(bodies, 1e-3);
+  AssemblySettings settings;
+  settings.h = 0.01;
+  settings.law = Law::pyramid;
+  const Wrenches loads(static_cast<std::size_t>(bodies.size()));
+  SolverSettings sweeps;
+  sweeps.tolerance = 0;
+  sweeps.max_iterations = static_cast<int>(state.range(1));
+  const auto solver = find_solver("pgs").make(sweeps);
+  for (auto _ : state) {
+    const AssembledContacts contacts = assemble(bodies, loads, points, friction, settings, {});
+    benchmark::DoNotOptimize(solver->solve(contacts.problem, {}));
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<int>(points.size()) * state.range(1));
+}
+BENCHMARK(solve)->Args({32, 10})->Args({32, 50})->Args({32, 200})->Unit(benchmark::kMillisecond);
+
+}  // namespace
