@@ -27,7 +27,8 @@ ContactProblem movable_graph(const AssembledContacts& contacts, bool move_articu
 std::vector<int> contacts_to_correct(const ContactProblem& graph, const std::vector<ContactPoint>& points,
                                      double smallest) {
   std::vector<int> chosen;
-  if (std::none_of(points.begin(), points.end(), [&](const ContactPoint& c) { return -c.gap > smallest; })) return chosen;
+  if (std::none_of(points.begin(), points.end(), [&](const ContactPoint& c) { return -c.gap > smallest; }))
+    return chosen;
   for (const auto& island : find_islands(graph)) {
     const auto& first = graph.pairs[static_cast<std::size_t>(island.front())];
     if (first.a < 0 && first.b < 0) continue;

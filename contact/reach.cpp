@@ -41,7 +41,8 @@ void drop_out_of_reach(const Bodies& bodies, const std::vector<double>& own, std
   /// Hands on what a body of index `from` can reach; true when that is more than `to` could by itself.
   const auto push = [&](std::size_t from, std::size_t to, double gap) {
     if (!bodies.is_free(static_cast<int>(to))) return false;
-    const double share = bodies.is_free(static_cast<int>(from)) ? bodies.mass[from] / (bodies.mass[from] + bodies.mass[to]) : 1;
+    const double share =
+        bodies.is_free(static_cast<int>(from)) ? bodies.mass[from] / (bodies.mass[from] + bodies.mass[to]) : 1;
     const double pushed = share * (reach[from] - gap);
     if (pushed <= reach[to]) return false;
     reach[to] = pushed;

@@ -41,7 +41,8 @@ Estimate estimate(const WorldParts& parts) {
   constexpr double k_touching_share = 0.01;
   e.contacts = static_cast<int>(detector.detect(bodies, k_touching_share * radius + 1e-6).size());
   constexpr std::size_t k_bytes_per_body = 2000, k_bytes_per_contact = 2000;
-  bytes += static_cast<std::size_t>(e.bodies) * k_bytes_per_body + static_cast<std::size_t>(e.contacts) * k_bytes_per_contact;
+  bytes += static_cast<std::size_t>(e.bodies) * k_bytes_per_body +
+           static_cast<std::size_t>(e.contacts) * k_bytes_per_contact;
   e.memory_MB = static_cast<double>(bytes) / 1e6;
   return e;
 }
@@ -54,10 +55,14 @@ int check(const CheckOptions& options) {
   if (options.json) {
     auto modules = nlohmann::ordered_json::object();
     for (const auto& [name, why] : parts.info.modules) modules[name] = why;
-    const nlohmann::ordered_json result{{"scene", scene.name},          {"valid", true},
-                                        {"modules", modules},           {"not_built", parts.info.not_built},
-                                        {"notes", scene.notes},         {"bodies", e.bodies},
-                                        {"floes", parts.info.floes},    {"contacts_estimated", e.contacts},
+    const nlohmann::ordered_json result{{"scene", scene.name},
+                                        {"valid", true},
+                                        {"modules", modules},
+                                        {"not_built", parts.info.not_built},
+                                        {"notes", scene.notes},
+                                        {"bodies", e.bodies},
+                                        {"floes", parts.info.floes},
+                                        {"contacts_estimated", e.contacts},
                                         {"memory_MB_estimated", e.memory_MB}};
     std::cout << result.dump(2) << "\n";
     return exit_done;
@@ -69,8 +74,8 @@ int check(const CheckOptions& options) {
   for (const auto& name : parts.info.not_built) std::cout << " " << name;
   std::cout << "\n";
   for (const auto& note : scene.notes) std::cout << "note: " << note << "\n";
-  std::cout << fmt::format("\n{} bodies ({} floes), about {} contacts, about {:.0f} MB, {:.0f} steps of {} s\n", e.bodies,
-                           parts.info.floes, e.contacts, std::ceil(e.memory_MB),
+  std::cout << fmt::format("\n{} bodies ({} floes), about {} contacts, about {:.0f} MB, {:.0f} steps of {} s\n",
+                           e.bodies, parts.info.floes, e.contacts, std::ceil(e.memory_MB),
                            std::round((scene.time.end - scene.time.start) / scene.time.step), scene.time.step);
   return exit_done;
 }

@@ -115,7 +115,8 @@ void add_hull(CLI::App& app, Action& action) {
     std::string dashed = flag.name;
     for (auto& c : dashed) c = c == '_' ? '-' : c;
     std::string names = "--" + dashed;
-    if (dashed.size() > 4 && dashed.substr(dashed.size() - 4) == "-deg") names += ",--" + dashed.substr(0, dashed.size() - 4);
+    if (dashed.size() > 4 && dashed.substr(dashed.size() - 4) == "-deg")
+      names += ",--" + dashed.substr(0, dashed.size() - 4);
     command->add_option_function<double>(
         names, [options, name = std::string(flag.name)](const double& value) { options->parameters[name] = value; },
         flag.help);

@@ -45,8 +45,8 @@ std::string machine() {
 }
 
 std::map<std::string, std::string> versions() {
-  return {{"nilas", NILAS_VERSION},     {"simbody", NILAS_SIMBODY_VERSION},   {"fcl", NILAS_FCL_VERSION},
-          {"eigen", NILAS_EIGEN_VERSION}, {"cgal", NILAS_CGAL_VERSION},         {"tinyxml2", NILAS_TINYXML2_VERSION},
+  return {{"nilas", NILAS_VERSION},       {"simbody", NILAS_SIMBODY_VERSION}, {"fcl", NILAS_FCL_VERSION},
+          {"eigen", NILAS_EIGEN_VERSION}, {"cgal", NILAS_CGAL_VERSION},       {"tinyxml2", NILAS_TINYXML2_VERSION},
           {"compiler", NILAS_COMPILER}};
 }
 
@@ -98,7 +98,8 @@ class Run {
     } catch (const SimulationError& e) {
       return {"failed", exit_numerics, e.what()};
     }
-    if (stop_requested) return {"interrupted", exit_interrupted, "interrupted at " + std::to_string(simulation.time()) + " s"};
+    if (stop_requested)
+      return {"interrupted", exit_interrupted, "interrupted at " + std::to_string(simulation.time()) + " s"};
     return {};
   }
 

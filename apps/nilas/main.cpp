@@ -32,7 +32,8 @@ int run_action(const nilas::Action& action) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // Each step frees and takes the same few megabytes: returning them to the system in between costs a tenth of the time.
+  // Each step frees and takes the same few megabytes: returning them to the system in between costs a tenth of the
+  // time.
   constexpr int k_keep_bytes = 1 << 28;
   mallopt(M_TRIM_THRESHOLD, k_keep_bytes);
   mallopt(M_MMAP_THRESHOLD, k_keep_bytes);

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-
 namespace nilas {
 
 void add_scene_flags(CLI::App& command, SceneFlags& flags) {

@@ -1,6 +1,6 @@
 #pragma once
-/// Which of two axes separates a pair better, with ties broken by geometry alone: a mirrored pair makes the mirrored choice
-/// whatever the order in which its vertices and faces are listed.
+/// Which of two axes separates a pair better, with ties broken by geometry alone: a mirrored pair makes the mirrored
+/// choice whatever the order in which its vertices and faces are listed.
 #include <cmath>
 
 #include "contact/detect/pair_view.h"
@@ -10,8 +10,8 @@ namespace nilas {
 /// Relative difference below which two alignments count as equal.
 constexpr double k_alignment_tie = 1e-9;
 
-/// True when axis n with separation s beats `current`. Within the pair's tolerance of each other: the axis nearer to the
-/// line of centres wins, then the one nearer to A's x axis, then to its y axis.
+/// True when axis n with separation s beats `current`. Within the pair's tolerance of each other: the axis nearer to
+/// the line of centres wins, then the one nearer to A's x axis, then to its y axis.
 inline bool beats(const PairView& pair, const Vec3& n, double s, const Axis& current) {
   if (s > current.s + pair.tolerance) return true;
   if (s < current.s - pair.tolerance) return false;

@@ -11,8 +11,8 @@ namespace {
 
 /// Depths above this share of both parts' widths along the axis together are not proven for crossing edges.
 constexpr double k_shallow = 0.05;
-/// How far, in depths, the Minkowski difference's face of two crossing edges must reach: its neighbours may then turn by
-/// up to 2 atan(8) = 166 degrees before their planes come nearer.
+/// How far, in depths, the Minkowski difference's face of two crossing edges must reach: its neighbours may then turn
+/// by up to 2 atan(8) = 166 degrees before their planes come nearer.
 constexpr double k_crossing_reach = 8.0;
 /// How far, in depths, a point of a gentle slope must lie from the other faces.
 constexpr double k_slope_reach = 2.0;
@@ -33,14 +33,14 @@ struct FaceOwner {
   }
 };
 
-/// A point of the other part that lies as deep under the face as any, and at least as deep under all other faces, is the
-/// centre of a ball of that depth inside the owner: along no direction do the parts overlap less.
-/// Where the other part slopes over the face, a point `rise` above its deepest one, but `reach` inside the other faces,
-/// bounds the depth along all directions by depth (1 - (rise / reach)^2 / 2).
+/// A point of the other part that lies as deep under the face as any, and at least as deep under all other faces, is
+/// the centre of a ball of that depth inside the owner: along no direction do the parts overlap less. Where the other
+/// part slopes over the face, a point `rise` above its deepest one, but `reach` inside the other faces, bounds the
+/// depth along all directions by depth (1 - (rise / reach)^2 / 2).
 bool face_is_proven(const PairView& pair, const Axis& axis, const FacingSurfaces& facing) {
   const bool of_a = axis.kind == AxisKind::face_a;
-  const FaceOwner owner = of_a ? FaceOwner{*pair.a.facets, axis.feature_a, {}}
-                               : FaceOwner{*pair.b.facets, axis.feature_b, pair.a_in_b};
+  const FaceOwner owner =
+      of_a ? FaceOwner{*pair.a.facets, axis.feature_a, {}} : FaceOwner{*pair.b.facets, axis.feature_b, pair.a_in_b};
   const ContactPlane& plane = facing.plane;
   const double depth = -axis.s;
   Vec3 mean = Vec3::Zero();
@@ -73,8 +73,8 @@ bool crossing_is_proven(const PairView& pair, const Axis& axis) {
   const PartEdge& edge_b = pair.b.facets->edges[axis.feature_b];
   const Vec3 along_b = pair.b_in_a.R * edge_b.along;
   // The edges' common perpendicular is the axis, so the nearest points of their lines are the crossing.
-  const NearestOnSegments nearest = nearest_on_segments(a.vertices[edge_a.v0], edge_a.along,
-                                                        pair.b_in_a.point(b.vertices[edge_b.v0]), along_b);
+  const NearestOnSegments nearest =
+      nearest_on_segments(a.vertices[edge_a.v0], edge_a.along, pair.b_in_a.point(b.vertices[edge_b.v0]), along_b);
   const double area = edge_a.along.cross(along_b).norm();
   const double from_b = std::min(nearest.t, 1.0 - nearest.t) * area / along_b.norm();
   const double from_a = std::min(nearest.u, 1.0 - nearest.u) * area / edge_a.along.norm();

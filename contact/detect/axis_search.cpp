@@ -42,8 +42,8 @@ class AxisSearch {
     return points.empty() ? nullptr : &*std::min_element(points.begin(), points.end(), nearer);
   }
 
-  /// A corner that stands out beyond the rim of a face: the edges seen to cross where the surfaces come nearest give the
-  /// axis at once. Most pairs that no face settles are of this kind.
+  /// A corner that stands out beyond the rim of a face: the edges seen to cross where the surfaces come nearest give
+  /// the axis at once. Most pairs that no face settles are of this kind.
   bool try_shown_crossing() {
     const OverlayPoint* nearest = nearest_shown();
     if (nearest == nullptr || nearest->feature.kind != FeatureKind::crossing) return false;

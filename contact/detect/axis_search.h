@@ -17,8 +17,8 @@ struct AxisSearchRoom {
   EdgeChoice edges;
 };
 
-/// Finds the best axis; on return with axis.s <= margin, room.facing holds the surfaces along it. With axis.s > margin the
-/// axis separates and need not be the best.
+/// Finds the best axis; on return with axis.s <= margin, room.facing holds the surfaces along it. With axis.s > margin
+/// the axis separates and need not be the best.
 ///
 /// The faces of both come first, exactly. When their best is not proven, all pairs of edges that face each other, so
 /// that the answer is the best of all axes. Where these are too many (hulls of many facets): edges near the support,

@@ -11,8 +11,9 @@ namespace nilas {
 
 namespace {
 
-/// A part may move this far before its box is made anew: so many margins, since a margin is about the way of the fastest
-/// body in one step, but within these shares of its radius. A box lasts some steps and few pairs are listed in vain.
+/// A part may move this far before its box is made anew: so many margins, since a margin is about the way of the
+/// fastest body in one step, but within these shares of its radius. A box lasts some steps and few pairs are listed in
+/// vain.
 constexpr double k_allowed_margins = 4.0;
 constexpr double k_least_allowed_radii = 0.01;
 constexpr double k_most_allowed_radii = 0.05;
@@ -45,7 +46,7 @@ struct Leaf {
   std::unique_ptr<fcl::CollisionObjectd> object;
   Vec3 p = Vec3::Zero();
   Mat3 R = Mat3::Zero();
-  double fat = -1;  ///< what was added on every side [m]
+  double fat = -1;   ///< what was added on every side [m]
   double reach = 0;  ///< of the part from the body's origin [m]
 
   /// Bound on the way of any point of the part since the box was made.
@@ -55,8 +56,8 @@ struct Leaf {
 
   void fit(const Bodies& bodies, const Part& of, double half_margin) {
     const double r = of.bounding_radius;
-    const double allowance = std::clamp(2.0 * k_allowed_margins * half_margin, k_least_allowed_radii * r,
-                                        k_most_allowed_radii * r);
+    const double allowance =
+        std::clamp(2.0 * k_allowed_margins * half_margin, k_least_allowed_radii * r, k_most_allowed_radii * r);
     const Box box = box_of(bodies, of);
     p = bodies.p_GB[body];
     R = bodies.R_GB[body];

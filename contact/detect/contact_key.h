@@ -1,6 +1,6 @@
 #pragma once
-/// Names of touching features, and 64-bit keys made of them. A name holds numbers of vertices, edges and faces within their
-/// parts only, so it lives as long as the features do.
+/// Names of touching features, and 64-bit keys made of them. A name holds numbers of vertices, edges and faces within
+/// their parts only, so it lives as long as the features do.
 #include <compare>
 #include <cstdint>
 

@@ -7,14 +7,15 @@
 namespace nilas {
 
 struct ContactPoint {
-  int a = -1;             ///< body index, the lower id
-  int b = -1;             ///< body index
-  int part_a = 0;         ///< convex part of A
+  int a = -1;      ///< body index, the lower id
+  int b = -1;      ///< body index
+  int part_a = 0;  ///< convex part of A
   int part_b = 0;
-  Vec3 p = Vec3::Zero();  ///< midway between the two surfaces, in G [m]
+  Vec3 p = Vec3::Zero();   ///< midway between the two surfaces, in G [m]
   Vec3 n = Vec3::UnitX();  ///< unit normal from A to B, in G
-  double gap = 0;         ///< signed distance along n: > 0 apart, < 0 penetration [m]
-  std::uint64_t key = 0;  ///< from the ids of bodies, parts and touching features: stable while the features stay the same
+  double gap = 0;          ///< signed distance along n: > 0 apart, < 0 penetration [m]
+  std::uint64_t key =
+      0;  ///< from the ids of bodies, parts and touching features: stable while the features stay the same
 };
 
 }  // namespace nilas

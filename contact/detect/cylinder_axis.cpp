@@ -92,8 +92,7 @@ class CylinderSearch {
       const Vec3 x = to_round.point(other.in_a.point(facets.polytope->vertices[v]));
       try_direction(round.sign * (round.in_a.R * nearest_point(round.part, x).normal));
       for (int w : facets.polytope->vertex_neighbours[v]) {
-        const Vec3 edge =
-            (other.in_a.R * (facets.polytope->vertices[w] - facets.polytope->vertices[v])).normalized();
+        const Vec3 edge = (other.in_a.R * (facets.polytope->vertices[w] - facets.polytope->vertices[v])).normalized();
         try_direction(n - n.dot(edge) * edge);
         try_both_ways(axis.cross(edge));
       }

@@ -10,10 +10,10 @@
 namespace nilas {
 
 struct DetectorCounts {
-  long candidate_pairs = 0;   ///< pairs of parts whose boxes overlap
+  long candidate_pairs = 0;     ///< pairs of parts whose boxes overlap
   long cached_separations = 0;  ///< pairs set aside by last step's separating axis
   long fcl_queries = 0;
-  long fallbacks = 0;         ///< times the library threw or gave an unusable answer and the face axes decided alone
+  long fallbacks = 0;  ///< times the library threw or gave an unusable answer and the face axes decided alone
 };
 
 /// Keeps geometry and coherence caches between calls; results depend on the poses only, never on the caches' history

@@ -28,8 +28,8 @@ struct OtherPart {
   double inner_radius;
 };
 
-/// Edges of a part that face the other part; see choose_facing_edges. A point's heights over both faces of an edge bound
-/// what it separates along the directions between their normals, by the larger one while neither is above zero.
+/// Edges of a part that face the other part; see choose_facing_edges. A point's heights over both faces of an edge
+/// bound what it separates along the directions between their normals, by the larger one while neither is above zero.
 void facing_edges(const FacetedGeometry& facets, const OtherPart& other, double at_least, EdgeChoice& edges) {
   const auto heights_of = [&facets](const Vec3& p) {
     return facets.normals.col(0) * p.x() + facets.normals.col(1) * p.y() + facets.normals.col(2) * p.z() -

@@ -28,18 +28,21 @@ struct NearPoints {
 };
 
 /// All edges that may make an axis better than `at_least` [m], or hold a nearest point of parts that are apart: those
-/// with a face that looks at the other part's near point, and, for an `at_least` below zero, where only crossings count, at its centre. For the
-/// others no direction between their faces' normals separates more than that point's height over these faces.
+/// with a face that looks at the other part's near point, and, for an `at_least` below zero, where only crossings
+/// count, at its centre. For the others no direction between their faces' normals separates more than that point's
+/// height over these faces.
 void choose_facing_edges(const PairView& pair, double at_least, const NearPoints& near, EdgeChoice& edges);
 
-/// The edges at the supports along n: those at the supporting vertices and around the face there that looks most along n.
+/// The edges at the supports along n: those at the supporting vertices and around the face there that looks most along
+/// n.
 void choose_edges_along(const PairView& pair, const Vec3& n, EdgeChoice& edges);
 
 /// The edges with these numbers alone.
 void choose_two_edges(const PairView& pair, int edge_a, int edge_b, EdgeChoice& edges);
 
-/// Replaces `best` where crossing edges do better: a pair of edges is a face of the Minkowski difference where their normal
-/// arcs cross [Gregorius 2013, The separating axis test between convex polyhedra], and then s is exact without a search.
+/// Replaces `best` where crossing edges do better: a pair of edges is a face of the Minkowski difference where their
+/// normal arcs cross [Gregorius 2013, The separating axis test between convex polyhedra], and then s is exact without a
+/// search.
 void try_crossing_edges(const PairView& pair, const EdgeChoice& edges, Axis& best);
 /// Replaces `best` where the nearest points of two edges give a larger separation; needs parts that are apart.
 void try_nearest_edges(const PairView& pair, const EdgeChoice& edges, Axis& best);

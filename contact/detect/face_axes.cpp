@@ -47,8 +47,9 @@ Vec3 try_face(const FaceSearch& search, int f, Axis& best) {
   return nearest;
 }
 
-// Cutting planes: every point of y bounds the separation along each face normal of x from above, so most faces are never
-// tried. The bounds start from the ball inside y; each face that is tried adds the point of y nearest to its plane.
+// Cutting planes: every point of y bounds the separation along each face normal of x from above, so most faces are
+// never tried. The bounds start from the ball inside y; each face that is tried adds the point of y nearest to its
+// plane.
 
 constexpr int k_few_faces = 32;
 

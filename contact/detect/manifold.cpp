@@ -123,9 +123,9 @@ void select_points(const PairView& pair, const Axis& axis, FacingSurfaces& facin
   auto& points = facing.points;
   const bool one_face_each = facing.a.size() * facing.b.size() == 1 && pair.a.facets && pair.b.facets;
   if (!one_face_each) drop_repeated(points);
-  points.erase(std::remove_if(points.begin(), points.end(),
-                              [&](const OverlayPoint& p) { return !(p.gap < pair.margin); }),
-               points.end());
+  points.erase(
+      std::remove_if(points.begin(), points.end(), [&](const OverlayPoint& p) { return !(p.gap < pair.margin); }),
+      points.end());
   if (!(facing.smallest_gap <= axis.s + pair.tolerance) && axis.s < pair.margin) {
     static const RelativePose k_own_frame;
     SupportSet a = support_set({pair.a, k_own_frame, 1.0}, facing.plane, pair.tolerance);

@@ -25,7 +25,8 @@ void face_each_other(const PairView& pair, const Axis& axis, FacingSurfaces& fac
 /// True when `axis` is proven to be the best axis of the pair (axis_proof.cpp).
 /// Apart: two points on the surfaces are as near as the axis separates, so no other axis separates more.
 /// Overlapping along a face: the other part has a point under it that lies deeper under all other faces.
-/// Overlapping between crossing edges, by little: the face of the Minkowski difference that belongs to them reaches far.
+/// Overlapping between crossing edges, by little: the face of the Minkowski difference that belongs to them reaches
+/// far.
 bool is_proven(const PairView& pair, const Axis& axis, const FacingSurfaces& facing);
 
 /// Leaves in facing.points the contact points: gaps below the margin, at most four, the deepest gap equal to axis.s.

@@ -10,8 +10,8 @@ namespace nilas {
 
 namespace {
 
-/// The memory's axis sets a pair aside only when it clears the margin by more than rounding, so that the pair would have
-/// had no contact without it either.
+/// The memory's axis sets a pair aside only when it clears the margin by more than rounding, so that the pair would
+/// have had no contact without it either.
 bool separated_by_memory(const Bodies& bodies, const Part& a, const Part& b, double margin, const PairMemory& memory) {
   const Vec3& n = memory.axis;
   const Vec3 n_a = bodies.R_GB[a.body].transpose() * n;
@@ -70,8 +70,8 @@ void polytope_or_cylinder_pair(const Bodies& bodies, const Part& a, const Part& 
                                AxisSearchRoom& room, PairMemory& memory, PairContacts& out) {
   const PairView pair = view_pair(a, b, pose_of_b_in_a(bodies, a.body, b.body), margin);
   const bool both_faceted = a.facets && b.facets;
-  const Axis axis = both_faceted ? find_axis(pair, fcl, room, out.search)
-                                 : find_cylinder_axis(pair, fcl, room, out.search);
+  const Axis axis =
+      both_faceted ? find_axis(pair, fcl, room, out.search) : find_cylinder_axis(pair, fcl, room, out.search);
   const Mat3& R = bodies.R_GB[a.body];
   const Vec3 n_G = R * axis.n;
   memory.axis = axis.s > margin ? n_G : Vec3(Vec3::Zero());

@@ -18,7 +18,8 @@ NearestPoint on_sphere(const Part& part, const Vec3& x) {
   return nearest;
 }
 
-/// Below this share of the radius a point counts as on the surface, where the line to its nearest point has no direction.
+/// Below this share of the radius a point counts as on the surface, where the line to its nearest point has no
+/// direction.
 constexpr double k_rounding = 1e-14;
 
 const Feature k_side{FeatureKind::face, 0, -1}, k_cap{FeatureKind::face, 1, -1}, k_rim{FeatureKind::rim, 0, -1};
@@ -83,8 +84,8 @@ NearestPoint outside_polytope(const FacetedGeometry& facets, const Eigen::ArrayX
 }
 
 NearestPoint on_polytope(const FacetedGeometry& facets, const Vec3& x) {
-  const Eigen::ArrayXd heights = facets.normals.col(0) * x.x() + facets.normals.col(1) * x.y() +
-                                 facets.normals.col(2) * x.z() - facets.offsets;
+  const Eigen::ArrayXd heights =
+      facets.normals.col(0) * x.x() + facets.normals.col(1) * x.y() + facets.normals.col(2) * x.z() - facets.offsets;
   Eigen::Index nearest = 0;
   const double height = heights.maxCoeff(&nearest);
   if (height > k_rounding * facets.polytope->radius) return outside_polytope(facets, heights, x);

@@ -89,15 +89,14 @@ void cut_by_side(const Cutter& cutter, int side, double tolerance, const std::ve
 
 }  // namespace
 
-void clip(const SurfaceLoop& loop_a, const SurfaceLoop& loop_b, bool a_is_window, double tolerance, ClipBuffers& buffers,
-          std::vector<OverlayPoint>& points) {
+void clip(const SurfaceLoop& loop_a, const SurfaceLoop& loop_b, bool a_is_window, double tolerance,
+          ClipBuffers& buffers, std::vector<OverlayPoint>& points) {
   const Cutter cutter{a_is_window ? loop_a : loop_b, a_is_window};
   const SurfaceLoop& subject = a_is_window ? loop_b : loop_a;
   const FeatureKind kind = a_is_window ? FeatureKind::vertex_b : FeatureKind::vertex_a;
   const double sign = twice_area(cutter.window) < 0 ? -1.0 : 1.0;
   buffers.now.clear();
-  for (const LoopCorner& c : subject.corners)
-    buffers.now.push_back({c.u, c.v, {kind, c.vertex, -1}, c.edge, -1, 0});
+  for (const LoopCorner& c : subject.corners) buffers.now.push_back({c.u, c.v, {kind, c.vertex, -1}, c.edge, -1, 0});
   for (std::size_t k = 0; k < cutter.window.corners.size() && !buffers.now.empty(); ++k) {
     const Side side = side_of(cutter.window, k, sign);
     double least = 0;

@@ -1,6 +1,6 @@
 #pragma once
-/// Two convex parts at their present poses, seen from part A's body frame, where all of a pair's search is done: no digits
-/// are lost far from the origin.
+/// Two convex parts at their present poses, seen from part A's body frame, where all of a pair's search is done: no
+/// digits are lost far from the origin.
 #include <algorithm>
 #include <limits>
 
@@ -27,8 +27,8 @@ struct PairView {
   const Part& b;
   RelativePose b_in_a;
   RelativePose a_in_b;
-  double margin = 0;  ///< gaps below it are contacts [m]
-  double size = 0;    ///< bounding radius of the smaller part [m]
+  double margin = 0;     ///< gaps below it are contacts [m]
+  double size = 0;       ///< bounding radius of the smaller part [m]
   double tolerance = 0;  ///< lengths below it are rounding or unevenness of the surfaces [m]
 };
 
@@ -47,7 +47,8 @@ inline PairView view_pair(const Part& a, const Part& b, const RelativePose& b_in
   return pair;
 }
 
-/// Separation of the pair along the unit vector n from A to B, in A's frame: least n . x over B minus largest over A [m].
+/// Separation of the pair along the unit vector n from A to B, in A's frame: least n . x over B minus largest over A
+/// [m].
 inline double separation(const PairView& pair, const Vec3& n) {
   return n.dot(pair.b_in_a.p) - extent(pair.b, -(pair.b_in_a.R.transpose() * n)) - extent(pair.a, n);
 }

@@ -1,6 +1,6 @@
 #pragma once
-/// Convex parts of bodies, prepared for contact search: the same geometry as core/bodies/shape.h with what a search asks
-/// of it again and again laid out for it.
+/// Convex parts of bodies, prepared for contact search: the same geometry as core/bodies/shape.h with what a search
+/// asks of it again and again laid out for it.
 #include <array>
 #include <memory>
 #include <span>
@@ -29,9 +29,7 @@ class NumberLists {
     items_.insert(items_.end(), list.begin(), list.end());
     start_.push_back(static_cast<int>(items_.size()));
   }
-  std::span<const int> operator[](int i) const {
-    return {items_.data() + start_[i], items_.data() + start_[i + 1]};
-  }
+  std::span<const int> operator[](int i) const { return {items_.data() + start_[i], items_.data() + start_[i + 1]}; }
 
  private:
   std::vector<int> start_{0}, items_;
@@ -44,10 +42,10 @@ struct FacetedGeometry {
   Eigen::Array<double, Eigen::Dynamic, 3> normals;
   Eigen::ArrayXd offsets;
   std::vector<PartEdge> edges;
-  NumberLists face_vertices;      ///< loops, counter-clockwise from outside
-  NumberLists face_edges;         ///< edge k joins loop vertices k and k + 1
+  NumberLists face_vertices;  ///< loops, counter-clockwise from outside
+  NumberLists face_edges;     ///< edge k joins loop vertices k and k + 1
   NumberLists vertex_faces, vertex_edges;
-  NumberLists smooth_neighbours;  ///< faces across an edge that turn by less than twice the patch angle
+  NumberLists smooth_neighbours;    ///< faces across an edge that turn by less than twice the patch angle
   std::vector<int> start_vertices;  ///< support vertex per cell of directions; empty where all vertices are tried
   double roughness = 0;             ///< how far vertices stand off the plane of their face or over a neighbour's [m]
 };
@@ -79,7 +77,6 @@ double extent(const Part& part, const Vec3& n);
 int support_vertex(const FacetedGeometry& facets, const Vec3& n);
 /// All vertices where n . x is within `tolerance` [m] of the largest, in rising order.
 void support_vertices(const FacetedGeometry& facets, const Vec3& n, double tolerance, std::vector<int>& out);
-
 
 /// Supporting points of a cylinder in direction n: one of a rim, both ends of a side line, or a cap's centre.
 struct CylinderSupport {

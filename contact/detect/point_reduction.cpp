@@ -51,8 +51,9 @@ double cross(const OverlayPoint& p, const OverlayPoint& q, const OverlayPoint& r
   return (q.u - p.u) * (s.v - r.v) - (q.v - p.v) * (s.u - r.u);
 }
 
-/// Drops the points that add least to the outline until few enough remain; those not above `deepest` stay.
+/// Drops the points that add least to the outline until few enough remain; one not above `deepest` stays.
 void drop_flat_corners(Points& points, double deepest) {
+  auto deep = std::count_if(points.begin(), points.end(), [&](const OverlayPoint& p) { return p.gap <= deepest; });
   while (points.size() > k_most_candidates) {
     std::size_t flattest = 0;
     double least = std::numeric_limits<double>::infinity();
@@ -60,10 +61,11 @@ void drop_flat_corners(Points& points, double deepest) {
       const OverlayPoint& before = points[(i + points.size() - 1) % points.size()];
       const OverlayPoint& after = points[(i + 1) % points.size()];
       const double area = std::abs(cross(before, points[i], before, after));
-      if (points[i].gap <= deepest || area >= least) continue;
+      if ((points[i].gap <= deepest && deep == 1) || area >= least) continue;
       least = area;
       flattest = i;
     }
+    deep -= points[flattest].gap <= deepest ? 1 : 0;
     points.erase(points.begin() + static_cast<std::ptrdiff_t>(flattest));
   }
 }
@@ -87,9 +89,8 @@ class Images {
   bool exist() const { return !of_.empty(); }
   /// True for a set that is its own image.
   bool keep(const Four& four) const {
-    return exist() && std::all_of(four.begin(), four.end(), [&](int i) {
-             return std::find(four.begin(), four.end(), of_[i]) != four.end();
-           });
+    return exist() && std::all_of(four.begin(), four.end(),
+                                  [&](int i) { return std::find(four.begin(), four.end(), of_[i]) != four.end(); });
   }
 
  private:

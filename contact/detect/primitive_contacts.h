@@ -22,7 +22,8 @@ struct HostView {
   double margin = 0;  ///< [m]
 };
 
-/// Half space z < 0 of the host with any guest but a plane: up to four points of a polytope or cylinder, one of a sphere.
+/// Half space z < 0 of the host with any guest but a plane: up to four points of a polytope or cylinder, one of a
+/// sphere.
 void plane_contacts(const HostView& view, std::vector<LocalContact>& out);
 
 /// Sphere (guest) on a polytope, cylinder or sphere: one point along the line from the surface point nearest to the

@@ -33,9 +33,7 @@ struct Projection {
         v0(plane.t2.dot(view.in_a.p)),
         h0(plane.n.dot(view.in_a.p)) {}
 
-  LoopCorner corner(const Vec3& x, int vertex, int edge) const {
-    return {u0 + u.dot(x), v0 + v.dot(x), vertex, edge};
-  }
+  LoopCorner corner(const Vec3& x, int vertex, int edge) const { return {u0 + u.dot(x), v0 + v.dot(x), vertex, edge}; }
   /// The plane n . x = offset of the part's frame as a height over the contact plane.
   void set_plane(const Vec3& n, double offset, SurfaceLoop& loop) const {
     const double along = n.dot(h);
@@ -73,7 +71,8 @@ void collect_faces(const PatchView& view, const Vec3& direction, double toleranc
     patch.faces.push_back(view.face);
   } else {
     support_vertices(facets, direction, tolerance, patch.vertices);
-    // the best face at each support vertex: along a supporting ridge of many facets that is a face beside each of its edges
+    // the best face at each support vertex: along a supporting ridge of many facets that is a face beside each of its
+    // edges
     for (int v : patch.vertices) {
       double best = k_steep_cosine;
       for (int f : facets.vertex_faces[v]) best = std::max(best, alignment(f));

@@ -20,8 +20,7 @@ static std::string join(const std::vector<Fault>& faults) {
   return s;
 }
 
-SceneError::SceneError(std::vector<Fault> faults)
-    : std::runtime_error(join(faults)), faults_(std::move(faults)) {}
+SceneError::SceneError(std::vector<Fault> faults) : std::runtime_error(join(faults)), faults_(std::move(faults)) {}
 
 void contract_failed(const char* expression, const char* file, int line) {
   throw ContractError(std::string(file) + ":" + std::to_string(line) + ": broken contract: " + expression);

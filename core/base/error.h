@@ -9,8 +9,8 @@ namespace nilas {
 /// One fault in a scene or input file.
 struct Fault {
   std::string file;
-  int line = 0;    ///< 1-based, 0 when the fault has no place
-  int column = 0;  ///< 1-based, 0 when unknown
+  int line = 0;         ///< 1-based, 0 when the fault has no place
+  int column = 0;       ///< 1-based, 0 when unknown
   std::string where;    ///< element or attribute path, e.g. "<vessel><mass value>"
   std::string message;  ///< what was found, what is allowed, nearest name
 
@@ -60,5 +60,4 @@ std::string nearest_name(const std::string& word, const std::vector<std::string>
 }  // namespace nilas
 
 /// Cheap check that stays on in every build; throws ContractError with expression and place.
-#define NILAS_DEMAND(expression) \
-  ((expression) ? void(0) : ::nilas::contract_failed(#expression, __FILE__, __LINE__))
+#define NILAS_DEMAND(expression) ((expression) ? void(0) : ::nilas::contract_failed(#expression, __FILE__, __LINE__))

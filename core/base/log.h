@@ -1,10 +1,10 @@
 #pragma once
 /// Logging: one logger per program run, handed to whoever speaks. Repeated warnings are counted and shown once.
+#include <spdlog/logger.h>
+
 #include <map>
 #include <memory>
 #include <string>
-
-#include <spdlog/logger.h>
 
 namespace nilas {
 

@@ -65,9 +65,10 @@ struct GridSpec {
   double keep_out_margin = 0;
 };
 /// Rectangles filling the region, or parallelograms within it (shear leaves a notch at its ends). Rows are laid out
-/// from the region's middle line, so the field is mirror-symmetric about it, bit for bit when the line is y = 0. Above
-/// and below the line pieces come in mirror pairs, 2k and 2k + 1 when rows is even; of an odd number the middle row is
-/// not sheared. Rows shifted by stagger have half pieces at their ends. Throws InputError.
+/// from the region's middle line, so the field is mirror-symmetric about it, bit for bit when the line is y = 0.
+/// Positive shear leans the rows' outer ends to larger X. Above and below the line pieces come in mirror pairs, 2k and
+/// 2k + 1 when rows is even; of an odd number the middle row is not sheared. Rows shifted by stagger have half pieces
+/// at their ends. Throws InputError.
 FieldResult grid_field(const GridSpec& spec);
 
 /// GeoJSON FeatureCollection, one Polygon without holes per floe, in metres, its first point repeated at the end;

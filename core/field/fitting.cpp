@@ -93,7 +93,8 @@ class Fitter {
  private:
   double size(int floe) const { return std::sqrt(floes_[at(floe)].area); }
 
-  /// The line between two floes: on the axis where they lie furthest apart, nearer to the smaller one.
+  /// The line between two floes, on the axis where they lie furthest apart: of the gap or overlap each has a share in
+  /// proportion to its size.
   void divide(int a, int b) {
     const SeparatingAxis axis = best_axis(outlines_[at(a)], outlines_[at(b)]);
     if (axis.gap > k_largest_growth * (size(a) + size(b))) return;
@@ -126,12 +127,14 @@ class Fitter {
     }
   }
 
-  /// The floe scaled about its centroid and cut to its cell.
+  /// The floe scaled about its centroid and cut to its cell, with a number of corners in range.
   std::vector<Vec2> grown(std::size_t i, double scale) const {
     std::vector<Vec2> outline = outlines_[i].corners;
     for (Vec2& corner : outline) corner = floes_[i].centre + scale * (corner - floes_[i].centre);
     for (const HalfPlane& side : cells_[i]) outline = cut_outline(outline, side.normal, side.offset);
-    if (!outline.empty()) drop_corners(outline, floes_[i].area, limits_);
+    if (outline.empty()) return outline;
+    drop_corners(outline, floes_[i].area, limits_);
+    add_corners(outline, limits_);
     return outline;
   }
 
@@ -149,7 +152,6 @@ class Fitter {
     std::vector<Vec2> outline = grown(i, high);
     // where most of a small floe is taken away it keeps its outline for this round
     if (area(outline) < k_smallest_rest * floe.area) return false;
-    add_corners(outline, limits_);
     const LooseFloe fitted = with_area(loose_floe(std::move(outline)), floe.area);
     // a floe pressed from two sides only would grow into a needle
     if (fitted.radius > std::max(floe.radius, k_largest_radius * std::sqrt(floe.area))) return false;

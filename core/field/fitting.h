@@ -1,5 +1,5 @@
 #pragma once
-/// Fits polygon floes to their neighbours: beyond about 84 % random polygons block each other, and real ice is denser
+/// Fits polygon floes to their neighbours: beyond about 86 % random polygons block each other, and real ice is denser
 /// only because neighbouring floes broke from each other and share edges.
 #include <vector>
 
@@ -13,10 +13,12 @@ struct FittingLimits {
   int vertices_max = 9;
 };
 
-/// Cuts overlapping floes along the middle of their overlap and floes beyond the edge or in an obstacle along it, each
-/// by a small depth at most; drops or adds corners to keep their number in range; then scales every cut floe about its
-/// centroid back to its area, so that it grows into the free water beside it. To be repeated, with relaxation between.
-/// Returns the indices of the floes that changed.
+/// Draws a line between every two near floes, on the axis where they lie furthest apart and nearer to the smaller one:
+/// the lines, the region's edge and the obstacles bound a cell for each floe, and cells do not overlap. A floe that
+/// reaches beyond its cell is scaled about its centroid and cut to the cell until it has its area again, so that it
+/// grows into the free water beside it; corners are dropped or added to keep their number in range. A floe whose cell
+/// is too small keeps its area and overlaps still: relaxation then makes room, and the fitting is repeated. Returns the
+/// indices of the floes that changed.
 std::vector<std::size_t> fit_outlines(std::vector<LooseFloe>& floes, const FieldBounds& bounds,
                                       const FittingLimits& limits);
 

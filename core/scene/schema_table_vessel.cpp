@@ -36,8 +36,8 @@ static ElementSpec vessel() {
 }
 
 /// A parameter of a generated form: what is not named is the generator's to choose, lengths in proportion to `length`.
-static AttributeSpec form(const std::string& name, const std::string& unit, const Range& range,
-                          const std::string& note, const std::string& doc) {
+static AttributeSpec form(const std::string& name, const std::string& unit, const Range& range, const std::string& note,
+                          const std::string& doc) {
   return {.name = name, .unit = unit, .range = range, .default_note = note, .doc = doc};
 }
 
@@ -59,7 +59,8 @@ static ElementSpec hull() {
                      form("depth", "m", above(0), "0.1 of the length", "Keel to deck."),
                      form("stem_angle_deg", "deg", {.min = 0, .max = 90, .min_inclusive = false}, "25",
                           "Between the stem and still water; icebreaker only."),
-                     form("entrance_angle_deg", "deg", inside(0, 90), "30", "Half angle of the waterline at the stem; icebreaker only."),
+                     form("entrance_angle_deg", "deg", inside(0, 90), "30",
+                          "Half angle of the waterline at the stem; icebreaker only."),
                      form("bow_length", "m", above(0), "0.3 of the length", "Length of the forebody at the waterline."),
                      form("stern_length", "m", at_least(0), "1/6 of the length", "Length of the run; icebreaker only."),
                      form("flare_angle_deg", "deg", {.min = 0, .max = 90, .max_inclusive = false}, "8",

@@ -95,8 +95,8 @@ class IceBuilder {
     const Vec2 low(field.region[0], field.region[1]), high(field.region[2], field.region[3]);
     if (field.kind == "file") return read_field(field.file);
     if (field.kind == "grid")
-      return grid_field({low, high, field.rows, field.columns, field.gap, field.shear_deg * k_deg, field.stagger,
-                         keep_out, margin});
+      return grid_field(
+          {low, high, field.rows, field.columns, field.gap, field.shear_deg * k_deg, field.stagger, keep_out, margin});
     PackedSpec spec;
     spec.low = low;
     spec.high = high;

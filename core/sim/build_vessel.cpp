@@ -36,7 +36,8 @@ double lowest(const TriangleMesh& mesh) {
   throw InputError(scene.file.string() + ": <vessel name='" + scene.vessel->name + "'>: " + message);
 }
 
-/// Mass, centre and inertia in V: as given, else of uniform density; the mass from the draught or the given height where not given.
+/// Mass, centre and inertia in V: as given, else of uniform density; the mass from the draught or the given height
+/// where not given.
 MassProperties vessel_mass(const Scene& scene, const TriangleMesh& fluid, const Mat3& R, const WorldParts& parts) {
   const VesselScene& vessel = *scene.vessel;
   const MassScene& given = vessel.mass;
@@ -64,7 +65,8 @@ MassProperties vessel_mass(const Scene& scene, const TriangleMesh& fluid, const 
 }
 
 /// Height of V's origin: as given, by the draught, or at floating equilibrium.
-double vessel_height(const Scene& scene, const TriangleMesh& fluid, const Mat3& R, double mass, const WorldParts& parts) {
+double vessel_height(const Scene& scene, const TriangleMesh& fluid, const Mat3& R, double mass,
+                     const WorldParts& parts) {
   const VesselScene& vessel = *scene.vessel;
   if (vessel.position_has_z) return vessel.position.z();
   if (!parts.water) refuse(scene, "without <water> the position needs three numbers");

@@ -16,8 +16,7 @@ static void build_modules(const Scene& scene, int threads, WorldParts& parts) {
     parts.modules.push_back(std::move(module));
   };
   if (hydro.buoyancy) add(make_buoyancy(*parts.water, threads), "<hydro><buoyancy>");
-  if (hydro.drag)
-    add(make_drag(*parts.water, {hydro.drag->form, hydro.drag->skin}, threads), "<hydro><drag>");
+  if (hydro.drag) add(make_drag(*parts.water, {hydro.drag->form, hydro.drag->skin}, threads), "<hydro><drag>");
   if (hydro.virtual_drag)
     add(make_virtual_drag(hydro.virtual_drag->coefficient, hydro.virtual_drag->velocity), "<hydro><virtual_drag>");
   parts.info.has_hydro = hydro.buoyancy || hydro.drag;
@@ -79,8 +78,7 @@ void refuse_overlaps(const Scene& scene, const Bodies& bodies) {
 WorldParts build_world(const Scene& scene, int threads, WarningCounts& warnings) {
   WorldParts parts;
   parts.info.scene_name = scene.name;
-  if (scene.fracture)
-    throw InputError(scene.file.string() + ": <fracture>: breaking ice is not built in this version");
+  if (scene.fracture) throw InputError(scene.file.string() + ": <fracture>: breaking ice is not built in this version");
   build_water(scene, parts);
   build_friction(scene, parts);
   if (scene.vessel) parts.vessel_index = build_vessel(scene, parts);

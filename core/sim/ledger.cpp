@@ -48,9 +48,9 @@ void EnergyAccount::velocity_step(const Bodies& bodies, const StepMotion& motion
   for (std::size_t k = 0; k < loads.working.size(); ++k) book(k, work(bodies, motion, *loads.working[k]));
   if (vessel.on_carriage) {
     const auto b = static_cast<std::size_t>(vessel.index);
-    book(loads.working.size(),
-         0.5 * motion.h * (vessel.carriage.force.dot(motion.before.v[b] + motion.after.v[b]) +
-                           vessel.carriage.torque.dot(motion.before.w[b] + motion.after.w[b])));
+    book(loads.working.size(), 0.5 * motion.h *
+                                   (vessel.carriage.force.dot(motion.before.v[b] + motion.after.v[b]) +
+                                    vessel.carriage.torque.dot(motion.before.w[b] + motion.after.w[b])));
   }
   for (std::size_t i = 0; i < motion.points.size(); ++i) {
     const Vec3 mean = 0.5 * (relative_velocity(motion, motion.before, i) + relative_velocity(motion, motion.after, i));
@@ -85,8 +85,8 @@ void EnergyAccount::position_step(double kinetic, double potential, const Veloci
     for (const auto* wrenches : loads.conservative) add(*wrenches);
   }
   ledger_.stabilisation += along_pseudo;
-  ledger_.integrator -= (kinetic - kinetic_after_velocity_) + (potential - potential_before_) + conservative_work_ +
-                        along_pseudo;
+  ledger_.integrator -=
+      (kinetic - kinetic_after_velocity_) + (potential - potential_before_) + conservative_work_ + along_pseudo;
   ledger_.kinetic = kinetic;
   ledger_.potential = potential;
   potential_before_ = potential;
@@ -111,7 +111,8 @@ double kinetic_energy(const Bodies& bodies) {
 double weight_energy(const Bodies& bodies, const Vec3& gravity) {
   double sum = 0;
   for (int k = 0; k < bodies.size(); ++k)
-    if (moves(bodies, k)) sum -= bodies.mass[static_cast<std::size_t>(k)] * gravity.dot(bodies.p_GB[static_cast<std::size_t>(k)]);
+    if (moves(bodies, k))
+      sum -= bodies.mass[static_cast<std::size_t>(k)] * gravity.dot(bodies.p_GB[static_cast<std::size_t>(k)]);
   return sum;
 }
 

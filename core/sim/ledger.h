@@ -19,7 +19,7 @@ struct StepLoads {
 struct VesselAccount {
   int index = -1;
   bool on_carriage = false;
-  Wrench carriage;      ///< mean load on the vessel about its centre of mass, in G [N, N m]
+  Wrench carriage;  ///< mean load on the vessel about its centre of mass, in G [N, N m]
   Mat3 inertia_before = Mat3::Zero(), inertia_after = Mat3::Zero();  ///< in G at both ends of the step [kg m^2]
 };
 
@@ -28,9 +28,10 @@ class EnergyAccount {
   EnergyAccount(const std::vector<std::string>& work_names, double kinetic, double potential);
 
   /// Books the works and losses of a velocity step.
-  void velocity_step(const Bodies& bodies, const StepMotion& motion, const StepLoads& loads, const VesselAccount& vessel);
-  /// Books what the position update did: `kinetic` and `potential` at the step's end; `pseudo` the stabilisation's velocities
-  /// (empty: none), along which the conservative loads worked.
+  void velocity_step(const Bodies& bodies, const StepMotion& motion, const StepLoads& loads,
+                     const VesselAccount& vessel);
+  /// Books what the position update did: `kinetic` and `potential` at the step's end; `pseudo` the stabilisation's
+  /// velocities (empty: none), along which the conservative loads worked.
   void position_step(double kinetic, double potential, const Velocities& pseudo, const StepMotion& motion,
                      const StepLoads& loads);
   const Ledger& ledger() const { return ledger_; }
@@ -39,10 +40,10 @@ class EnergyAccount {
 
  private:
   Ledger ledger_;
-  double start_ = 0;                ///< kinetic + potential at the start
+  double start_ = 0;  ///< kinetic + potential at the start
   double put_in_ = 0;
   double kinetic_after_velocity_ = 0;
-  double conservative_work_ = 0;    ///< of gravity and the conservative modules in this velocity step
+  double conservative_work_ = 0;  ///< of gravity and the conservative modules in this velocity step
   double potential_before_ = 0;
 };
 

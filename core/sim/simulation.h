@@ -3,16 +3,17 @@
 #include <memory>
 #include <string>
 
+#include "core/base/log.h"
 #include "core/bodies/bodies.h"
 #include "core/scene/scene.h"
 #include "core/sim/step_record.h"
-#include "core/base/log.h"
 
 namespace nilas {
 
 class Simulation {
  public:
-  /// Builds only what the scene names. Throws InputError or FileError for content that cannot run (open hull, overlapping floes ...).
+  /// Builds only what the scene names. Throws InputError or FileError for content that cannot run (open hull,
+  /// overlapping floes ...).
   Simulation(const Scene& scene, int threads, WarningCounts& warnings);
   ~Simulation();
 

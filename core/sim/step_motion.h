@@ -17,13 +17,13 @@ struct Velocities {
 
 /// One velocity step at the pose where the contacts were found. Body k takes part when it moves.
 struct StepMotion {
-  double h = 0;                        ///< [s]
-  std::vector<Vec3> p;                 ///< centres of mass at the step's start [m]
-  std::vector<Mat3> R;                 ///< attitudes R_GB at the step's start
-  Velocities before, after;            ///< around the impulses, before the pose moves
+  double h = 0;              ///< [s]
+  std::vector<Vec3> p;       ///< centres of mass at the step's start [m]
+  std::vector<Mat3> R;       ///< attitudes R_GB at the step's start
+  Velocities before, after;  ///< around the impulses, before the pose moves
   std::vector<ContactPoint> points;
-  std::vector<Vec3> impulses;          ///< per point, on body b, in G [N s]
-  std::vector<Vec3> normal_impulses;   ///< the part of it along the normal
+  std::vector<Vec3> impulses;         ///< per point, on body b, in G [N s]
+  std::vector<Vec3> normal_impulses;  ///< the part of it along the normal
 };
 
 /// Velocity of body B's point relative to body A's at a contact point.

@@ -4,13 +4,20 @@ namespace nilas {
 
 const char* to_string(Phase phase) {
   switch (phase) {
-    case Phase::hydro: return "hydro";
-    case Phase::detection: return "detection";
-    case Phase::assembly: return "assembly";
-    case Phase::solver: return "solver";
-    case Phase::integration: return "integration";
-    case Phase::fracture: return "fracture";
-    case Phase::output: return "output";
+    case Phase::hydro:
+      return "hydro";
+    case Phase::detection:
+      return "detection";
+    case Phase::assembly:
+      return "assembly";
+    case Phase::solver:
+      return "solver";
+    case Phase::integration:
+      return "integration";
+    case Phase::fracture:
+      return "fracture";
+    case Phase::output:
+      return "output";
   }
   return "";
 }

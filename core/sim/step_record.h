@@ -35,9 +35,9 @@ struct VesselRecord {
 };
 
 struct StepRecord {
-  long step = 0;     ///< 1 for the first
-  double t = 0;      ///< at the step's end [s]
-  double h = 0;      ///< [s]
+  long step = 0;  ///< 1 for the first
+  double t = 0;   ///< at the step's end [s]
+  double h = 0;   ///< [s]
   int floes = 0, contacts = 0, islands = 0, iterations = 0;
   SolveStatus status = SolveStatus::converged;
   Residuals residuals;
@@ -53,15 +53,15 @@ struct StepRecord {
 /// What is known when a run begins.
 struct RunInfo {
   std::string scene_name;
-  std::vector<std::string> work_names;                 ///< ledger columns work_<name>_J
+  std::vector<std::string> work_names;                       ///< ledger columns work_<name>_J
   std::vector<std::pair<std::string, std::string>> modules;  ///< what was built and why
   std::vector<std::string> not_built;
   int floes = 0, bodies = 0;
-  double ice_mass = 0;           ///< of free floes [kg]
-  double concentration = 0;      ///< 0 when there is no field
+  double ice_mass = 0;       ///< of free floes [kg]
+  double concentration = 0;  ///< 0 when there is no field
   bool has_vessel = false, has_carriage = false, has_cells = false, has_hydro = false;
-  MassProperties vessel_mass;    ///< com, inertia in V
-  double ice_thickness = 0;      ///< [m]
+  MassProperties vessel_mass;  ///< com, inertia in V
+  double ice_thickness = 0;    ///< [m]
 };
 
 }  // namespace nilas

@@ -9,7 +9,8 @@ VecX WarmStart::guess(const std::vector<std::uint64_t>& keys) const {
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const auto found = std::lower_bound(sorted_.begin(), sorted_.end(), keys[i],
                                         [](const auto& entry, std::uint64_t key) { return entry.first < key; });
-    if (found != sorted_.end() && found->first == keys[i]) r.segment<3>(3 * static_cast<Eigen::Index>(i)) = found->second;
+    if (found != sorted_.end() && found->first == keys[i])
+      r.segment<3>(3 * static_cast<Eigen::Index>(i)) = found->second;
   }
   return r;
 }

@@ -36,7 +36,8 @@ void build_ice(const Scene& scene, WorldParts& parts, WarningCounts& warnings);
 /// Tank walls and <body> elements.
 void build_structures(const Scene& scene, WorldParts& parts);
 
-/// Throws InputError naming the pair when two bodies, one of them a floe, overlap at the start by more than the scene tolerates.
+/// Throws InputError naming the pair when two bodies, one of them a floe, overlap at the start by more than the scene
+/// tolerates.
 void refuse_overlaps(const Scene& scene, const Bodies& bodies);
 
 }  // namespace nilas

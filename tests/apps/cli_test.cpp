@@ -156,10 +156,12 @@ TEST(Cli, WhatIsNotBuiltIsRefusedPlainly) {
 TEST(Cli, InterruptionLeavesCompleteOutputs) {
   const ScratchFolder folder;
   folder.write("box.xml", k_box);
-  const std::string command = "cd '" + folder.path().string() + "' && timeout -s INT 1 '" NILAS_PROGRAM
+  const std::string command = "cd '" + folder.path().string() +
+                              "' && timeout -s INT 1 '" NILAS_PROGRAM
                               "' run box.xml --until 100000 --out run >out.txt 2>err.txt";
   const int status = std::system(command.c_str());
-  // timeout reports 124 when it sent the signal, whatever the program answered; the summary holds the program's own code
+  // timeout reports 124 when it sent the signal, whatever the program answered; the summary holds the program's own
+  // code
   EXPECT_EQ(WEXITSTATUS(status), 124);
   const auto summary = nlohmann::json::parse(read_text(folder.path() / "run/summary.json"));
   EXPECT_EQ(summary["status"], "interrupted");
@@ -171,10 +173,11 @@ TEST(Cli, InterruptionLeavesCompleteOutputs) {
 TEST(Cli, SetOverridesOneAttribute) {
   const ScratchFolder folder;
   folder.write("box.xml", k_box);
-  ASSERT_EQ(run_nilas("run box.xml --quiet --out run --set \"body[@name='box']/@velocity=2 0 0\" --dt 0.005 --until 0.1",
-                      folder.path())
-                .exit_code,
-            0);
+  ASSERT_EQ(
+      run_nilas("run box.xml --quiet --out run --set \"body[@name='box']/@velocity=2 0 0\" --dt 0.005 --until 0.1",
+                folder.path())
+          .exit_code,
+      0);
   const Table bodies(folder.path() / "run/bodies.csv");
   EXPECT_NEAR(bodies["vx_m_s"].back(), 2 - 0.3 * 9.81 * 0.1, 1e-8);
   const auto wrong = run_nilas("check box.xml --set contact/@tolerence=1", folder.path());
@@ -195,9 +198,10 @@ TEST(Cli, CheckSaysWhatIsBuilt) {
 
 TEST(Cli, HullGenerateReportsAndWritesAFolderThatScenesTake) {
   const ScratchFolder folder;
-  const auto made = run_nilas("hull --generate icebreaker --length 3 --beam 0.6 --draught 0.2 --stem-angle 30 "
-                              "--triangles 1000 --out ship --json",
-                              folder.path());
+  const auto made = run_nilas(
+      "hull --generate icebreaker --length 3 --beam 0.6 --draught 0.2 --stem-angle 30 "
+      "--triangles 1000 --out ship --json",
+      folder.path());
   ASSERT_EQ(made.exit_code, 0) << made.err;
   const auto report = nlohmann::json::parse(made.out);
   EXPECT_TRUE(report["closed"].get<bool>());

@@ -16,8 +16,8 @@ using namespace nilas;
 Bodies touching_grid(int n) {
   constexpr double k_size = 0.5, k_thickness = 0.05, k_overlap = 1e-3, k_density = 920;
   const double half = 0.5 * k_size;
-  const auto shape =
-      std::make_shared<const Shape>(prism_shape({{-half, -half}, {half, -half}, {half, half}, {-half, half}}, k_thickness));
+  const auto shape = std::make_shared<const Shape>(
+      prism_shape({{-half, -half}, {half, -half}, {half, half}, {-half, half}}, k_thickness));
   const MassProperties mass = prism_properties(shape->outline, k_thickness, k_density);
   Bodies bodies;
   for (int i = 0; i < n * n; ++i) {

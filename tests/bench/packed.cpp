@@ -48,7 +48,8 @@ FieldResult make_floes(const Basin& basin) {
   spec.vertices_max = 8;
   spec.seed = 11;
   const double b = 0.5 * k_beam;
-  spec.keep_out = {{{k_stem - k_length, -b}, {k_stem - k_bow, -b}, {k_stem, 0}, {k_stem - k_bow, b}, {k_stem - k_length, b}}};
+  spec.keep_out = {
+      {{k_stem - k_length, -b}, {k_stem - k_bow, -b}, {k_stem, 0}, {k_stem - k_bow, b}, {k_stem - k_length, b}}};
   spec.keep_out_margin = 0.01;
   return pack_field(spec);
 }
@@ -58,7 +59,8 @@ void write_scene(const fs::path& file, const Basin& basin, const std::string& fi
   const double lead = k_length;  // walls start behind the hull
   out << "<scene version=\"1\" name=\"" << file.stem().string() << "\">\n"
       << "  <time step=\"0.01\" start=\"0\" end=\"2.4\"/>\n"
-      << "  <contact law=\"pyramid\" solver=\"pgs\" tolerance=\"0\" max_iterations=\"50\" stabilisation=\"split-impulse\"\n"
+      << "  <contact law=\"pyramid\" solver=\"pgs\" tolerance=\"0\" max_iterations=\"50\" "
+         "stabilisation=\"split-impulse\"\n"
       << "           detection=\"discrete\" integrator=\"semi-implicit-euler\">\n"
       << "    <friction between=\"* *\" static=\"0.15\" kinetic=\"0.15\"/>\n  </contact>\n"
       << "  <water density=\"1005\"><current velocity=\"" << k_current << " 0 0\"/></water>\n"
@@ -66,9 +68,11 @@ void write_scene(const fs::path& file, const Basin& basin, const std::string& fi
       << "  <vessel name=\"ship\" position=\"" << k_stem - k_length << " 0 " << k_keel << "\">\n"
       << "    <hull generate=\"wedge\" length=\"" << k_length << "\" beam=\"" << k_beam << "\" draught=\"" << -k_keel
       << "\" depth=\"" << k_deck - k_keel << "\" bow_length=\"" << k_bow << "\" triangles=\"600\"/>\n"
-      << "    <mass value=\"1500\"/>\n    <carriage speed=\"" << k_hull_speed << "\"><force_balance kind=\"rigid\"/></carriage>\n"
+      << "    <mass value=\"1500\"/>\n    <carriage speed=\"" << k_hull_speed
+      << "\"><force_balance kind=\"rigid\"/></carriage>\n"
       << "  </vessel>\n"
-      << "  <ice density=\"920\" thickness=\"" << k_thickness << "\"><field kind=\"file\" file=\"" << field << "\"/></ice>\n";
+      << "  <ice density=\"920\" thickness=\"" << k_thickness << "\"><field kind=\"file\" file=\"" << field
+      << "\"/></ice>\n";
   const double w = basin.half_width, middle = 0.5 * (basin.x1 - lead), length = basin.x1 + lead + 1;
   const auto wall = [&](const char* name, double sx, double sy, double x, double y) {
     out << "  <body name=\"" << name << "\" shape=\"box\" fixed=\"true\" material=\"wall\" size=\"" << sx << " " << sy
@@ -84,8 +88,8 @@ void write_scene(const fs::path& file, const Basin& basin, const std::string& fi
 void write_for_peers(const fs::path& file, const Basin& basin, const FieldResult& field) {
   std::ofstream out(file);
   out.precision(17);
-  out << k_thickness << " " << -k_length << " " << basin.x1 << " " << -basin.half_width << " " << basin.half_width << " "
-      << k_current << "\n"
+  out << k_thickness << " " << -k_length << " " << basin.x1 << " " << -basin.half_width << " " << basin.half_width
+      << " " << k_current << "\n"
       << k_stem - k_length << " " << k_length << " " << k_bow << " " << k_beam << " " << k_keel << " " << k_deck << " "
       << k_hull_speed << "\n"
       << field.floes.size() << "\n";
@@ -120,7 +124,8 @@ int run(const fs::path& folder, const std::string& floes, const std::string& swe
     const double total = peers::now_ms() - t0;
     if (n < peers::k_first_measured) continue;
     const auto ms = [&](Phase phase) { return record.ms[static_cast<std::size_t>(phase)]; };
-    window.push_back({ms(Phase::detection), ms(Phase::assembly) + ms(Phase::solver) + ms(Phase::integration) + ms(Phase::output),
+    window.push_back({ms(Phase::detection),
+                      ms(Phase::assembly) + ms(Phase::solver) + ms(Phase::integration) + ms(Phase::output),
                       ms(Phase::hydro), total});
     contacts += record.contacts;
     penetration = std::max(penetration, record.penetration_max);

@@ -1,5 +1,6 @@
 /// The house rule of architecture: includes point one way only.
-///   apps -> core/output -> core/sim -> {fracture, hydro, contact, core/vessel, core/field} -> core/{bodies,scene} -> core/base
+///   apps -> core/output -> core/sim -> {fracture, hydro, contact, core/vessel, core/field} -> core/{bodies,scene} ->
+///   core/base
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -30,9 +31,9 @@ const std::map<std::string, std::set<std::string>>& allowed() {
     return s;
   }();
   static const std::map<std::string, std::set<std::string>> table{
-      {"core/base", {}},     {"core/scene", base},   {"core/bodies", base}, {"core/vessel", middle},
-      {"core/field", middle}, {"contact", middle},    {"hydro", middle},     {"fracture", middle},
-      {"core/sim", sim},     {"core/output", output}, {"apps", apps}};
+      {"core/base", {}},      {"core/scene", base},    {"core/bodies", base}, {"core/vessel", middle},
+      {"core/field", middle}, {"contact", middle},     {"hydro", middle},     {"fracture", middle},
+      {"core/sim", sim},      {"core/output", output}, {"apps", apps}};
   return table;
 }
 

@@ -38,8 +38,7 @@ void verify_newton(const fs::path& run, double h) {
   for (std::size_t k = 1; k < t.rows(); ++k) {
     const Vector3d contact = column(t, "contact_f", "_N", k), hydro = column(t, "hydro_f", "_N", k),
                    carriage = column(t, "carriage_f", "_N", k), weight(0, 0, -9.81 * m);
-    const Vector3d momentum =
-        m / h * (column(t, "v", "_m_s", k) - column(t, "v", "_m_s", k - 1));
+    const Vector3d momentum = m / h * (column(t, "v", "_m_s", k) - column(t, "v", "_m_s", k - 1));
     const double scale = std::max({contact.norm(), hydro.norm(), carriage.norm(), weight.norm(), momentum.norm()});
     worst_force = std::max(worst_force, (contact + hydro + carriage + weight - momentum).norm() / scale);
 
@@ -68,8 +67,8 @@ TEST(Newton, TowingScene) {
 
 TEST(Newton, ObliqueTowingScene) {
   const ScratchFolder folder;
-  const auto result =
-      run_nilas("run '" + shipped_scene("oblique-towing.xml").string() + "' --quiet --out run --until 4", folder.path());
+  const auto result = run_nilas(
+      "run '" + shipped_scene("oblique-towing.xml").string() + "' --quiet --out run --until 4", folder.path());
   ASSERT_EQ(result.exit_code, 0) << result.err;
   verify_newton(folder.path() / "run", 0.01);
 }

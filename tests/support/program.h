@@ -56,8 +56,8 @@ inline std::string read_text(const fs::path& file) {
 /// Runs `nilas ARGUMENTS` in the given folder through the shell.
 inline ProgramResult run_nilas(const std::string& arguments, const fs::path& folder) {
   const fs::path out = folder / "stdout.txt", err = folder / "stderr.txt";
-  const std::string command = "cd '" + folder.string() + "' && '" NILAS_PROGRAM "' " + arguments + " >'" + out.string() +
-                              "' 2>'" + err.string() + "' </dev/null";
+  const std::string command = "cd '" + folder.string() + "' && '" NILAS_PROGRAM "' " + arguments + " >'" +
+                              out.string() + "' 2>'" + err.string() + "' </dev/null";
   const int status = std::system(command.c_str());
   ProgramResult result;
   result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);

@@ -1,6 +1,6 @@
 #pragma once
-/// Brute-force truth for two convex polytopes: every face normal and every pair of edges, every pair of features. Slow and
-/// simple on purpose; shares no code with contact/detect.
+/// Brute-force truth for two convex polytopes: every face normal and every pair of edges, every pair of features. Slow
+/// and simple on purpose; shares no code with contact/detect.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -88,7 +88,8 @@ inline double distance_of_segments(const Vec3& p0, const Vec3& p1, const Vec3& q
     const double t = std::clamp((x - s0).dot(s1 - s0) / (s1 - s0).squaredNorm(), 0.0, 1.0);
     return (s0 + t * (s1 - s0) - x).norm();
   };
-  double least = std::min({to_segment(p0, q0, q1), to_segment(p1, q0, q1), to_segment(q0, p0, p1), to_segment(q1, p0, p1)});
+  double least =
+      std::min({to_segment(p0, q0, q1), to_segment(p1, q0, q1), to_segment(q0, p0, p1), to_segment(q1, p0, p1)});
   const Vec3 d = p1 - p0, e = q1 - q0, n = d.cross(e);
   constexpr double k_parallel = 1e-9;
   if (n.norm() <= k_parallel * d.norm() * e.norm()) return least;

@@ -1,5 +1,5 @@
-/// The packed scene on Bullet in its honest setting: float64, 1 mm margins, clipped polyhedral manifolds, two friction directions.
-/// usage: peer_bullet SCENE SWEEPS
+/// The packed scene on Bullet in its honest setting: float64, 1 mm margins, clipped polyhedral manifolds, two friction
+/// directions. usage: peer_bullet SCENE SWEEPS
 #include <btBulletDynamicsCommon.h>
 
 #include <memory>
@@ -48,8 +48,8 @@ struct World {
     for (auto& body : bodies) world.removeRigidBody(body.get());
   }
 
-  btRigidBody* add(std::unique_ptr<btCollisionShape> shape, double mass, const btVector3& inertia, const btTransform& pose,
-                   double friction) {
+  btRigidBody* add(std::unique_ptr<btCollisionShape> shape, double mass, const btVector3& inertia,
+                   const btTransform& pose, double friction) {
     btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, shape.get(), inertia);
     info.m_startWorldTransform = pose;
     info.m_friction = std::sqrt(friction);  // Bullet multiplies the two coefficients
@@ -97,7 +97,8 @@ int main(int argc, char** argv) {
                           btVector3(f.inertia[0], f.inertia[1], f.inertia[2]), pose, s.friction));
   }
   const auto at = [&](double x) { return btTransform(btQuaternion::getIdentity(), btVector3(x, 0, 0)); };
-  btRigidBody* hull = w.add(prism(s.hull_outline(), s.hull_bottom, s.hull_top), 0, btVector3(0, 0, 0), at(s.hull_x), s.friction);
+  btRigidBody* hull =
+      w.add(prism(s.hull_outline(), s.hull_bottom, s.hull_top), 0, btVector3(0, 0, 0), at(s.hull_x), s.friction);
   hull->setCollisionFlags(hull->getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
   const double walls[4][3] = {{1, 0, s.x0}, {-1, 0, -s.x1}, {0, 1, s.y0}, {0, -1, -s.y1}};
   for (const auto& wall : walls)

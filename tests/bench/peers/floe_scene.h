@@ -23,14 +23,14 @@ struct Floe {
   Point centre;
   double yaw = 0, area = 0, mass = 0;
   std::array<double, 3> inertia{};
-  std::vector<Point> column;      ///< centroids of the triangles that carry buoyancy
+  std::vector<Point> column;  ///< centroids of the triangles that carry buoyancy
   std::vector<double> column_area;
 };
 
 struct FloeScene {
   double thickness = 0, density = 920, water = 1005, gravity = 9.81, friction = 0.15, step = 0.01;
-  double x0 = 0, x1 = 0, y0 = 0, y1 = 0;   ///< walls
-  double current = 0;                      ///< along X [m/s]
+  double x0 = 0, x1 = 0, y0 = 0, y1 = 0;  ///< walls
+  double current = 0;                     ///< along X [m/s]
   double hull_x = 0, hull_length = 0, hull_bow = 0, hull_beam = 0, hull_bottom = 0, hull_top = 0, hull_speed = 0;
   std::vector<Floe> floes;
 
@@ -147,8 +147,8 @@ inline double median(std::vector<double> x) {
 }
 
 /// One CSV row: engine,floes,sweeps,detect_ms,solve_ms,water_ms,total_ms,contacts,penetration_max_over_thickness
-inline void print_row(const char* engine, std::size_t floes, int sweeps, const std::vector<Parts>& window, double contacts,
-                      double penetration) {
+inline void print_row(const char* engine, std::size_t floes, int sweeps, const std::vector<Parts>& window,
+                      double contacts, double penetration) {
   std::vector<double> d, s, w, t;
   for (const auto& p : window) {
     d.push_back(p.detect);
@@ -156,8 +156,8 @@ inline void print_row(const char* engine, std::size_t floes, int sweeps, const s
     w.push_back(p.water);
     t.push_back(p.total);
   }
-  std::printf("%s,%zu,%d,%.4f,%.4f,%.4f,%.4f,%.1f,%.4f\n", engine, floes, sweeps, median(d), median(s), median(w), median(t),
-              contacts, penetration);
+  std::printf("%s,%zu,%d,%.4f,%.4f,%.4f,%.4f,%.1f,%.4f\n", engine, floes, sweeps, median(d), median(s), median(w),
+              median(t), contacts, penetration);
 }
 
 constexpr int k_first_measured = 140, k_last_measured = 240;

@@ -98,7 +98,8 @@ dBodyID add_floe(World& w, const peers::FloeScene& s, const peers::Floe& f) {
 
 peers::BodyState state(dBodyID body) {
   peers::BodyState q{};
-  const dReal *p = dBodyGetPosition(body), *v = dBodyGetLinearVel(body), *a = dBodyGetAngularVel(body), *R = dBodyGetRotation(body);
+  const dReal *p = dBodyGetPosition(body), *v = dBodyGetLinearVel(body), *a = dBodyGetAngularVel(body),
+              *R = dBodyGetRotation(body);
   for (int i = 0; i < 3; ++i) {
     q.p[i] = p[i];
     q.v[i] = v[i];
@@ -144,7 +145,8 @@ int main(int argc, char** argv) {
     w.touches.clear();
     dSpaceCollide(w.space, &w, &collide);
     const double t2 = peers::now_ms();
-    for (auto& touch : w.touches) dJointAttach(dJointCreateContact(w.world, w.joints, &touch.contact), touch.a, touch.b);
+    for (auto& touch : w.touches)
+      dJointAttach(dJointCreateContact(w.world, w.joints, &touch.contact), touch.a, touch.b);
     dWorldQuickStep(w.world, s.step);
     dJointGroupEmpty(w.joints);
     const double t3 = peers::now_ms();

@@ -1,4 +1,6 @@
 /// The detector as a whole: which bodies pair, order, threads, memory.
+#include "contact/detect/detector.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -6,7 +8,6 @@
 #include <numeric>
 #include <tuple>
 
-#include "contact/detect/detector.h"
 #include "tests/contact/detect/bodies_of_tests.h"
 
 namespace nilas {
@@ -90,7 +91,8 @@ TEST(Detector, NoPairIsOverlooked) {
       for (int b = a + 1; b < bodies.size(); ++b) {
         Bodies pair;
         for (int k : {a, b}) add_body(pair, floes[k].shape, bodies.p_GB[k], bodies.q_GB[k]);
-        EXPECT_EQ(ContactDetector().detect(pair, 0.01).size(), static_cast<std::size_t>(found[{a, b}])) << a << " " << b;
+        EXPECT_EQ(ContactDetector().detect(pair, 0.01).size(), static_cast<std::size_t>(found[{a, b}]))
+            << a << " " << b;
       }
   }
 }
@@ -112,10 +114,12 @@ TEST(Detector, TheOrderOfBodiesDoesNotMatter) {
   }
   for (const ContactPoint& c : points) {
     const auto [first, last] = by_names.equal_range({one.name[c.a], one.name[c.b]});
-    EXPECT_TRUE(std::any_of(first, last, [&](const auto& entry) {
-      return (entry.second.p - c.p).norm() < 1e-12 && (entry.second.n - c.n).norm() < 1e-12 &&
-             std::abs(entry.second.gap - c.gap) < 1e-13;
-    })) << one.name[c.a] << " " << one.name[c.b];
+    EXPECT_TRUE(std::any_of(first, last,
+                            [&](const auto& entry) {
+                              return (entry.second.p - c.p).norm() < 1e-12 && (entry.second.n - c.n).norm() < 1e-12 &&
+                                     std::abs(entry.second.gap - c.gap) < 1e-13;
+                            }))
+        << one.name[c.a] << " " << one.name[c.b];
   }
 }
 

@@ -1,9 +1,10 @@
 /// The library's direction, asked for in the pair's own scale.
+#include "contact/detect/fcl_query.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "contact/detect/fcl_query.h"
 #include "tests/contact/detect/bodies_of_tests.h"
 
 namespace nilas {

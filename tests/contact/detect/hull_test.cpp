@@ -26,7 +26,9 @@ TriangleMesh ellipsoid(int levels, const Vec3& half_axes) {
       }
   const double side = 2 / std::sqrt(1 + g * g);
   const int count = static_cast<int>(mesh.vertices.size());
-  const auto joined = [&](int i, int j) { return std::abs((mesh.vertices[i] - mesh.vertices[j]).norm() - side) < 1e-9; };
+  const auto joined = [&](int i, int j) {
+    return std::abs((mesh.vertices[i] - mesh.vertices[j]).norm() - side) < 1e-9;
+  };
   for (int i = 0; i < count; ++i)
     for (int j = i + 1; j < count; ++j)
       for (int k = j + 1; k < count; ++k) {
@@ -47,7 +49,8 @@ TriangleMesh ellipsoid(int levels, const Vec3& half_axes) {
     std::vector<std::array<int, 3>> finer;
     for (const auto& [i, j, k] : mesh.triangles) {
       const int a = between(i, j), b = between(j, k), c = between(k, i);
-      for (const std::array<int, 3>& t : {std::array{i, a, c}, std::array{a, j, b}, std::array{c, b, k}, std::array{a, b, c}})
+      for (const std::array<int, 3>& t :
+           {std::array{i, a, c}, std::array{a, j, b}, std::array{c, b, k}, std::array{a, b, c}})
         finer.push_back(t);
     }
     mesh.triangles = std::move(finer);
@@ -78,22 +81,18 @@ TEST(HullContacts, MatchBruteForce) {
   ASSERT_GT(hull.parts[0].faces.size(), 300u);
   RandomStream random(2, "hull");
   double worst = 0;
-  long fcl = 0;
   for (int k = 0; k < 120; ++k) {
     Bodies bodies;
     add_body(bodies, hull, {0, 0, 0}, random_tilt(random, 0.05), Motion::articulated);
     add_body(bodies, floe_shape(random_outline(random, 0.5), 0.1), {0, 0, 0}, random_tilt(random, 0.05));
     const Vec3 d = Vec3(random.normal(), random.normal(), 0.2 * random.normal()).normalized();
     const double truth = slide_to(bodies, d, random.uniform(-4e-3, 4e-3));
-    ContactDetector detector;
-    const auto points = detector.detect(bodies, 0.05);
-    fcl += detector.counts().fcl_queries;
+    const auto points = ContactDetector().detect(bodies, 0.05);
     ASSERT_FALSE(points.empty());
     double gap = 1;
     for (const ContactPoint& c : points) gap = std::min(gap, c.gap);
     worst = std::max(worst, std::abs(gap - truth));
   }
-  std::printf("hull: worst gap error %.2e m, %ld library queries\n", worst, fcl);
   EXPECT_LT(worst, 1e-9);
 }
 
@@ -101,22 +100,18 @@ TEST(HullContacts, TwoHullsMatchBruteForce) {
   const Shape hull = hull_shape(2, {6, 1, 0.8});
   RandomStream random(3, "hulls");
   double worst = 0;
-  long fcl = 0;
   for (int k = 0; k < 8; ++k) {
     Bodies bodies;
     add_body(bodies, hull, {0, 0, 0}, random_attitude(random), Motion::articulated);
     add_body(bodies, hull, {0, 0, 0}, random_attitude(random));
     const Vec3 d = Vec3(random.normal(), random.normal(), random.normal()).normalized();
     const double truth = slide_to(bodies, d, random.uniform(-4e-3, 4e-3));
-    ContactDetector detector;
-    const auto points = detector.detect(bodies, 0.05);
-    fcl += detector.counts().fcl_queries;
+    const auto points = ContactDetector().detect(bodies, 0.05);
     ASSERT_FALSE(points.empty());
     double gap = 1;
     for (const ContactPoint& c : points) gap = std::min(gap, c.gap);
     worst = std::max(worst, std::abs(gap - truth));
   }
-  std::printf("two hulls: worst gap error %.2e m, %ld library queries\n", worst, fcl);
   EXPECT_LT(worst, 1e-9);
 }
 
@@ -128,8 +123,8 @@ TEST(HullContacts, AFloeThatSlidesOverSeamsKeepsItsContact) {
   add_body(bodies, box_shape({3, 3, 0.5}), {0, 0, 0});
   ContactDetector detector;
   double last_gap = 0;
-  Vec3 last_n = Vec3::Zero(), last_mean = Vec3::Zero();
-  double worst_gap = 0, worst_turn = 0, worst_move = 0;
+  Vec3 last_n = Vec3::Zero();
+  double worst_gap = 0, worst_turn = 0;
   const int steps = 400;
   for (int k = 0; k < steps; ++k) {
     const double x = -4 + 8.0 * k / steps;
@@ -137,23 +132,17 @@ TEST(HullContacts, AFloeThatSlidesOverSeamsKeepsItsContact) {
     const auto points = detector.detect(bodies, 0.1);
     ASSERT_FALSE(points.empty()) << k;
     double gap = 1;
-    Vec3 mean = Vec3::Zero();
-    for (const ContactPoint& c : points) {
-      gap = std::min(gap, c.gap);
-      mean += c.p / static_cast<double>(points.size());
-    }
+    for (const ContactPoint& c : points) gap = std::min(gap, c.gap);
     if (k > 0) {
       worst_gap = std::max(worst_gap, std::abs(gap - last_gap));
       worst_turn = std::max(worst_turn, std::acos(std::min(1.0, points[0].n.dot(last_n))));
-      worst_move = std::max(worst_move, (mean - last_mean).norm());
     }
     last_gap = gap;
     last_n = points[0].n;
-    last_mean = mean;
   }
-  std::printf("seams: gap step %.2e m, turn %.2f deg, mean point %.2f m\n", worst_gap, worst_turn / k_deg, worst_move);
-  EXPECT_LT(worst_gap, 2e-3);
-  EXPECT_LT(worst_turn, 5 * k_deg);
+  // A step of 2 cm along facets that follow the curve: the gap changes by the sagitta, the normal by a facet's turn.
+  EXPECT_LT(worst_gap, 2e-4);
+  EXPECT_LT(worst_turn, 1 * k_deg);
 }
 
 TEST(HullContacts, FlatPlatingOfManyTrianglesTouchesAsOneFace) {

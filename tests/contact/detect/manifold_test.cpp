@@ -12,7 +12,9 @@ namespace {
 
 constexpr double k_exact = 1e-14;  // [m] rounding of coordinates of about 1 m
 
-std::vector<ContactPoint> contacts(const Bodies& bodies, double margin) { return ContactDetector().detect(bodies, margin); }
+std::vector<ContactPoint> contacts(const Bodies& bodies, double margin) {
+  return ContactDetector().detect(bodies, margin);
+}
 
 bool has_point(const std::vector<ContactPoint>& points, const Vec3& p, double tolerance = k_exact) {
   return std::any_of(points.begin(), points.end(), [&](const auto& c) { return (c.p - p).norm() < tolerance; });
@@ -79,7 +81,8 @@ TEST(Manifold, CrossingEdgesTouchAtOnePoint) {
   Bodies bodies;
   const double half = 0.5 * std::sqrt(2.0);
   add_body(bodies, box_shape({1, 1, 1}), {0, 0, 0}, Quat(Eigen::AngleAxisd(k_pi / 4, Vec3::UnitX())));
-  add_body(bodies, box_shape({1, 1, 1}), {0.1, -0.2, 2 * half + 2e-3}, Quat(Eigen::AngleAxisd(k_pi / 4, Vec3::UnitY())));
+  add_body(bodies, box_shape({1, 1, 1}), {0.1, -0.2, 2 * half + 2e-3},
+           Quat(Eigen::AngleAxisd(k_pi / 4, Vec3::UnitY())));
   for (double lift : {0.0, -4e-3}) {
     bodies.set_pose(1, Vec3(0.1, -0.2, 2 * half + 2e-3 + lift), bodies.q_GB[1]);
     const auto points = contacts(bodies, 3e-3);
@@ -152,20 +155,22 @@ Bodies mirrored(const Bodies& bodies) {
   return image;
 }
 
-bool has_image(const std::vector<ContactPoint>& points, const ContactPoint& of, double tolerance) {
+double image_error(const std::vector<ContactPoint>& points, const ContactPoint& of) {
   const Vec3 flip(1, -1, 1);
-  return std::any_of(points.begin(), points.end(), [&](const ContactPoint& c) {
-    return (c.p - of.p.cwiseProduct(flip)).norm() < tolerance && (c.n - of.n.cwiseProduct(flip)).norm() < tolerance &&
-           std::abs(c.gap - of.gap) < tolerance;
-  });
+  double least = 1;
+  for (const ContactPoint& c : points)
+    least = std::min(least, std::max({(c.p - of.p.cwiseProduct(flip)).norm(), (c.n - of.n.cwiseProduct(flip)).norm(),
+                                      std::abs(c.gap - of.gap)}));
+  return least;
 }
 
-/// Rounding of the sums whose order the reversed outline turns round; the rest is the same to the bit [m].
-constexpr double k_mirror = 2e-15;
+/// The reversed outline turns the edges round, so that where edges are nearly parallel rounding is magnified [m].
+constexpr double k_mirror = 2e-14;
 
 TEST(Manifold, MirroredPairsHaveMirroredPoints) {
   RandomStream random(11, "mirror");
-  int points_seen = 0, reduced = 0;
+  int points_seen = 0, reduced = 0, exact = 0;
+  double worst = 0;
   for (int k = 0; k < 2000; ++k) {
     Bodies bodies;
     const bool stacked = k % 3 == 0;
@@ -173,16 +178,23 @@ TEST(Manifold, MirroredPairsHaveMirroredPoints) {
     for (int b = 0; b < 2; ++b) {
       const auto outline = regular ? regular_outline(4 + k % 5, 1) : random_outline(random, 1);
       const double way = stacked ? 0.2 * random.uniform() : 2 * std::cos(k_pi / (4 + k % 5)) - 1e-3;
-      const double angle = regular ? 2 * k_pi * static_cast<int>(random.uniform(0, 8)) / (4 + k % 5) : random.uniform(0, 6);
+      const double angle =
+          regular ? 2 * k_pi * static_cast<int>(random.uniform(0, 8)) / (4 + k % 5) : random.uniform(0, 6);
       add_body(bodies, floe_shape(outline, 0.2), Vec3(b * way, stacked ? 0.0 : 0.05 * b, stacked ? 0.2 * b : 0),
                regular ? Quat(Eigen::AngleAxisd(angle, Vec3::UnitZ())) : random_tilt(random, 0.02));
     }
     const auto points = contacts(bodies, 0.005), images = contacts(mirrored(bodies), 0.005);
     ASSERT_EQ(points.size(), images.size()) << k;
-    for (const ContactPoint& c : points) EXPECT_TRUE(has_image(images, c, k_mirror)) << k;
+    for (const ContactPoint& c : points) {
+      const double error = image_error(images, c);
+      worst = std::max(worst, error);
+      exact += error <= 1e-15 ? 1 : 0;
+    }
     points_seen += static_cast<int>(points.size());
     reduced += stacked && points.size() == 4 ? 1 : 0;
   }
+  EXPECT_LT(worst, k_mirror);
+  EXPECT_GT(exact, points_seen - points_seen / 1000);
   EXPECT_GT(points_seen, 2000);
   EXPECT_GT(reduced, 500);
 }
@@ -194,7 +206,7 @@ TEST(Manifold, APairThatIsItsOwnImageKeepsASymmetricSet) {
     add_body(bodies, floe_shape(regular_outline(corners, 1), 0.2), {0, 0, 0.2});
     const auto points = contacts(bodies, 0.005);
     ASSERT_EQ(points.size(), 4u) << corners;
-    for (const ContactPoint& c : points) EXPECT_TRUE(has_image(points, c, 1e-13)) << corners;
+    for (const ContactPoint& c : points) EXPECT_LT(image_error(points, c), 1e-13) << corners;
   }
 }
 

@@ -1,10 +1,11 @@
 /// Which four of many points a contact keeps.
+#include "contact/detect/point_reduction.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "contact/detect/point_reduction.h"
 #include "core/base/math.h"
 
 namespace nilas {

@@ -100,7 +100,7 @@ TEST(PackField, SameSeedSameBitsAnotherSeedAnotherField) {
 class PackShape : public testing::TestWithParam<FloeShape> {};
 
 TEST_P(PackShape, ReachesEightyFivePercent) {
-  auto spec = spec_of(16, 10, 0.85, GetParam());
+  auto spec = spec_of(12, 8, 0.85, GetParam());
   spec.shear = 20 * k_deg;
   expect_good(spec, pack_field(spec));
 }
@@ -214,7 +214,7 @@ TEST(PackField, KeepsClearOfAHullOutline) {
 }
 
 TEST(PackField, ImpossibleConcentrationSaysWhatIsReached) {
-  auto spec = spec_of(6, 6, 0.99, FloeShape::disc);
+  auto spec = spec_of(5, 4, 0.99, FloeShape::disc);
   try {
     pack_field(spec);
     FAIL() << "packed discs to 99 %";

@@ -74,14 +74,15 @@ TEST(Simulation, ABoxAtRestStaysAtRest) {
 /// On a 20 degree slope: sticks for mu > tan 20, else slides with g (sin a - mu cos a).
 TEST(Simulation, ASlopeHoldsBelowTheFrictionAngle) {
   for (const double mu : {0.40, 0.30}) {
-    Rig rig("<time step='0.01' end='5'/>"
-            "<contact law='coulomb' solver='pgs' tolerance='1e-10' max_iterations='5000'>"
-            "<friction between='structure structure' static='" +
-            std::to_string(mu) + "' kinetic='" + std::to_string(mu) +
-            "'/></contact>"
-            "<gravity value='3.355217606 0 -9.218384585'/>"
-            "<body name='ground' shape='plane' fixed='true'/>"
-            "<body name='box' shape='box' size='1 1 0.2' mass='2' position='0 0 0.1'/>");
+    Rig rig(
+        "<time step='0.01' end='5'/>"
+        "<contact law='coulomb' solver='pgs' tolerance='1e-10' max_iterations='5000'>"
+        "<friction between='structure structure' static='" +
+        std::to_string(mu) + "' kinetic='" + std::to_string(mu) +
+        "'/></contact>"
+        "<gravity value='3.355217606 0 -9.218384585'/>"
+        "<body name='ground' shape='plane' fixed='true'/>"
+        "<body name='box' shape='box' size='1 1 0.2' mass='2' position='0 0 0.1'/>");
     rig.run(50);
     const double expected = mu > std::tan(20 * k_deg) ? 0 : 0.5 * (3.355217606 - mu * 9.218384585);
     EXPECT_NEAR(rig.simulation.bodies().v_GB[1].x(), expected, 1e-7) << "mu " << mu;
@@ -125,8 +126,9 @@ TEST(Simulation, OnlyWhatTheSceneNamesIsBuilt) {
 }
 
 TEST(Simulation, AFloeStartsAtItsFloatingHeight) {
-  Rig rig("<time step='0.01' end='1'/><water density='1000'/><hydro><buoyancy/></hydro>"
-          "<ice thickness='0.1' density='900'><floe outline='0 0 1 0 1 1 0 1'/></ice>");
+  Rig rig(
+      "<time step='0.01' end='1'/><water density='1000'/><hydro><buoyancy/></hydro>"
+      "<ice thickness='0.1' density='900'><floe outline='0 0 1 0 1 1 0 1'/></ice>");
   const double z = rig.simulation.bodies().p_GB[0].z();
   EXPECT_NEAR(z, 0.1 * (0.5 - 0.9), 1e-15);
   rig.run(100);
@@ -134,7 +136,8 @@ TEST(Simulation, AFloeStartsAtItsFloatingHeight) {
 }
 
 TEST(Simulation, NonFiniteMotionStopsTheRunWithTheBodysName) {
-  Rig rig("<time step='1e200' end='1e203'/><body name='lost' shape='sphere' radius='0.1' mass='1' velocity='1e200 0 0'/>");
+  Rig rig(
+      "<time step='1e200' end='1e203'/><body name='lost' shape='sphere' radius='0.1' mass='1' velocity='1e200 0 0'/>");
   try {
     rig.run(10);
     FAIL() << "no error";
