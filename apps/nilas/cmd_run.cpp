@@ -4,6 +4,7 @@
 #include <csignal>
 #include <ctime>
 #include <iostream>
+#include <memory>
 
 #include "apps/nilas/commands.h"
 #include "apps/nilas/scene_flags.h"
@@ -68,7 +69,8 @@ class Run {
 
   int execute() {
     const double started = steady_seconds();
-    Simulation simulation(scene_, options_.threads, warnings_);
+    const auto built = build();
+    Simulation& simulation = *built;
     say_what_was_built(simulation.info());
     folder_.open(scene_, simulation.info(), warnings_);
     folder_.start(scene_.time.start, simulation.initial_ledger(), simulation.bodies());
@@ -85,11 +87,21 @@ class Run {
   }
 
  private:
+  std::unique_ptr<Simulation> build() {
+    try {
+      return std::make_unique<Simulation>(scene_, options_.threads, warnings_);
+    } catch (...) {
+      folder_.abandon();
+      throw;
+    }
+  }
+
   Ending advance(Simulation& simulation, Console& console) {
     const long steps = std::lround((scene_.time.end - scene_.time.start) / scene_.time.step);
     stop_requested = 0;
     std::signal(SIGINT, request_stop);
     std::signal(SIGTERM, request_stop);
+    std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is then an error of the write, with a message
     try {
       for (long k = 0; k < steps && !stop_requested; ++k) {
         folder_.record(simulation.step(), simulation.bodies());

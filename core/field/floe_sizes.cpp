@@ -20,8 +20,7 @@ double draw_size(const PackedSpec& spec, RandomStream& random) {
     case SizeDistribution::fixed:
       return spec.mean;
     case SizeDistribution::uniform:
-      return spec.mean +
-             std::sqrt(3.0) * spec.sd * random.uniform(-1, 1);  // 3: sd of a uniform variable is width / sqrt(12)
+      return random.uniform(spec.min, spec.max);
     case SizeDistribution::power_law:
       return power_law(spec.exponent, spec.min, spec.max, random.uniform());
     case SizeDistribution::lognormal:

@@ -44,6 +44,12 @@ struct RunFolder::Outputs {
 RunFolder::RunFolder(const std::filesystem::path& path, bool force) : path_(path) { claim_folder(path, force); }
 RunFolder::~RunFolder() = default;
 
+void RunFolder::abandon() const {
+  std::error_code ignored;
+  std::filesystem::remove(log_file(), ignored);
+  std::filesystem::remove(path_, ignored);  // fails, as it should, when the folder holds anything
+}
+
 void RunFolder::open(const Scene& scene, const RunInfo& info, WarningCounts& warnings) {
   write_scene_xml(path_ / "scene.xml", scene);
   outputs_ = std::make_unique<Outputs>(path_, scene.output, info, warnings);

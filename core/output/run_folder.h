@@ -28,6 +28,9 @@ class RunFolder {
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path log_file() const { return path_ / "nilas.log"; }
 
+  /// For a run that could not begin: removes the log, and the folder when nothing else is in it.
+  void abandon() const;
+
   /// Writes scene.xml and opens the outputs that the scene asks for. `warnings` must outlive the folder. Throws
   /// FileError.
   void open(const Scene& scene, const RunInfo& info, WarningCounts& warnings);

@@ -36,7 +36,7 @@ struct ContactScene {
   double slop = 0;         ///< penetration left alone [m]
   double max_speed = 1.0;  ///< of the correction [m/s]
   std::string detection = "continuous";
-  double margin = 0;  ///< gap within which contacts enter the problem [m]; 0: the fastest body's way in one step
+  double margin = 0;  ///< gap within which contacts enter the problem [m]; 0: what the bodies can reach in the step
   bool gyroscopic = true;
   double axes_deg = 0;  ///< turns the contact tangents about the normal
   bool warm_start = true;

@@ -108,7 +108,7 @@ void Simulation::World::build_contact_model(const ContactScene& contact) {
   model.correction.solver.tolerance = k_correction_tolerance;
   model.split_impulse = contact.stabilisation == "split-impulse";
   model.warm_start = contact.warm_start;
-  model.stop_on_failure = contact.on_failure == "stop";
+  model.stop_on_failure = contact.on_failure == "stop" && contact.tolerance > 0;  // fixed sweeps promise nothing
   model.margin = contact.margin;
   SolverSettings settings;
   settings.tolerance = contact.tolerance;
@@ -232,6 +232,14 @@ VesselRecord Simulation::World::vessel_record(const StepMotion& motion) const {
   VesselRecord record;
   const Wrench impulse = contact_impulse_on(motion, parts.vessel_index);
   record.contact = {impulse.force / h, impulse.torque / h};
+  const auto vessel = static_cast<std::size_t>(parts.vessel_index);
+  for (std::size_t i = 0; i < motion.points.size(); ++i) {
+    const ContactPoint& c = motion.points[i];
+    if (c.a != parts.vessel_index && c.b != parts.vessel_index) continue;
+    const bool port = (motion.R[vessel].transpose() * (c.p - motion.p[vessel])).y() > 0;
+    const double sign = c.b == parts.vessel_index ? 1 : -1;
+    (port ? record.contact_port : record.contact_starboard) += sign / h * motion.impulses[i];
+  }
   record.state = parts.vessel->state();
   if (parts.vessel->on_carriage()) record.carriage = parts.vessel->carriage_loads();
   record.has_cells = parts.info.has_cells;

@@ -28,6 +28,7 @@ struct Ledger {
 /// Loads on the vessel over the step (impulse / length), in G, torques about the centre of mass unless said.
 struct VesselRecord {
   Wrench contact;
+  Vec3 contact_port = Vec3::Zero(), contact_starboard = Vec3::Zero();  ///< its force by side of the hull [N]
   std::optional<CarriageLoads> carriage;
   bool has_cells = false;
   std::optional<Wrench> hydro;

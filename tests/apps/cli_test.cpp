@@ -138,6 +138,7 @@ TEST(Cli, OverlappingFloesAreNamed) {
   const auto result = run_nilas("run overlap.xml --out run", folder.path());
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_TRUE(mentions(result.err, "left") && mentions(result.err, "right")) << result.err;
+  EXPECT_FALSE(fs::exists(folder.path() / "run")) << "a run that could not begin leaves no folder";
 }
 
 TEST(Cli, WhatIsNotBuiltIsRefusedPlainly) {

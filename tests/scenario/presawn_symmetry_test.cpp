@@ -1,0 +1,117 @@
+/// presawn-a is mirror-symmetric, and chaotic: rounding grows. How fast does it lose its symmetry, beside the growth of a
+/// perturbation of 1e-12 m, and do port and starboard loads agree on average?
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include "core/base/random.h"
+#include "core/field/field.h"
+#include "core/scene/read_scene.h"
+#include "core/sim/simulation.h"
+
+namespace {
+
+using namespace nilas;
+
+constexpr double k_end = 6, k_perturbation = 1e-12;
+constexpr int k_seeds = 8;
+
+/// The scene with its grid as single floes, each moved by up to `amount` [m]; seed 0 moves nothing.
+Scene presawn(std::uint64_t seed) {
+  Scene scene = read_scene(std::string(NILAS_SOURCE_DIR) + "/apps/scenes/presawn-a.xml");
+  const FieldScene field = scene.ice->fields.at(0);
+  GridSpec grid;
+  grid.low = {field.region[0], field.region[1]};
+  grid.high = {field.region[2], field.region[3]};
+  grid.rows = field.rows;
+  grid.columns = field.columns;
+  grid.gap = field.gap;
+  RandomStream random(seed, "perturbation");
+  for (const auto& piece : grid_field(grid).floes) {
+    const Vec2 shift = seed == 0 ? Vec2(0, 0)
+                                 : Vec2(random.uniform(-k_perturbation, k_perturbation),
+                                        random.uniform(-k_perturbation, k_perturbation));
+    FloeScene floe;
+    floe.outline = piece.outline;
+    for (auto& p : floe.outline) p += shift;
+    floe.velocity = field.velocity;
+    scene.ice->floes.push_back(floe);
+  }
+  scene.ice->fields.clear();
+  return scene;
+}
+
+struct Course {
+  std::vector<double> asymmetry;       ///< largest |y_left + y_right|, |x_left - x_right| so far, at whole seconds [m]
+  std::vector<std::vector<Vec3>> poses;  ///< centres at whole seconds
+  double port = 0, starboard = 0;      ///< mean forces along X on the two sides of the hull [N]
+};
+
+/// Free floes come in the grid's order; the image of each is found once, from the start positions.
+std::vector<std::pair<std::size_t, std::size_t>> mirror_pairs(const Bodies& bodies) {
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (std::size_t a = 0; a < bodies.p_GB.size(); ++a)
+    for (std::size_t b = 0; b < bodies.p_GB.size(); ++b) {
+      if (bodies.motion[a] != Motion::free || bodies.motion[b] != Motion::free || bodies.p_GB[a].y() <= 0) continue;
+      const Vec3 image(bodies.p_GB[b].x(), -bodies.p_GB[b].y(), bodies.p_GB[b].z());
+      if ((bodies.p_GB[a] - image).norm() < 1e-9) pairs.emplace_back(a, b);
+    }
+  return pairs;
+}
+
+Course run(std::uint64_t seed) {
+  const Scene scene = presawn(seed);
+  WarningCounts warnings(make_logger("off", ""));
+  Simulation simulation(scene, 1, warnings);
+  const auto pairs = mirror_pairs(simulation.bodies());
+  EXPECT_FALSE(pairs.empty());
+  Course course;
+  const int per_second = static_cast<int>(std::lround(1 / scene.time.step)), steps = static_cast<int>(k_end) * per_second;
+  double worst = 0;
+  for (int k = 1; k <= steps; ++k) {
+    const StepRecord record = simulation.step();
+    course.port += record.vessel->contact_port.x() / steps;
+    course.starboard += record.vessel->contact_starboard.x() / steps;
+    const auto& p = simulation.bodies().p_GB;
+    for (const auto& [a, b] : pairs)
+      worst = std::max({worst, std::abs(p[a].y() + p[b].y()), std::abs(p[a].x() - p[b].x())});
+    if (k % per_second != 0) continue;
+    course.asymmetry.push_back(worst);
+    course.poses.push_back(p);
+  }
+  return course;
+}
+
+double distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  double worst = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) worst = std::max(worst, (a[i] - b[i]).norm());
+  return worst;
+}
+
+TEST(PresawnSymmetry, PortAndStarboardLoadsAgreeOnAverage) {
+  const Course exact = run(0);
+  std::vector<Course> perturbed;
+  for (int seed = 1; seed <= k_seeds; ++seed) perturbed.push_back(run(static_cast<std::uint64_t>(seed)));
+
+  std::printf("  t [s]   asymmetry [m]   growth of 1e-12 m [m]\n");
+  for (std::size_t s = 0; s < exact.asymmetry.size(); ++s)
+    std::printf("  %5zu   %13.3e   %13.3e\n", s + 1, exact.asymmetry[s], distance(exact.poses[s], perturbed[0].poses[s]));
+
+  double mean = 0, size = 0;
+  for (const auto& c : perturbed) {
+    mean += (c.port - c.starboard) / k_seeds;
+    size += 0.5 * (std::abs(c.port) + std::abs(c.starboard)) / k_seeds;
+  }
+  double variance = 0;
+  for (const auto& c : perturbed) variance += std::pow(c.port - c.starboard - mean, 2) / (k_seeds - 1);
+  const double standard_error = std::sqrt(variance / k_seeds);
+  std::printf("  port - starboard, mean over %d seeds: %.4g N of %.4g N, standard error %.2g N\n", k_seeds, mean, size,
+              standard_error);
+  ASSERT_GT(size, 0) << "the pieces never met the hull";
+  EXPECT_LE(std::abs(mean), std::max(0.05 * size, 3 * standard_error));
+}
+
+}  // namespace
