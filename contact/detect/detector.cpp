@@ -1,6 +1,8 @@
 #include "contact/detect/detector.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "contact/detect/broad_phase.h"
 #include "contact/detect/fcl_query.h"
@@ -13,6 +15,19 @@ namespace {
 
 /// Stretches of the pair list per thread, so that a stretch with many hull contacts does not keep the others waiting.
 constexpr std::ptrdiff_t k_stretches_per_thread = 8;
+/// Pairs are searched strip by strip of so many part radii, so that a part's geometry is still in the cache when its
+/// next neighbour asks for it.
+constexpr double k_strip_radii = 12;
+
+}  // namespace
+
+namespace {
+
+struct PairPlace {
+  double strip = 0, along = 0;
+  std::ptrdiff_t pair = 0;
+  friend auto operator<=>(const PairPlace&, const PairPlace&) = default;
+};
 
 }  // namespace
 
@@ -25,6 +40,7 @@ struct ContactDetector::Implementation {
   FclShapes fcl;
   std::vector<PartPair> pairs, last_pairs;
   std::vector<PairMemory> memory, last_memory;
+  std::vector<PairPlace> order;  ///< in which the pairs are searched
   std::vector<PairContacts> contacts;
   std::vector<AxisSearchRoom> rooms;
   DetectorCounts counts;
@@ -32,6 +48,7 @@ struct ContactDetector::Implementation {
   void forget_all();
   void learn_bodies(const Bodies& bodies);
   void carry_memory_over();
+  void order_by_place(const Bodies& bodies);
   void search_pairs(const Bodies& bodies, double margin);
   std::vector<ContactPoint> collect();
 };
@@ -63,15 +80,36 @@ void ContactDetector::Implementation::carry_memory_over() {
   }
 }
 
+void ContactDetector::Implementation::order_by_place(const Bodies& bodies) {
+  std::vector<double> radii;
+  for (const PartPair& pair : pairs) {
+    const double radius = std::min(parts[pair.part_a].bounding_radius, parts[pair.part_b].bounding_radius);
+    if (std::isfinite(radius)) radii.push_back(radius);
+  }
+  order.resize(pairs.size());
+  if (radii.empty()) radii.push_back(1);
+  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+  std::nth_element(radii.begin(), middle, radii.end());
+  const double width = k_strip_radii * std::max(*middle, std::numeric_limits<double>::min());
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const bool a_is_smaller = parts[pairs[i].part_a].bounding_radius < parts[pairs[i].part_b].bounding_radius;
+    const Vec3& p = bodies.p_GB[a_is_smaller ? pairs[i].body_a : pairs[i].body_b];
+    order[i] = {std::floor(p.y() / width), p.x(), static_cast<std::ptrdiff_t>(i)};
+  }
+  std::sort(order.begin(), order.end(), [](const PairPlace& p, const PairPlace& q) { return p < q; });
+}
+
 void ContactDetector::Implementation::search_pairs(const Bodies& bodies, double margin) {
   const auto count = static_cast<std::ptrdiff_t>(pairs.size());
   const std::ptrdiff_t stretches = threads > 1 ? threads * k_stretches_per_thread : 1;
   rooms.resize(static_cast<std::size_t>(stretches));
   if (contacts.size() < pairs.size()) contacts.resize(pairs.size());
   parallel_for(stretches, threads, [&](std::ptrdiff_t s) {
-    for (std::ptrdiff_t i = s * count / stretches; i < (s + 1) * count / stretches; ++i)
+    for (std::ptrdiff_t k = s * count / stretches; k < (s + 1) * count / stretches; ++k) {
+      const std::ptrdiff_t i = order[k].pair;
       find_pair_contacts(bodies, parts[pairs[i].part_a], parts[pairs[i].part_b], margin, fcl, rooms[s], memory[i],
                          contacts[i]);
+    }
   });
 }
 
@@ -103,6 +141,7 @@ std::vector<ContactPoint> ContactDetector::detect(const Bodies& bodies, double m
   work.last_memory.swap(work.memory);
   work.pairs = work.broad.candidates(bodies, work.parts, margin);
   work.carry_memory_over();
+  work.order_by_place(bodies);
   work.search_pairs(bodies, margin);
   return work.collect();
 }

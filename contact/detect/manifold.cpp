@@ -26,13 +26,28 @@ void lay_over(const SurfaceLoop& a, const SurfaceLoop& b, double tolerance, Faci
 /// Supporting edges whose directions differ by less than this sine meet along a length, not at a crossing [-].
 constexpr double k_parallel_sine = 1e-6;
 
-/// Points that two neighbouring faces share come once.
-void drop_repeated(std::vector<OverlayPoint>& points) {
+/// Points that two neighbouring faces share come once, the lower one; on the seam itself with the mean of both slopes.
+void drop_repeated(double tolerance, std::vector<OverlayPoint>& points) {
   std::sort(points.begin(), points.end(), [](const OverlayPoint& p, const OverlayPoint& q) {
     return p.feature != q.feature ? p.feature < q.feature : p.gap < q.gap;
   });
-  const auto same = [](const OverlayPoint& p, const OverlayPoint& q) { return p.feature == q.feature; };
-  points.erase(std::unique(points.begin(), points.end(), same), points.end());
+  auto kept = points.begin();
+  for (auto first = points.begin(); first != points.end(); ++kept) {
+    OverlayPoint point = *first;
+    point.slope = {};
+    double count = 0;
+    const auto end = std::find_if(first, points.end(), [&](const auto& p) { return p.feature != point.feature; });
+    for (; first != end; ++first) {
+      if (first->gap > point.gap + tolerance) continue;
+      point.slope.u += first->slope.u;
+      point.slope.v += first->slope.v;
+      count += 1;
+    }
+    point.slope.u /= count;
+    point.slope.v /= count;
+    *kept = point;
+  }
+  points.erase(kept, points.end());
 }
 
 /// Supporting vertices of one side in the contact plane.
@@ -122,7 +137,8 @@ void face_each_other(const PairView& pair, const Axis& axis, FacingSurfaces& fac
 void select_points(const PairView& pair, const Axis& axis, FacingSurfaces& facing) {
   auto& points = facing.points;
   const bool one_face_each = facing.a.size() * facing.b.size() == 1 && pair.a.facets && pair.b.facets;
-  if (!one_face_each) drop_repeated(points);
+  facing.curved = facing.a.size() * facing.b.size() > 1;
+  if (!one_face_each) drop_repeated(pair.tolerance, points);
   points.erase(
       std::remove_if(points.begin(), points.end(), [&](const OverlayPoint& p) { return !(p.gap < pair.margin); }),
       points.end());
@@ -136,7 +152,9 @@ void select_points(const PairView& pair, const Axis& axis, FacingSurfaces& facin
     const Feature feature{FeatureKind::support_sets, a.corners.front().vertex, b.corners.front().vertex};
     points.push_back({p.x(), p.y(), feature, a.height, axis.s});
   }
-  keep_spread_points(pair.tolerance, pair.margin, points);
+  const double cover =
+      !facing.curved ? k_four_points_do : k_cover_share * std::min(pair.a.inner_radius, pair.b.inner_radius);
+  keep_spread_points(pair.tolerance, pair.margin, cover, points);
 }
 
 }  // namespace nilas

@@ -14,6 +14,7 @@ struct FacingSurfaces {
   SurfacePatch a, b;
   std::vector<OverlayPoint> points;  ///< corners of the common areas, all gaps
   double smallest_gap = 0;           ///< among points [m]; infinite without any
+  bool curved = false;               ///< a patch of several faces: normals differ from point to point
   ClipBuffers buffers;
 };
 

@@ -1,6 +1,7 @@
 #include "contact/detect/narrow_phase.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "contact/detect/contact_key.h"
 #include "contact/detect/cylinder_axis.h"
@@ -9,6 +10,10 @@
 namespace nilas {
 
 namespace {
+
+/// A point on a gently curved patch has the normal of its own place: along one normal for all, what slides over a bow
+/// would sink into it by the sine of the difference. Steeper faces belong to ridges, whose normal is the pair's.
+const double k_most_slope = std::tan(k_grown_angle);
 
 /// The memory's axis sets a pair aside only when it clears the margin by more than rounding, so that the pair would
 /// have had no contact without it either.
@@ -85,6 +90,12 @@ void polytope_or_cylinder_pair(const Bodies& bodies, const Part& a, const Part& 
     point.p = bodies.p_GB[a.body] + R * x;
     point.n = n_G;
     point.gap = p.gap;
+    const bool deepest = p.gap <= axis.s + pair.tolerance;  // there the axis itself is the normal
+    if (room.facing.curved && !deepest && std::hypot(p.slope.u, p.slope.v) <= k_most_slope) {
+      const Vec3 n = plane.n - p.slope.u * plane.t1 - p.slope.v * plane.t2;
+      point.n = R * n.normalized();
+      point.gap /= n.norm();
+    }
     point.key = contact_key(key, p.feature);
   }
 }

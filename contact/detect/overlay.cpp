@@ -36,9 +36,23 @@ Side side_of(const SurfaceLoop& loop, std::size_t k, double sign) {
   return {0.5 * (p.u + q.u), 0.5 * (p.v + q.v), scale * du, scale * dv};
 }
 
+/// Edges whose directions differ by less than this sine do not span a tangent plane [-].
+constexpr double k_spanning_sine = 0.1;
+
+/// Slope of the plane through two crossing edges, one on each surface; the mean of the surfaces' own when the edges run
+/// alongside.
+Slope crossing_slope(const SurfaceLoop& one, double du1, double dv1, const SurfaceLoop& other, double du2, double dv2) {
+  const double area = du1 * dv2 - dv1 * du2;
+  if (std::abs(area) <= k_spanning_sine * std::hypot(du1, dv1) * std::hypot(du2, dv2))
+    return {0.5 * (one.hu + other.hu), 0.5 * (one.hv + other.hv)};
+  const double rise1 = one.hu * du1 + one.hv * dv1, rise2 = other.hu * du2 + other.hv * dv2;
+  return {(rise1 * dv2 - rise2 * dv1) / area, (rise2 * du1 - rise1 * du2) / area};
+}
+
 /// Makes points by cutting; A's features are named first.
 struct Cutter {
   const SurfaceLoop& window;
+  const SurfaceLoop& subject;
   bool a_is_window;
 
   /// What meets where the edge that begins at `from` leaves through a side of the window.
@@ -55,6 +69,14 @@ struct Cutter {
     return {FeatureKind::window_sides, window.corners[from.side].edge, window_edge};
   }
 
+  Slope slope(const Corner& inner, const Corner& outer, const Feature& feature, int side) const {
+    if (feature.kind == FeatureKind::vertex_a || feature.kind == FeatureKind::vertex_b)
+      return {subject.hu, subject.hv};  // a corner of the window on the subject's face
+    const LoopCorner& p = window.corners[side];
+    const LoopCorner& q = window.corners[(side + 1) % window.corners.size()];
+    return crossing_slope(window, q.u - p.u, q.v - p.v, subject, outer.u - inner.u, outer.v - inner.v);
+  }
+
   /// Always from the inner corner to the outer one, whichever way the loop runs.
   Corner cut(const Corner& inner, const Corner& outer, const Corner& from, int side) const {
     const double t = inner.distance / (inner.distance - outer.distance);
@@ -62,6 +84,7 @@ struct Cutter {
     corner.u = inner.u + t * (outer.u - inner.u);
     corner.v = inner.v + t * (outer.v - inner.v);
     corner.feature = feature(from, side);
+    corner.slope = slope(inner, outer, corner.feature, side);
     return corner;
   }
 };
@@ -91,12 +114,14 @@ void cut_by_side(const Cutter& cutter, int side, double tolerance, const std::ve
 
 void clip(const SurfaceLoop& loop_a, const SurfaceLoop& loop_b, bool a_is_window, double tolerance,
           ClipBuffers& buffers, std::vector<OverlayPoint>& points) {
-  const Cutter cutter{a_is_window ? loop_a : loop_b, a_is_window};
   const SurfaceLoop& subject = a_is_window ? loop_b : loop_a;
+  const Cutter cutter{a_is_window ? loop_a : loop_b, subject, a_is_window};
   const FeatureKind kind = a_is_window ? FeatureKind::vertex_b : FeatureKind::vertex_a;
   const double sign = twice_area(cutter.window) < 0 ? -1.0 : 1.0;
   buffers.now.clear();
-  for (const LoopCorner& c : subject.corners) buffers.now.push_back({c.u, c.v, {kind, c.vertex, -1}, c.edge, -1, 0});
+  for (const LoopCorner& c : subject.corners) 
+    buffers.now.push_back(
+        {c.u, c.v, {kind, c.vertex, -1}, {cutter.window.hu, cutter.window.hv}, c.edge, -1, 0});
   for (std::size_t k = 0; k < cutter.window.corners.size() && !buffers.now.empty(); ++k) {
     const Side side = side_of(cutter.window, k, sign);
     double least = 0;
@@ -107,7 +132,7 @@ void clip(const SurfaceLoop& loop_a, const SurfaceLoop& loop_b, bool a_is_window
   }
   for (const Corner& c : buffers.now) {
     const double height_a = loop_a.height(c.u, c.v);
-    points.push_back({c.u, c.v, c.feature, height_a, loop_b.height(c.u, c.v) - height_a});
+    points.push_back({c.u, c.v, c.feature, height_a, loop_b.height(c.u, c.v) - height_a, c.slope});
   }
 }
 

@@ -23,12 +23,18 @@ struct SurfaceLoop {
   double height(double u, double v) const { return h0 + hu * u + hv * v; }
 };
 
+/// Inclination of a tangent plane against the contact plane: height rises by u per metre along t1, v along t2.
+struct Slope {
+  double u = 0, v = 0;
+};
+
 /// A point of the common area of two loops.
 struct OverlayPoint {
   double u = 0, v = 0;
   Feature feature;      ///< what meets there
   double height_a = 0;  ///< of A's surface there [m]
   double gap = 0;       ///< from A's surface to B's along the normal [m]
+  Slope slope{};        ///< of the plane tangent to what meets there: the other side's face, or both crossing edges
 };
 
 /// Work space of clip(): corners that remember which side of the window made them.
@@ -36,6 +42,7 @@ struct ClipBuffers {
   struct Corner {
     double u = 0, v = 0;
     Feature feature;
+    Slope slope;
     int edge = -1;        ///< the subject's edge to the next corner
     int side = -1;        ///< side of the window the edge to the next corner lies on, or -1: on the subject's own
     double distance = 0;  ///< inside the side at work [m]

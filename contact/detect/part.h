@@ -67,6 +67,9 @@ struct Part {
 /// Faces within this angle of the contact normal belong to one patch of surface [rad]: a curved hull's facets turn by a
 /// degree or two each, the faces of a floe by more.
 constexpr double k_patch_angle = 5.0 * k_deg;
+/// A patch grows over gentle edges up to faces that turn by this much [rad]: a floe across a curved bow touches at both
+/// its ends, where the bow faces elsewhere.
+constexpr double k_grown_angle = 25.0 * k_deg;
 
 /// The contact parts of body b, which must keep its shape for as long as the parts live.
 std::vector<Part> make_parts(const Bodies& bodies, int b);

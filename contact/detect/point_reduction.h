@@ -1,21 +1,34 @@
 #pragma once
-/// At most four well-spread points for one pair of parts.
+/// A few well-spread points for one pair of parts.
+#include <limits>
 #include <vector>
 
 #include "contact/detect/overlay.h"
 
 namespace nilas {
 
-constexpr int k_most_points = 4;
+/// Well-spread points of a pair ...
+constexpr std::size_t k_spread_points = 4;
+/// ... and with those that the four leave open.
+constexpr std::size_t k_most_points = 8;
+
+/// A point that four others leave open by less than this share of the thinner part's inner radius is done without [-]:
+/// one hundredth of a floe's thickness.
+constexpr double k_cover_share = 0.02;
+/// The `cover` of flat faces [m].
+constexpr double k_four_points_do = std::numeric_limits<double>::infinity();
 
 /// Keeps the deepest point and the three that span the largest quadrilateral with it, its area weighted by how near the
 /// points' gaps are to the deepest against `margin` [m] (all gaps are below it): a floe that lies on a blunt ridge
 /// keeps both ends of it, instead of rocking between them.
 ///
+/// Four points hold up a flat face, not a floe that lies on a curved bow. A further point is kept where it could
+/// otherwise sink by more than `cover` [m] while the others only just touch, up to k_most_points in all.
+///
 /// Where the points are their own image in t1, as where a ship meets a floe on its centre line, so is the set kept.
 /// Ties, within `tolerance` [m], are broken by geometry alone: the mean nearest to the mean of all, then the set that
 /// is its own image in t2, then the one longest along t1, then the one farther ahead on it. So a mirrored contact keeps
 /// the mirrored points.
-void keep_spread_points(double tolerance, double margin, std::vector<OverlayPoint>& points);
+void keep_spread_points(double tolerance, double margin, double cover, std::vector<OverlayPoint>& points);
 
 }  // namespace nilas

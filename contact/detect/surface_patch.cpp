@@ -13,6 +13,7 @@ namespace {
 /// Faces more inclined than this have no useful height over the contact plane.
 const double k_steep_cosine = std::cos(85.0 * k_deg);
 const double k_smooth_cosine = std::cos(k_patch_angle);
+const double k_grown_cosine = std::cos(k_grown_angle);
 /// A cylinder's cap or side line within this angle of the contact plane touches with all of it; beyond, a second point
 /// within the margin would lie less than six margins away from the first.
 const double k_flat_sine = std::sin(10.0 * k_deg);
@@ -58,7 +59,7 @@ void grow_patch(const PatchView& view, const Vec3& direction, SurfacePatch& patc
   for (std::size_t i = 0; i < patch.faces.size() && patch.faces.size() < k_most_faces; ++i)
     for (int f : facets.smooth_neighbours[patch.faces[i]]) {
       const bool known = std::find(patch.faces.begin(), patch.faces.end(), f) != patch.faces.end();
-      if (known || facets.polytope->normals[f].dot(direction) < k_smooth_cosine) continue;
+      if (known || facets.polytope->normals[f].dot(direction) < k_grown_cosine) continue;
       if (highest_corner(facets, f, direction) >= least) patch.faces.push_back(f);
     }
 }

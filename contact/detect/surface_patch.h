@@ -41,7 +41,7 @@ struct PatchView {
 };
 
 /// Polytope: the face at the support that looks most along the contact direction (all of them when several tie), and
-/// all faces joined to it within k_patch_angle of the direction and within the slack: a curved hull's small facets act
+/// all faces joined to it by gentle edges within k_grown_angle of the direction and within the slack: a curved hull's small facets act
 /// as one surface, so a floe that slides over a seam keeps its points. Cylinder: its cap, its line of contact, or its
 /// rim point. Faces seen from the side (beyond 85 degrees) are left out.
 void show_surface(const PatchView& view, const ContactPlane& plane, double tolerance, SurfacePatch& patch);

@@ -1,6 +1,7 @@
 /// Parts with many small facets: hulls.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -131,18 +132,51 @@ TEST(HullContacts, AFloeThatSlidesOverSeamsKeepsItsContact) {
     bodies.set_pose(1, {x, 1.49 + 10 * std::sqrt(1 - x * x / 3600), 0.1}, Quat::Identity());
     const auto points = detector.detect(bodies, 0.1);
     ASSERT_FALSE(points.empty()) << k;
-    double gap = 1;
-    for (const ContactPoint& c : points) gap = std::min(gap, c.gap);
+    const ContactPoint& deepest = *std::min_element(
+        points.begin(), points.end(), [](const ContactPoint& p, const ContactPoint& q) { return p.gap < q.gap; });
     if (k > 0) {
-      worst_gap = std::max(worst_gap, std::abs(gap - last_gap));
-      worst_turn = std::max(worst_turn, std::acos(std::min(1.0, points[0].n.dot(last_n))));
+      worst_gap = std::max(worst_gap, std::abs(deepest.gap - last_gap));
+      worst_turn = std::max(worst_turn, std::acos(std::min(1.0, deepest.n.dot(last_n))));
     }
-    last_gap = gap;
-    last_n = points[0].n;
+    last_gap = deepest.gap;
+    last_n = deepest.n;
   }
   // A step of 2 cm along facets that follow the curve: the gap changes by the sagitta, the normal by a facet's turn.
   EXPECT_LT(worst_gap, 2e-4);
   EXPECT_LT(worst_turn, 1 * k_deg);
+}
+
+TEST(HullContacts, APointsNormalIsTheGradientOfItsGapOnACurvedSide) {
+  // Facets turn by 0.8 degrees; a floe of 1.5 m against a side that turns by 10 degrees along it.
+  const Shape hull = hull_shape(4, {60, 10, 8});
+  RandomStream random(5, "gradient");
+  double worst = 0, farthest_normals = 0;
+  int compared = 0;
+  for (int k = 0; k < 40; ++k) {
+    Bodies bodies;
+    add_body(bodies, hull, {0, 0, 0}, Quat::Identity(), Motion::articulated);
+    const double z = random.uniform(-4, 4);
+    const double x = random.uniform(-6, 6), y = 10 * std::sqrt(1 - x * x / 3600 - z * z / 64);
+    const Vec3 out = Vec3(x / 3600, y / 100, z / 64).normalized();
+    const Quat upright = Quat::FromTwoVectors(Vec3::UnitY(), out);
+    const Quat tilted = upright * Quat(Eigen::AngleAxisd(random.uniform(-0.1, 0.1), Vec3::UnitX()));
+    add_body(bodies, box_shape({3, 1, 0.4}), Vec3(x, y, z) + 0.505 * out, tilted);
+    ContactDetector detector;
+    const auto before = detector.detect(bodies, 0.03);
+    const Vec3 way = 1e-3 * Vec3(random.normal(), random.normal(), random.normal()).normalized();
+    bodies.set_pose(1, bodies.p_GB[1] + way, bodies.q_GB[1]);
+    const auto after = detector.detect(bodies, 0.03);
+    for (const ContactPoint& p : before)
+      for (const ContactPoint& q : after) {
+        farthest_normals = std::max(farthest_normals, (p.n - before[0].n).norm());
+        if (p.key != q.key) continue;
+        worst = std::max(worst, std::abs(q.gap - p.gap - p.n.dot(way)) / way.norm());
+        ++compared;
+      }
+  }
+  EXPECT_GT(compared, 50);
+  EXPECT_GT(farthest_normals, 2 * k_deg);
+  EXPECT_LT(worst, 1.5 * k_deg);
 }
 
 TEST(HullContacts, FlatPlatingOfManyTrianglesTouchesAsOneFace) {

@@ -28,7 +28,7 @@ bool has(const std::vector<OverlayPoint>& points, double u, double v) {
 
 TEST(PointReduction, UpToFourPointsStayAsTheyAre) {
   std::vector<OverlayPoint> points{point(0, 0, 0), point(1, 0, 0), point(1, 1, 0), point(0, 1, 0)};
-  keep_spread_points(k_tolerance, 1, points);
+  keep_spread_points(k_tolerance, 1, k_four_points_do, points);
   ASSERT_EQ(points.size(), 4u);
   EXPECT_EQ(points[2].u, 1);
 }
@@ -37,7 +37,7 @@ TEST(PointReduction, TheDeepestPointIsKept) {
   std::vector<OverlayPoint> points;
   for (int k = 0; k < 12; ++k) points.push_back(point(std::cos(k_pi * k / 6), std::sin(k_pi * k / 6), 1e-3));
   points.push_back(point(0.2, 0.1, -1e-3));
-  keep_spread_points(k_tolerance, 1, points);
+  keep_spread_points(k_tolerance, 1, k_four_points_do, points);
   EXPECT_EQ(points.size(), 4u);
   EXPECT_TRUE(has(points, 0.2, 0.1));
 }
@@ -46,7 +46,7 @@ TEST(PointReduction, CornersOfARectangleComeBeforePointsOnItsSides) {
   std::vector<OverlayPoint> points;
   for (double u : {-2.0, -1.0, 0.0, 1.0, 2.0})
     for (double v : {-1.0, 1.0}) points.push_back(point(u, v, 0));
-  keep_spread_points(k_tolerance, 1, points);
+  keep_spread_points(k_tolerance, 1, k_four_points_do, points);
   ASSERT_EQ(points.size(), 4u);
   for (double u : {-2.0, 2.0})
     for (double v : {-1.0, 1.0}) EXPECT_TRUE(has(points, u, v));
@@ -55,7 +55,7 @@ TEST(PointReduction, CornersOfARectangleComeBeforePointsOnItsSides) {
 TEST(PointReduction, BothEndsOfALineAreKept) {
   std::vector<OverlayPoint> points;
   for (int k = 0; k <= 8; ++k) points.push_back(point(0.25 * k, 0, 0));
-  keep_spread_points(k_tolerance, 1, points);
+  keep_spread_points(k_tolerance, 1, k_four_points_do, points);
   EXPECT_EQ(points.size(), 4u);
   EXPECT_TRUE(has(points, 0, 0));
   EXPECT_TRUE(has(points, 2, 0));
@@ -65,7 +65,7 @@ TEST(PointReduction, BothEndsOfABluntRidgeAreKeptBeforeFarPointsNearTheMargin) {
   std::vector<OverlayPoint> points{point(-1, 0, -1e-4), point(1, 0, 0)};
   for (double u : {-1.0, 1.0})
     for (double v : {-1.0, 1.0}) points.push_back(point(u, v, 4.9e-3));
-  keep_spread_points(k_tolerance, 5e-3, points);
+  keep_spread_points(k_tolerance, 5e-3, k_four_points_do, points);
   EXPECT_TRUE(has(points, -1, 0));
   EXPECT_TRUE(has(points, 1, 0));
 }
@@ -73,7 +73,7 @@ TEST(PointReduction, BothEndsOfABluntRidgeAreKeptBeforeFarPointsNearTheMargin) {
 TEST(PointReduction, ManyPointsOnACircleGiveNearlyASquare) {
   std::vector<OverlayPoint> points;
   for (int k = 0; k < 60; ++k) points.push_back(point(std::cos(k_pi * k / 30), std::sin(k_pi * k / 30), 0));
-  keep_spread_points(k_tolerance, 1, points);
+  keep_spread_points(k_tolerance, 1, k_four_points_do, points);
   ASSERT_EQ(points.size(), 4u);
   double smallest = 4;
   for (std::size_t i = 0; i < 4; ++i)
@@ -91,10 +91,39 @@ TEST(PointReduction, AMirroredSetGivesTheMirroredPoints) {
         points.push_back(point(std::cos(angle), std::sin(angle), 0));
         images.insert(images.begin(), point(std::cos(angle), -std::sin(angle), 0));
       }
-      keep_spread_points(k_tolerance, 1, points);
-      keep_spread_points(k_tolerance, 1, images);
+      keep_spread_points(k_tolerance, 1, k_four_points_do, points);
+      keep_spread_points(k_tolerance, 1, k_four_points_do, images);
       for (const OverlayPoint& p : points) EXPECT_TRUE(has(images, p.u, -p.v)) << corners << " " << turn;
     }
+}
+
+TEST(PointReduction, APointThatFourLeaveOpenIsKeptToo) {
+  std::vector<OverlayPoint> points;
+  for (double u : {-1.0, 1.0})
+    for (double v : {-1.0, 1.0}) points.push_back(point(u, v, 0));
+  points.push_back(point(0.2, 0.05, -2e-3));  // deepest: one of the four
+  points.push_back(point(0.1, 0, 5e-3));      // held up by the others
+  keep_spread_points(k_tolerance, 1, 1e-3, points);
+  EXPECT_EQ(points.size(), 5u);
+  EXPECT_FALSE(has(points, 0.1, 0));
+}
+
+TEST(PointReduction, ALineOfContactsThatSagsKeepsItsMiddle) {
+  std::vector<OverlayPoint> points;
+  for (int k = -4; k <= 4; ++k) points.push_back(point(0.25 * k, 0, 0));
+  points[4].gap = -1e-3;  // deepest
+  points[2].gap = -0.9e-3;
+  points[6].gap = -0.9e-3;
+  keep_spread_points(k_tolerance, 1, 1e-5, points);
+  for (double u : {-1.0, -0.5, 0.0, 0.5, 1.0}) EXPECT_TRUE(has(points, u, 0)) << u;
+}
+
+TEST(PointReduction, PointsThatTieComeTogetherOrNotAtAll) {
+  // twelve on a circle: four make a square, the other eight tie and have no room
+  std::vector<OverlayPoint> points;
+  for (int k = 0; k < 12; ++k) points.push_back(point(std::cos(k_pi * k / 6), std::sin(k_pi * k / 6), 0));
+  keep_spread_points(k_tolerance, 1, 1e-3, points);
+  EXPECT_EQ(points.size(), 4u);
 }
 
 }  // namespace
