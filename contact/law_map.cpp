@@ -4,13 +4,11 @@
 #include <cmath>
 
 #include "contact/cone.h"
-#include "contact/operators.h"
 
 namespace nilas {
 
-ContactScale contact_scale(const ContactProblem& problem, int c, const Mat3& w) {
+ContactScale contact_scale(const ContactProblem& problem, int c, double d) {
   const auto i = static_cast<std::size_t>(c);
-  const double d = inverse_mass_scale(w);
   // Between two immovable sides compliance is the only way to yield.
   return {problem.mu[i], problem.force_limit[i], d > 0 ? d : problem.compliance[i]};
 }

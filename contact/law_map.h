@@ -10,7 +10,8 @@ struct ContactScale {
   double force_limit = 0;  ///< [N s]
   double d = 0;            ///< trace(W_cc)/3 [1/kg]
 };
-ContactScale contact_scale(const ContactProblem& problem, int c, const Mat3& w);
+/// `d`: trace(W_cc)/3.
+ContactScale contact_scale(const ContactProblem& problem, int c, double d);
 
 /// The velocity that laws speak of: u with c r_N added to its normal part.
 Vec3 compliant_velocity(const ContactProblem& problem, int c, const Vec3& r, const Vec3& u);

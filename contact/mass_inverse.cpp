@@ -77,4 +77,18 @@ void MassInverse::apply(int k, const double* momentum, double* velocity) const {
   factor.solveInPlace(x);
 }
 
+double MassInverse::square(int k, const double* x) const {
+  const int slot = slot_[static_cast<std::size_t>(k)];
+  if (slot >= 0) {
+    const RigidBody& body = rigid_bodies_[static_cast<std::size_t>(slot)];
+    const Eigen::Map<const Vec3> p(x), l(x + 3);
+    return body.inverse_mass * p.squaredNorm() + l.dot(body.inverse_inertia * l);
+  }
+  const auto& factor = factors_[static_cast<std::size_t>(~slot)];
+  if (factor.info() != Eigen::Success) return std::numeric_limits<double>::quiet_NaN();
+  VecX y = Eigen::Map<const VecX>(x, factor.rows());
+  factor.matrixL().solveInPlace(y);
+  return y.squaredNorm();
+}
+
 }  // namespace nilas

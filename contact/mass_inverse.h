@@ -16,6 +16,8 @@ class MassInverse {
   int first_bad_block() const { return first_bad_block_; }
   /// velocity = M_k^-1 momentum, block_size(k) numbers each; the two may be the same array.
   void apply(int k, const double* momentum, double* velocity) const;
+  /// x^T M_k^-1 x, x of block_size(k) numbers.
+  double square(int k, const double* x) const;
 
  private:
   struct RigidBody {

@@ -87,7 +87,7 @@ Residuals measure(const ContactProblem& problem, const VecX& r, const VecX& v) {
   Residuals out;
   for (int c = 0; c < problem.num_contacts(); ++c) {
     const Vec3 r_c = r.segment<3>(3 * static_cast<Eigen::Index>(c));
-    const ContactScale scale = contact_scale(problem, c, delassus_block(problem, masses, c, response.data()));
+    const ContactScale scale = contact_scale(problem, c, inverse_mass_scale(problem, masses, c, response.data()));
     const Vec3 u = compliant_velocity(problem, c, r_c, contact_velocity(problem, c, v.data()));
     measure_contact(problem, scale, r_c, u, out);
     add_impulse(problem, c, -r_c, excess.data());

@@ -89,6 +89,15 @@ Mat3 delassus_block(const ContactProblem& problem, const MassInverse& masses, in
   return w;
 }
 
+double inverse_mass_scale(const ContactProblem& problem, const MassInverse& masses, int c, double* response) {
+  const auto& pair = problem.pairs[static_cast<std::size_t>(c)];
+  if (pair.a == pair.b) return inverse_mass_scale(delassus_block(problem, masses, c, response));
+  double trace = 0;
+  for (const Side& side : {side_a(problem, c), side_b(problem, c)})
+    for (int i = 0; i < 3 && side.n > 0; ++i) trace += masses.square(side.block, side.rows + i * side.n);
+  return trace / 3;
+}
+
 VecX velocities(const ContactProblem& problem, const MassInverse& masses, const VecX& r) {
   NILAS_DEMAND(r.size() == 3 * problem.num_contacts());
   VecX v = problem.f;

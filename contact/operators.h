@@ -14,13 +14,16 @@ void add_impulse(const ContactProblem& problem, int c, const Vec3& r, double* mo
 /// W_cc (3 x 3). `response` receives M_A^-1 J_A^T (n_a x 3) then M_B^-1 J_B^T (n_b x 3), each column contiguous.
 Mat3 delassus_block(const ContactProblem& problem, const MassInverse& masses, int c, double* response);
 
-/// Most numbers that delassus_block writes for any contact.
+/// d_c = trace(W_cc)/3, the scale between impulse and velocity [1/kg].
+double inverse_mass_scale(const ContactProblem& problem, const MassInverse& masses, int c, double* response);
+
+/// Most numbers that the two above write for any contact.
 std::size_t largest_response(const ContactProblem& problem);
 
 /// v = M^-1 (f + H r) with the inverse at hand.
 VecX velocities(const ContactProblem& problem, const MassInverse& masses, const VecX& r);
 
-/// d_c = trace(W_cc)/3, the scale between impulse and velocity [1/kg].
+/// The same from the block.
 inline double inverse_mass_scale(const Mat3& w) { return w.trace() / 3; }
 
 }  // namespace nilas

@@ -17,6 +17,8 @@ namespace {
 constexpr double k_closing_speed = 1e-9;
 /// law_map must fall by this share to count as progress.
 constexpr double k_progress = 1e-3;
+/// `measure` finds the same law_map up to rounding.
+constexpr double k_agreed_share = 1 - 1e-12;
 /// Sweeps before the first measurement that no small change called for; later ones at growing distance.
 constexpr int k_first_measurement = 20;
 
@@ -119,7 +121,7 @@ class Solve {
 
   SolveStatus judge(const PgsIsland& island, Stop& stop, int sweep, double change) {
     const double law_map = true_law_map(island);
-    if (law_map <= settings_.shared.tolerance) return SolveStatus::converged;
+    if (law_map <= k_agreed_share * settings_.shared.tolerance) return SolveStatus::converged;
     // the sweeps go on from the true velocities, free of accumulated rounding
     for (const int k : island.blocks)
       rows_.velocities.segment(rows_.first_velocity[static_cast<std::size_t>(k)], problem_.block_size(k)) =

@@ -124,12 +124,13 @@ static void fill_contact(const ContactProblem& problem, const MassInverse& masse
   const auto i = static_cast<std::size_t>(c);
   const auto first = 3 * static_cast<Eigen::Index>(c);
   const Mat3 w = delassus_block(problem, masses, c, response);
-  rows.scales[place] = contact_scale(problem, c, w);
+  const double d = inverse_mass_scale(w);
+  rows.scales[place] = contact_scale(problem, c, d);
   contact.mu = problem.mu[i];
   contact.force_limit = problem.force_limit[i];
   contact.compliance = problem.compliance[i];
   Eigen::Map<Vec3>{contact.w} = problem.w.segment<3>(first);
-  set_weights(w, rows.law, inverse_mass_scale(w), contact);
+  set_weights(w, rows.law, d, contact);
   copy_rows(problem, c, response, rows.law == Law::frictionless ? 1 : 3, contact,
             rows.coefficients.data() + contact.rows);
   if (guess.size() > 0) set_impulse(guess.segment<3>(first), rows.law, contact);
