@@ -125,8 +125,11 @@ void face_each_other(const PairView& pair, const Axis& axis, FacingSurfaces& fac
   const int face_b = axis.kind == AxisKind::face_b ? axis.feature_b : -1;
   facing.plane = contact_plane(axis.n);
   const double slack = pair.margin - axis.s;
-  show_surface({pair.a, k_own_frame, 1.0, face_a, slack}, facing.plane, pair.tolerance, facing.a);
-  show_surface({pair.b, pair.b_in_a, -1.0, face_b, slack}, facing.plane, pair.tolerance, facing.b);
+  const Vec3 a_in_b = pair.a_in_b.point(pair.a.centre), b_in_a = pair.b_in_a.point(pair.b.centre);
+  show_surface({pair.a, k_own_frame, 1.0, face_a, slack, b_in_a, pair.b.bounding_radius}, facing.plane, pair.tolerance,
+               facing.a);
+  show_surface({pair.b, pair.b_in_a, -1.0, face_b, slack, a_in_b, pair.a.bounding_radius}, facing.plane, pair.tolerance,
+               facing.b);
   facing.points.clear();
   for (int i = 0; i < facing.a.size(); ++i)
     for (int j = 0; j < facing.b.size(); ++j) lay_over(facing.a[i], facing.b[j], pair.tolerance, facing);

@@ -94,7 +94,7 @@ void polytope_or_cylinder_pair(const Bodies& bodies, const Part& a, const Part& 
     if (room.facing.curved && !deepest && std::hypot(p.slope.u, p.slope.v) <= k_most_slope) {
       const Vec3 n = plane.n - p.slope.u * plane.t1 - p.slope.v * plane.t2;
       point.n = R * n.normalized();
-      point.gap /= n.norm();
+      point.gap = std::max(p.gap / n.norm(), axis.s);  // no place is nearer than the axis separates
     }
     point.key = contact_key(key, p.feature);
   }

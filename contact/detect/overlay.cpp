@@ -119,9 +119,8 @@ void clip(const SurfaceLoop& loop_a, const SurfaceLoop& loop_b, bool a_is_window
   const FeatureKind kind = a_is_window ? FeatureKind::vertex_b : FeatureKind::vertex_a;
   const double sign = twice_area(cutter.window) < 0 ? -1.0 : 1.0;
   buffers.now.clear();
-  for (const LoopCorner& c : subject.corners) 
-    buffers.now.push_back(
-        {c.u, c.v, {kind, c.vertex, -1}, {cutter.window.hu, cutter.window.hv}, c.edge, -1, 0});
+  for (const LoopCorner& c : subject.corners)
+    buffers.now.push_back({c.u, c.v, {kind, c.vertex, -1}, {cutter.window.hu, cutter.window.hv}, c.edge, -1, 0});
   for (std::size_t k = 0; k < cutter.window.corners.size() && !buffers.now.empty(); ++k) {
     const Side side = side_of(cutter.window, k, sign);
     double least = 0;

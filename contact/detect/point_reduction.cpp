@@ -9,8 +9,8 @@ namespace nilas {
 
 namespace {
 
-/// Above this many points the number of quadrilaterals (1820 at 16) is not worth its time; flat ones are dropped first.
-constexpr std::size_t k_most_candidates = 16;
+/// Above this many points the number of quadrilaterals (2380 at 17) is not worth its time.
+constexpr std::size_t k_most_candidates = 17;
 /// Power of a point's closeness: half way to the margin counts 1/256 of touching.
 constexpr double k_sharpness = 8;
 /// Gaps that differ by less than this share of the points' reach are alike, whatever the margin [-].
@@ -52,6 +52,26 @@ void sort_around(const Mean& mean, Points& points) {
 
 double cross(const OverlayPoint& p, const OverlayPoint& q, const OverlayPoint& r, const OverlayPoint& s) {
   return (q.u - p.u) * (s.v - r.v) - (q.v - p.v) * (s.u - r.u);
+}
+
+/// Keeps the deepest points and those that touch first when the pair tilts by a half or the whole of what it may in a
+/// step, about eight axes; all that tie.
+void keep_first_to_touch(double deepest, double tolerance, Points& points) {
+  constexpr int k_axes = 8;
+  std::vector<char> kept(points.size(), 0);
+  for (std::size_t i = 0; i < points.size(); ++i) kept[i] = points[i].gap <= deepest ? 1 : 0;
+  std::vector<double> height(points.size());
+  for (int axis = 0; axis < k_axes; ++axis)
+    for (double tilt : {0.5 * k_step_tilt, k_step_tilt}) {
+      const double angle = 2.0 * k_pi * axis / k_axes;
+      const double along_u = tilt * std::cos(angle), along_v = tilt * std::sin(angle);
+      for (std::size_t i = 0; i < points.size(); ++i)
+        height[i] = points[i].gap - along_u * points[i].u - along_v * points[i].v;
+      const double least = *std::min_element(height.begin(), height.end()) + tolerance;
+      for (std::size_t i = 0; i < points.size(); ++i) kept[i] = kept[i] != 0 || height[i] <= least ? 1 : 0;
+    }
+  std::size_t place = 0;
+  std::erase_if(points, [&](const OverlayPoint&) { return kept[place++] == 0; });
 }
 
 /// Drops the points that add least to the outline until few enough remain; one not above `deepest` stays.
@@ -202,8 +222,7 @@ double left_open(const Points& kept, const OverlayPoint& p) {
   for (std::size_t i = 0; i < kept.size(); ++i)
     for (std::size_t j = i + 1; j < kept.size(); ++j) {
       held = std::min(held, gap_beside(kept[i], kept[j], p));
-      for (std::size_t k = j + 1; k < kept.size(); ++k)
-        held = std::min(held, gap_inside(kept[i], kept[j], kept[k], p));
+      for (std::size_t k = j + 1; k < kept.size(); ++k) held = std::min(held, gap_inside(kept[i], kept[j], kept[k], p));
     }
   return held - p.gap;
 }
@@ -212,7 +231,7 @@ double left_open(const Points& kept, const OverlayPoint& p) {
 /// no room for all, not at all: so a mirrored contact keeps the mirrored points.
 void cover_the_rest(double tolerance, double cover, const Points& points, Points& kept) {
   std::vector<double> open(points.size());
-  while (true) {
+  while (std::isfinite(cover)) {
     for (std::size_t i = 0; i < points.size(); ++i) open[i] = left_open(kept, points[i]);
     const double most = *std::max_element(open.begin(), open.end());
     if (most <= cover) return;
@@ -223,6 +242,20 @@ void cover_the_rest(double tolerance, double cover, const Points& points, Points
   }
 }
 
+/// The four of `points` (in turn around their middle) that spread best.
+Points best_four(const Points& points, double deepest, double margin, double tolerance) {
+  if (points.size() <= k_spread_points) return points;
+  SetChoice choice(points, deepest, margin, tolerance);
+  const int count = static_cast<int>(points.size());
+  for (int i = 0; i < count; ++i)
+    for (int j = i + 1; j < count; ++j)
+      for (int k = j + 1; k < count; ++k)
+        for (int l = k + 1; l < count; ++l) choice.consider({i, j, k, l}, tolerance);
+  Points four;
+  for (int i : choice.best()) four.push_back(points[i]);
+  return four;
+}
+
 }  // namespace
 
 void keep_spread_points(double tolerance, double margin, double cover, Points& points) {
@@ -230,17 +263,11 @@ void keep_spread_points(double tolerance, double margin, double cover, Points& p
   sort_around(mean_of(points), points);
   const auto shallower = [](const OverlayPoint& p, const OverlayPoint& q) { return p.gap < q.gap; };
   const double deepest = std::min_element(points.begin(), points.end(), shallower)->gap;
+  const Points all = points;
+  if (points.size() > k_most_candidates) keep_first_to_touch(deepest + tolerance, tolerance, points);
   drop_flat_corners(points, deepest + tolerance);
-  SetChoice choice(points, deepest, margin, tolerance);
-  const int count = static_cast<int>(points.size());
-  for (int i = 0; i < count; ++i)
-    for (int j = i + 1; j < count; ++j)
-      for (int k = j + 1; k < count; ++k)
-        for (int l = k + 1; l < count; ++l) choice.consider({i, j, k, l}, tolerance);
-  Points kept;
-  for (int i : choice.best()) kept.push_back(points[i]);
-  cover_the_rest(tolerance, cover, points, kept);
-  points.swap(kept);
+  points = best_four(points, deepest, margin, tolerance);
+  cover_the_rest(tolerance, cover, all, points);
 }
 
 }  // namespace nilas

@@ -17,8 +17,8 @@ const double k_grown_cosine = std::cos(k_grown_angle);
 /// A cylinder's cap or side line within this angle of the contact plane touches with all of it; beyond, a second point
 /// within the margin would lie less than six margins away from the first.
 const double k_flat_sine = std::sin(10.0 * k_deg);
-/// A patch of more faces than this is cut off; contacts keep four points anyway.
-constexpr std::size_t k_most_faces = 64;
+/// A patch of more faces than this is cut off, where a large part lies on a hull of very small facets.
+constexpr std::size_t k_most_faces = 1000;
 constexpr int k_rim_corners = 8;
 
 /// A part's frame seen through the contact plane: u, v and height of its points are affine in their coordinates.
@@ -51,6 +51,16 @@ double highest_corner(const FacetedGeometry& facets, int f, const Vec3& directio
   return highest;
 }
 
+/// False only for faces all of whose points lie farther from the other part's centre than its ball reaches.
+bool within_reach(const PatchView& view, int f) {
+  const FacetedGeometry& facets = *view.part.facets;
+  const auto vertices = facets.face_vertices[f];
+  const Vec3& first = facets.polytope->vertices[vertices.front()];
+  double size = 0;
+  for (int v : vertices) size = std::max(size, (facets.polytope->vertices[v] - first).norm());
+  return (first - view.other_centre).norm() <= view.other_radius + size;
+}
+
 /// Adds the faces joined to those of the patch by gentle edges.
 void grow_patch(const PatchView& view, const Vec3& direction, SurfacePatch& patch) {
   const FacetedGeometry& facets = *view.part.facets;
@@ -60,7 +70,7 @@ void grow_patch(const PatchView& view, const Vec3& direction, SurfacePatch& patc
     for (int f : facets.smooth_neighbours[patch.faces[i]]) {
       const bool known = std::find(patch.faces.begin(), patch.faces.end(), f) != patch.faces.end();
       if (known || facets.polytope->normals[f].dot(direction) < k_grown_cosine) continue;
-      if (highest_corner(facets, f, direction) >= least) patch.faces.push_back(f);
+      if (highest_corner(facets, f, direction) >= least && within_reach(view, f)) patch.faces.push_back(f);
     }
 }
 

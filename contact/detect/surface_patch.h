@@ -34,16 +34,18 @@ class SurfacePatch {
 /// Which part, where, and the side it shows.
 struct PatchView {
   const Part& part;
-  const RelativePose& in_a;  ///< the part's frame in A's
-  double sign = 1;           ///< the part's contact direction is sign * n
-  int face = -1;             ///< the polytope's face whose normal is that direction, or -1: unknown
-  double slack = 0;          ///< surface farther back than this from the support is beyond the margin [m]
+  const RelativePose& in_a;          ///< the part's frame in A's
+  double sign = 1;                   ///< the part's contact direction is sign * n
+  int face = -1;                     ///< the polytope's face whose normal is that direction, or -1: unknown
+  double slack = 0;                  ///< surface farther back than this from the support is beyond the margin [m]
+  Vec3 other_centre = Vec3::Zero();  ///< of a ball around the other part, in this part's frame [m]
+  double other_radius = 0;           ///< [m]
 };
 
 /// Polytope: the face at the support that looks most along the contact direction (all of them when several tie), and
-/// all faces joined to it by gentle edges within k_grown_angle of the direction and within the slack: a curved hull's small facets act
-/// as one surface, so a floe that slides over a seam keeps its points. Cylinder: its cap, its line of contact, or its
-/// rim point. Faces seen from the side (beyond 85 degrees) are left out.
+/// all faces joined to it by gentle edges within k_grown_angle of the direction, within the slack and within reach of
+/// the other part: a curved hull's small facets act as one surface, so a floe that slides over a seam keeps its points.
+/// Cylinder: its cap, its line of contact, or its rim point. Faces seen from the side (beyond 85 degrees) are left out.
 void show_surface(const PatchView& view, const ContactPlane& plane, double tolerance, SurfacePatch& patch);
 
 }  // namespace nilas

@@ -81,7 +81,8 @@ static std::vector<AttributeSpec> time_stepping() {
        .unit = "m",
        .range = at_least(0),
        .default_value = "0",
-       .doc = "Gap within which contacts enter the problem; 0: what the bodies can reach in the step, along chains of hits."},
+       .doc = "Gap within which contacts enter the problem; 0: what the bodies can reach in the step, along chains of "
+              "hits."},
       {.name = "stabilisation",
        .type = ValueType::choice,
        .choices = {"none", "baumgarte", "split-impulse", "tasora", "projection"},

@@ -1,5 +1,5 @@
-/// presawn-a is mirror-symmetric, and chaotic: rounding grows. How fast does it lose its symmetry, beside the growth of a
-/// perturbation of 1e-12 m, and do port and starboard loads agree on average?
+/// presawn-a is mirror-symmetric, and chaotic: rounding grows. How fast does it lose its symmetry, beside the growth of
+/// a perturbation of 1e-12 m, and do port and starboard loads agree on average?
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -45,9 +45,9 @@ Scene presawn(std::uint64_t seed) {
 }
 
 struct Course {
-  std::vector<double> asymmetry;       ///< largest |y_left + y_right|, |x_left - x_right| so far, at whole seconds [m]
+  std::vector<double> asymmetry;  ///< largest |y_left + y_right|, |x_left - x_right| so far, at whole seconds [m]
   std::vector<std::vector<Vec3>> poses;  ///< centres at whole seconds
-  double port = 0, starboard = 0;      ///< mean forces along X on the two sides of the hull [N]
+  double port = 0, starboard = 0;        ///< mean forces along X on the two sides of the hull [N]
 };
 
 /// Free floes come in the grid's order; the image of each is found once, from the start positions.
@@ -69,7 +69,8 @@ Course run(std::uint64_t seed) {
   const auto pairs = mirror_pairs(simulation.bodies());
   EXPECT_FALSE(pairs.empty());
   Course course;
-  const int per_second = static_cast<int>(std::lround(1 / scene.time.step)), steps = static_cast<int>(k_end) * per_second;
+  const int per_second = static_cast<int>(std::lround(1 / scene.time.step)),
+            steps = static_cast<int>(k_end) * per_second;
   double worst = 0;
   for (int k = 1; k <= steps; ++k) {
     const StepRecord record = simulation.step();
@@ -98,7 +99,8 @@ TEST(PresawnSymmetry, PortAndStarboardLoadsAgreeOnAverage) {
 
   std::printf("  t [s]   asymmetry [m]   growth of 1e-12 m [m]\n");
   for (std::size_t s = 0; s < exact.asymmetry.size(); ++s)
-    std::printf("  %5zu   %13.3e   %13.3e\n", s + 1, exact.asymmetry[s], distance(exact.poses[s], perturbed[0].poses[s]));
+    std::printf("  %5zu   %13.3e   %13.3e\n", s + 1, exact.asymmetry[s],
+                distance(exact.poses[s], perturbed[0].poses[s]));
 
   double mean = 0, size = 0;
   for (const auto& c : perturbed) {
