@@ -9,12 +9,12 @@ namespace {
 
 using testing::expect_fault;
 using testing::in_scene;
-using testing::ScratchFolder;
+using testing::SceneFolder;
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-void expect_round_trip(const ScratchFolder& folder, const Scene& scene) {
-  const ScratchFolder elsewhere;
+void expect_round_trip(const SceneFolder& folder, const Scene& scene) {
+  const SceneFolder elsewhere;
   const Scene again = elsewhere.read(scene.as_run);
   EXPECT_EQ(again.as_run, scene.as_run);
   EXPECT_EQ(again.name, scene.name);
@@ -22,11 +22,11 @@ void expect_round_trip(const ScratchFolder& folder, const Scene& scene) {
 }
 
 TEST(AsRun, TheCompleteSceneReadsBackFromAnotherFolder) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   testing::write_inputs(folder);
   const Scene scene = folder.read(testing::k_complete_scene);
   expect_round_trip(folder, scene);
-  const ScratchFolder elsewhere;
+  const SceneFolder elsewhere;
   const Scene again = elsewhere.read(scene.as_run);
   EXPECT_EQ(again.vessel->hull, scene.vessel->hull);
   EXPECT_EQ(again.vessel->position_has_z, scene.vessel->position_has_z);
@@ -36,7 +36,7 @@ TEST(AsRun, TheCompleteSceneReadsBackFromAnotherFolder) {
 }
 
 TEST(AsRun, DefaultsAreWrittenOutAsTheyWereUsed) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   const Scene scene = folder.read(in_scene("<ice><field region='0 0 01.50 1e0'/></ice><body shape='sphere'/>"));
   expect_round_trip(folder, scene);
   for (const char* part :
@@ -48,12 +48,12 @@ TEST(AsRun, DefaultsAreWrittenOutAsTheyWereUsed) {
     EXPECT_TRUE(contains(scene.as_run, part)) << part << "\n" << scene.as_run;
   for (const char* part : {"water", "vessel", "theta", "height=", "rows="})
     EXPECT_FALSE(contains(scene.as_run, part)) << part << "\n" << scene.as_run;
-  const ScratchFolder elsewhere;
+  const SceneFolder elsewhere;
   EXPECT_TRUE(elsewhere.read(scene.as_run).notes.empty()) << "nothing is left to defaults";
 }
 
 TEST(AsRun, OverridesPresetAndGeneratedHull) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   const Scene scene =
       folder.read(in_scene("<contact preset='seed-2014'/><vessel><hull/><mass value='1'/><carriage/></vessel>"),
                   {{"vessel/hull/@beam", "1.5"}, {"contact/@max_iterations", "20"}});
@@ -64,7 +64,7 @@ TEST(AsRun, OverridesPresetAndGeneratedHull) {
 }
 
 TEST(AsRun, NamesWithMarkupCharactersSurvive) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   const Scene scene =
       folder.read(in_scene("<body name='a &amp; b'/><output folder='runs/&quot;x&apos; &lt;&amp;&gt;'/>"));
   EXPECT_EQ(scene.bodies[0].name, "a & b");
@@ -73,7 +73,7 @@ TEST(AsRun, NamesWithMarkupCharactersSurvive) {
 }
 
 TEST(AsRun, InputFilesAreNamedWithTheirHashes) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   testing::write_inputs(folder);
   const std::string text = folder.read(testing::k_complete_scene).as_run;
   std::size_t inputs = 0;
@@ -86,7 +86,7 @@ TEST(AsRun, InputFilesAreNamedWithTheirHashes) {
 }
 
 TEST(AsRun, AChangedInputFileIsRefusedWithBothHashes) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   testing::write_inputs(folder);
   const std::string text = folder.read(testing::k_complete_scene).as_run;
   const std::string before = file_sha256(folder.path() / "quay.stl");
@@ -102,7 +102,7 @@ TEST(AsRun, AChangedInputFileIsRefusedWithBothHashes) {
 
 /// FIPS 180-2, appendix B.1, and the digest of nothing.
 TEST(Sha256, KnownDigests) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   EXPECT_EQ(file_sha256(folder.write("abc", "abc")),
             "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
   EXPECT_EQ(file_sha256(folder.write("none", "")), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
@@ -110,7 +110,7 @@ TEST(Sha256, KnownDigests) {
 }
 
 TEST(Sha256, FilesLongerThanTheBuffer) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   EXPECT_EQ(file_sha256(folder.write("a", std::string(1000000, 'a'))),
             "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }

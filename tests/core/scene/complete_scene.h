@@ -6,7 +6,7 @@
 
 namespace nilas::testing {
 
-inline void write_inputs(const ScratchFolder& folder) {
+inline void write_inputs(const SceneFolder& folder) {
   folder.write("hulls/icebreaker/fluid.stl", "solid fluid");
   folder.write("hulls/icebreaker/part-01.stl", "solid one");
   folder.write("hulls/icebreaker/part-02.stl", "solid two");

@@ -10,14 +10,14 @@ namespace {
 
 using testing::expect_fault;
 using testing::in_scene;
-using testing::ScratchFolder;
+using testing::SceneFolder;
 
 struct CrossCase {
   std::string content, where, word;
 };
 
 void expect_each(const std::vector<CrossCase>& cases) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   testing::write_inputs(folder);
   for (const auto& c : cases) {
     SCOPED_TRACE(c.content);
@@ -53,7 +53,7 @@ TEST(CrossChecks, Inertia) {
        {"<body inertia='1 1 2.1 0 0 0'/>", "<body inertia>", "sum of the other two"},
        {"<body inertia='3 3 3 2.9 0 0'/>", "<body inertia>", "sum of the other two"},
        {"<vessel><hull/><mass value='1' inertia='1 2 4 0 0 0'/></vessel>", "<vessel><mass inertia>", "sum of"}});
-  const ScratchFolder folder;
+  const SceneFolder folder;
   EXPECT_TRUE(folder.faults(in_scene("<body inertia='0.1 0.2 0.3 0 0 0'/>")).empty()) << "a plate reaches the bound";
 }
 
@@ -79,7 +79,7 @@ TEST(CrossChecks, Ice) {
                {"<ice><field region='0 0 1 1'><size mean='3'/></field></ice>", "<ice><field><size mean>", "<= 1.6"},
                {"<ice><field region='0 0 1 1'><shape vertices='9 5'/></field></ice>", "<ice><field><shape vertices>",
                 "fewest"}});
-  const ScratchFolder folder;
+  const SceneFolder folder;
   EXPECT_TRUE(
       folder.faults(in_scene("<ice><field region='0 0 1 1'><size distribution='fixed' mean='3'/></field></ice>"))
           .empty());
@@ -98,7 +98,7 @@ TEST(CrossChecks, Friction) {
 }
 
 TEST(CrossChecks, FilesMustExist) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   folder.write("empty/readme.txt", "");
   folder.write("hull.obj", "");
   const auto expect_missing = [&](const std::string& content, const std::string& where, const std::string& path) {
@@ -123,7 +123,7 @@ TEST(CrossChecks, FilesMustExist) {
 }
 
 TEST(CrossChecks, AKnownFaultDoesNotBringAnother) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   EXPECT_EQ(folder.faults(in_scene("<time start='20' end='x'/>")).size(), 1u);
   EXPECT_EQ(folder.faults(in_scene("<vessel hul='x'><mass value='1'/></vessel>")).size(), 1u);
   EXPECT_EQ(folder.faults(in_scene("<ice><field regio='0 0 1 1'/></ice>")).size(), 1u);

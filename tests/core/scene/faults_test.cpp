@@ -11,10 +11,10 @@ namespace {
 
 using testing::expect_fault;
 using testing::in_scene;
-using testing::ScratchFolder;
+using testing::SceneFolder;
 
 TEST(Faults, FiveDifferentFaultsAreFiveMessagesWithPlaces) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   const auto faults = folder.faults(R"(<scene version="1" name="bad">
   <time step="-0.01" end="60"/>
   <contact law="coulom" tolerence="1e-6"/>
@@ -38,7 +38,7 @@ TEST(Faults, FiveDifferentFaultsAreFiveMessagesWithPlaces) {
 }
 
 TEST(Faults, ColumnsAreThoseOfTheAttributeOrItsElement) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   const auto faults = folder.faults(
       "<scene version='1' name='größe'><!-- <time step='x'/> --><time step='x'\n"
       "\tend =  'y'/><gravity value='step=0'/></scene>");
@@ -51,25 +51,25 @@ TEST(Faults, ColumnsAreThoseOfTheAttributeOrItsElement) {
 }
 
 TEST(Faults, MissingAttributesStandAtTheirElement) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   expect_fault(folder.faults(in_scene("<tank length='1' width='2'/>")), 2, "<tank depth>", {"missing", "> 0 [m]"});
   expect_fault(folder.faults("<scene/>"), 1, "<scene version>", {"missing", "allowed: 1"});
   expect_fault(folder.faults(in_scene("<ice><floe/></ice>")), 2, "<ice><floe outline>", {"missing"});
 }
 
 TEST(Faults, AMisspeltRequiredAttributeIsOneFault) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   expect_fault(folder.faults(in_scene("<tank lenght='1' width='2' depth='1'/>")), 2, "<tank lenght>",
                {"unknown attribute", "nearest: length"});
 }
 
 TEST(Faults, AnotherVersionIsAClearError) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   expect_fault(folder.faults("<scene version='2'/>"), 1, "<scene version>", {"found '2'", "allowed: 1"});
 }
 
 TEST(Faults, OneTooManyAndWrongPlaces) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   expect_fault(folder.faults(in_scene("<seed value='1'/>\n<seed value='2'/>")), 3, "<seed>", {"second", "one <seed>"});
   expect_fault(folder.faults(in_scene("<friction between='ice ice' static='0'/>")), 2, "<friction>",
                {"unknown element", "belongs in <contact>"});
@@ -77,13 +77,13 @@ TEST(Faults, OneTooManyAndWrongPlaces) {
 }
 
 TEST(Faults, TextHasNoPlaceInAScene) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   expect_fault(folder.faults(in_scene("<time end='2'>\n  ten seconds\n</time>")), 3, "<time>", {"found text"});
   EXPECT_TRUE(folder.faults(in_scene("<time end='2'>\n  <!-- ten --> \n</time>")).empty());
 }
 
 TEST(Faults, ValuesOfEveryType) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   const auto fault = [&](const std::string& content, const std::string& where, const std::vector<std::string>& words) {
     expect_fault(folder.faults(in_scene(content)), 2, where, words);
   };

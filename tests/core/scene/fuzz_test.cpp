@@ -8,7 +8,7 @@
 namespace nilas {
 namespace {
 
-using testing::ScratchFolder;
+using testing::SceneFolder;
 
 /// Small linear congruential generator; the same damage on every machine.
 class Dice {
@@ -42,7 +42,7 @@ bool all_finite(const Scene& scene) {
 }
 
 TEST(Fuzz, StrangeValuesInEveryAttribute) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   testing::write_inputs(folder);
   const std::string whole = testing::k_complete_scene;
   for (const auto& [start, length] : values_in(whole)) {
@@ -60,7 +60,7 @@ TEST(Fuzz, StrangeValuesInEveryAttribute) {
 }
 
 TEST(Fuzz, DamagedBytes) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   testing::write_inputs(folder);
   const std::string whole = testing::k_complete_scene;
   const std::string bytes = "<>/\"'=&; \n\t!-?[]0x\xff\x01";

@@ -8,14 +8,14 @@ namespace {
 
 using testing::expect_fault;
 using testing::in_scene;
-using testing::ScratchFolder;
+using testing::SceneFolder;
 
 struct NotBuilt {
   std::string content, where;
 };
 
 TEST(NotBuilt, EachIsRefusedWithItsPlace) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   folder.write("file", "");
   const std::string vessel = "<vessel><hull/><mass value='1'/>", field = "<ice><field region='0 0 1 1' ";
   const std::vector<NotBuilt> cases{
@@ -59,7 +59,7 @@ TEST(NotBuilt, EachIsRefusedWithItsPlace) {
 }
 
 TEST(NotBuilt, TheMessageSaysWhatToDo) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   expect_fault(folder.faults(in_scene("<water><waves/></water>")), 2, "<water><waves>", {"remove the element"});
   expect_fault(folder.faults(in_scene("<contact integrator='moreau'/>")), 2, "<contact integrator>",
                {"built: semi-implicit-euler"});
@@ -68,7 +68,7 @@ TEST(NotBuilt, TheMessageSaysWhatToDo) {
 }
 
 TEST(NotBuilt, WhatSaysTheSameAsNothingIsTaken) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   EXPECT_TRUE(folder
                   .faults(in_scene("<output checkpoint_every='0.0' problems='never' contacts='none'/>"
                                    "<ice><field region='0 0 1 1' breakable='true'/></ice>"

@@ -9,7 +9,7 @@ namespace nilas {
 namespace {
 
 using testing::expect_fault;
-using testing::ScratchFolder;
+using testing::SceneFolder;
 
 constexpr const char* k_scene = R"(<scene version="1">
   <contact tolerance="1e-6"/>
@@ -31,7 +31,7 @@ class Overriding : public ::testing::Test {
     expect_fault(faults, 0, where, words);
     for (const auto& fault : faults) EXPECT_EQ(fault.file, "--set");
   }
-  ScratchFolder folder_;
+  SceneFolder folder_;
 };
 
 TEST_F(Overriding, AttributesThatAreThereAndThatAreNot) {

@@ -9,7 +9,7 @@ namespace nilas {
 namespace {
 
 using testing::in_scene;
-using testing::ScratchFolder;
+using testing::SceneFolder;
 
 class CompleteScene : public ::testing::Test {
  protected:
@@ -17,7 +17,7 @@ class CompleteScene : public ::testing::Test {
     testing::write_inputs(folder_);
     scene_ = folder_.read(testing::k_complete_scene);
   }
-  ScratchFolder folder_;
+  SceneFolder folder_;
   Scene scene_;
 };
 
@@ -178,7 +178,7 @@ TEST_F(CompleteScene, OnlyTheMissingViewerIsNoted) {
 }
 
 TEST(ReadScene, WhatIsNotNamedIsNotThere) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   const Scene scene = folder.read("<scene version='1'/>");
   EXPECT_EQ(scene.name, "scene") << "from the file's name";
   EXPECT_FALSE(scene.water || scene.hydro || scene.tank || scene.vessel || scene.ice);
@@ -187,7 +187,7 @@ TEST(ReadScene, WhatIsNotNamedIsNotThere) {
 }
 
 TEST(ReadScene, DefaultsWithoutAModelFallBackAndSaySo) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   const Scene scene = folder.read("<scene version='1'/>");
   EXPECT_EQ(scene.contact.law, "coulomb");
   EXPECT_EQ(scene.contact.solver, "pgs");
@@ -205,7 +205,7 @@ TEST(ReadScene, DefaultsWithoutAModelFallBackAndSaySo) {
 }
 
 TEST(ReadScene, ThePresetSetsTheOlderChoicesAndWhatIsGivenWins) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   const ContactScene preset = folder.read(in_scene("<contact preset='seed-2014'/>")).contact;
   EXPECT_EQ(preset.law, "pyramid");
   EXPECT_EQ(preset.solver, "pgs");
@@ -223,7 +223,7 @@ TEST(ReadScene, ThePresetSetsTheOlderChoicesAndWhatIsGivenWins) {
 }
 
 TEST(ReadScene, BuoyancyBringsWaterWithItsDefaults) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   const Scene scene = folder.read(in_scene("<hydro><buoyancy/></hydro>"));
   ASSERT_TRUE(scene.water);
   EXPECT_EQ(scene.water->density, 1025);
@@ -232,7 +232,7 @@ TEST(ReadScene, BuoyancyBringsWaterWithItsDefaults) {
 
 /// Only what the scene names: the generator scales the rest with the length.
 TEST(ReadScene, GeneratedHullHasTheParametersThatAreNamed) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   const Scene scene =
       folder.read(in_scene("<vessel><hull generate='icebreaker' length='5' stem_angle_deg='90' triangles='500'/><mass "
                            "value='9'/><fixed/></vessel>"));
@@ -247,7 +247,7 @@ TEST(ReadScene, GeneratedHullHasTheParametersThatAreNamed) {
 }
 
 TEST(ReadScene, WhatHasNoEffectIsNoted) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   const auto notes = folder
                          .read(in_scene("<contact preset='seed-2014' theta='0.5'/>"
                                         "<body shape='sphere' size='1 1 1'/>"
@@ -261,7 +261,7 @@ TEST(ReadScene, WhatHasNoEffectIsNoted) {
 }
 
 TEST(ReadScene, APathTakesThePlaceOfTheSpeed) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   folder.write("track.csv", "t_s,x_m,y_m,yaw_deg\n");
   const Scene scene =
       folder.read(in_scene("<contact preset='seed-2014'/><output contacts='none'/><vessel><hull/>"
@@ -272,7 +272,7 @@ TEST(ReadScene, APathTakesThePlaceOfTheSpeed) {
 }
 
 TEST(ReadScene, AFileThatCannotBeOpenedIsAFileError) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   EXPECT_THROW(read_scene(folder.path() / "none.xml"), FileError);
   EXPECT_THROW(read_scene(folder.path()), FileError) << "a folder";
 }

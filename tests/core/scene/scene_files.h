@@ -3,37 +3,18 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/scene/read_scene.h"
+#include "tests/support/scratch_folder.h"
 
 namespace nilas::testing {
 
-/// A new empty folder that goes away with the object.
-class ScratchFolder {
+/// A folder of scenes.
+class SceneFolder : public test::ScratchFolder {
  public:
-  ScratchFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "nilas-scene-XXXXXX").string();
-    path_ = mkdtemp(pattern.data());
-  }
-  ~ScratchFolder() { std::filesystem::remove_all(path_); }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-
-  std::filesystem::path write(const std::string& name, const std::string& text) const {
-    const auto file = path_ / name;
-    std::filesystem::create_directories(file.parent_path());
-    // Some file systems wait for the disk when a file is overwritten, not when it is new.
-    std::filesystem::remove(file);
-    std::ofstream(file, std::ios::binary) << text;
-    return file;
-  }
-
   Scene read(const std::string& text, const Overrides& overrides = {}) const {
     return read_scene(write("scene.xml", text), overrides);
   }
@@ -47,9 +28,6 @@ class ScratchFolder {
     }
     return {};
   }
-
- private:
-  std::filesystem::path path_;
 };
 
 inline std::string in_scene(const std::string& content) { return "<scene version=\"1\">\n" + content + "\n</scene>\n"; }

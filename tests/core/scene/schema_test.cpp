@@ -14,7 +14,7 @@ namespace nilas {
 namespace {
 
 using testing::in_scene;
-using testing::ScratchFolder;
+using testing::SceneFolder;
 
 TEST(Schema, ElementNamesAreUniqueAndParentsComeFirst) {
   std::set<std::string> seen;
@@ -59,7 +59,7 @@ TEST(Schema, ConditionsNameAttributesAndValuesThatExist) {
 
 /// The structs' own defaults speak to programs that build a Scene by hand; they must not differ from the table's.
 TEST(Schema, DefaultsAgreeWithTheStructs) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   const Scene scene = folder.read(
       in_scene("<contact/><water/><hydro><drag/><virtual_drag/></hydro><ice><field region='0 0 1 1'/></ice><body/>"
                "<vessel><hull/><mass value='1'/><carriage/></vessel>"));
@@ -92,7 +92,7 @@ TEST(Schema, DefaultsAgreeWithTheStructs) {
 }
 
 /// Exit status of xmllint on a scene and the XSD.
-int validate(const ScratchFolder& folder, const std::string& scene) {
+int validate(const SceneFolder& folder, const std::string& scene) {
   const auto xsd = folder.write("scene.xsd", schema_xsd());
   const auto file = folder.write("validated.xml", scene);
   const std::string command = "xmllint --noout --schema '" + xsd.string() + "' '" + file.string() + "' >'" +
@@ -100,13 +100,13 @@ int validate(const ScratchFolder& folder, const std::string& scene) {
   return std::system(command.c_str());
 }
 
-std::string verdict(const ScratchFolder& folder) {
+std::string verdict(const SceneFolder& folder) {
   std::ifstream in(folder.path() / "xmllint.txt");
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
 TEST(Xsd, AcceptsGoodScenes) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   testing::write_inputs(folder);
   EXPECT_EQ(validate(folder, testing::k_complete_scene), 0) << verdict(folder);
   EXPECT_EQ(validate(folder, folder.read(testing::k_complete_scene).as_run), 0) << verdict(folder);
@@ -115,7 +115,7 @@ TEST(Xsd, AcceptsGoodScenes) {
 }
 
 TEST(Xsd, RejectsBadScenes) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   for (const char* content :
        {"<bodie/>", "<contact tolerence='1'/>", "<time step='0'/>", "<time step='nan'/>", "<time step='INF'/>",
         "<time step='1 s'/>", "<gravity value='0 0'/>", "<gravity value='0 0 0 0'/>", "<contact law='coulom'/>",

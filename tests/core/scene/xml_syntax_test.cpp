@@ -7,10 +7,10 @@ namespace nilas {
 namespace {
 
 using testing::expect_fault;
-using testing::ScratchFolder;
+using testing::SceneFolder;
 
 TEST(XmlSyntax, EmptyFiles) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   for (const char* text : {"", " \n ", "<?xml version='1.0'?>\n", "<!-- nothing -->\n"}) {
     const auto faults = folder.faults(text);
     ASSERT_EQ(faults.size(), 1u) << text;
@@ -19,7 +19,7 @@ TEST(XmlSyntax, EmptyFiles) {
 }
 
 TEST(XmlSyntax, AFileCutShortNamesWhatIsOpen) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   expect_fault(folder.faults("<scene version='1'>\n  <time end='2'/>\n  <contact law='pyramid'>\n"), 3, "<contact>",
                {"never closed", "cut short"});
   expect_fault(folder.faults("<scene version='1'>\n  <time end='2'/>\n  <contact law='pyr"), 3, "<contact>",
@@ -28,7 +28,7 @@ TEST(XmlSyntax, AFileCutShortNamesWhatIsOpen) {
 
 /// However many bytes are missing at the end, the scene is refused (not read in part).
 TEST(XmlSyntax, EveryTruncationIsRefused) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   testing::write_inputs(folder);
   const std::string whole = testing::k_complete_scene;
   const std::size_t end = whole.rfind('>');
@@ -40,14 +40,14 @@ TEST(XmlSyntax, EveryTruncationIsRefused) {
 }
 
 TEST(XmlSyntax, TagsThatDoNotMatch) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   expect_fault(folder.faults("<scene version='1'>\n<hydro>\n<drag/>\n</water>\n</scene>"), 4, "<water>",
                {"found </water>", "allowed: </hydro>", "line 2"});
   expect_fault(folder.faults("<scene version='1'>\n</scene>\n</scene>"), 3, "<scene>", {"closes nothing"});
 }
 
 TEST(XmlSyntax, FaultyAttributes) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   expect_fault(folder.faults("<scene version='1'>\n<time step='1' step='2'/>\n</scene>"), 2, "<time>",
                {"each name once"});
   expect_fault(folder.faults("<scene version='1'>\n<time step=1/>\n</scene>"), 2, "<time>", {"name=\"value\""});
@@ -57,7 +57,7 @@ TEST(XmlSyntax, FaultyAttributes) {
 }
 
 TEST(XmlSyntax, NotOneScene) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   expect_fault(folder.faults("<scene version='1'/>\n<scene version='1'/>"), 2, "", {"only one element"});
   expect_fault(folder.faults("<scene version='1'/>\nend"), 2, "", {"not well-formed"});
   expect_fault(folder.faults("begin\n<scene version='1'/>"), 1, "", {"only one element"});
@@ -66,14 +66,14 @@ TEST(XmlSyntax, NotOneScene) {
 }
 
 TEST(XmlSyntax, BinaryContent) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   expect_fault(folder.faults(std::string("<scene version='1'>\n\0</scene>", 29)), 2, "", {"zero byte"});
   EXPECT_EQ(folder.faults("\x89PNG\r\n\x1a\n....").size(), 1u);
   EXPECT_EQ(folder.faults("# a page\n\nnot a scene\n").size(), 1u);
 }
 
 TEST(XmlSyntax, ByteOrderMarkAndWindowsLines) {
-  const ScratchFolder folder;
+  const SceneFolder folder;
   expect_fault(folder.faults("\xEF\xBB\xBF<scene version='1'>\r\n<time end='x'/>\r\n</scene>\r\n"), 2, "<time end>",
                {"'x'"});
   EXPECT_TRUE(folder.faults("\xEF\xBB\xBF<scene version='1'/>\r\n").empty());

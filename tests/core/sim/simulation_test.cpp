@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/scene/read_scene.h"
+#include "tests/support/scratch_folder.h"
 
 namespace {
 
@@ -18,18 +19,13 @@ using namespace nilas;
 /// A scene from text, in a file that lives as long as the object.
 class SceneText {
  public:
-  explicit SceneText(const std::string& body) {
-    std::string pattern = (std::filesystem::temp_directory_path() / "nilas-scene-XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
-    std::ofstream(folder_ / "scene.xml") << "<scene version=\"1\" name=\"test\">" << body << "</scene>\n";
-  }
-  ~SceneText() { std::filesystem::remove_all(folder_); }
-  SceneText(const SceneText&) = delete;
-  SceneText& operator=(const SceneText&) = delete;
-  Scene read() const { return read_scene(folder_ / "scene.xml"); }
+  explicit SceneText(const std::string& body)
+      : file_(folder_.write("scene.xml", "<scene version=\"1\" name=\"test\">" + body + "</scene>\n")) {}
+  Scene read() const { return read_scene(file_); }
 
  private:
-  std::filesystem::path folder_;
+  test::ScratchFolder folder_;
+  std::filesystem::path file_;
 };
 
 struct Rig {
