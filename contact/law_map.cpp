@@ -13,8 +13,10 @@ ContactScale contact_scale(const ContactProblem& problem, int c, double d) {
   return {problem.mu[i], problem.force_limit[i], d > 0 ? d : problem.compliance[i]};
 }
 
-Vec3 compliant_velocity(const ContactProblem& problem, int c, const Vec3& r, const Vec3& u) {
-  return {u[0] + problem.compliance[static_cast<std::size_t>(c)] * r[0], u[1], u[2]};
+ContactScale contact_scale(const LocalProblem& problem, int c) {
+  const auto i = static_cast<std::size_t>(c);
+  const double d = problem.diagonal(c).trace() / 3;
+  return {problem.mu[i], problem.force_limit[i], d > 0 ? d : problem.compliance[i]};
 }
 
 static double immovable_map(const ContactScale& scale, const Vec3& r, const Vec3& u) {

@@ -1,5 +1,6 @@
 #pragma once
 /// Distance of one contact from a law, as a velocity: d |r - P(r - u/d)| for the set and the velocity of that law.
+#include "contact/local_problem.h"
 #include "contact/problem.h"
 
 namespace nilas {
@@ -12,9 +13,12 @@ struct ContactScale {
 };
 /// `d`: trace(W_cc)/3.
 ContactScale contact_scale(const ContactProblem& problem, int c, double d);
+ContactScale contact_scale(const LocalProblem& problem, int c);
 
 /// The velocity that laws speak of: u with c r_N added to its normal part.
-Vec3 compliant_velocity(const ContactProblem& problem, int c, const Vec3& r, const Vec3& u);
+inline Vec3 compliant_velocity(double compliance, const Vec3& r, const Vec3& u) {
+  return {u[0] + compliance * r[0], u[1], u[2]};
+}
 
 /// `u` below is the compliant velocity, results are in m/s. A contact that cannot move (d = 0) has r_N = force_limit
 /// while it closes and 0 otherwise; being elsewhere counts as |u_N|, and so does closing without a limit.

@@ -4,6 +4,7 @@
 
 #include "contact/cone.h"
 #include "contact/law_map.h"
+#include "contact/local_problem.h"
 #include "contact/operators.h"
 #include "core/base/error.h"
 
@@ -49,15 +50,15 @@ static double creep(const ContactScale& scale, const Vec3& r, double slip) {
   return slip * std::max(0.0, 1 - tangential_norm(r) / bound);
 }
 
-static void measure_contact(const ContactProblem& problem, const ContactScale& scale, const Vec3& r, const Vec3& u,
+static void measure_contact(Law asked, int facets, const ContactScale& scale, const Vec3& r, const Vec3& u,
                             Residuals& out) {
   const double slip = tangential_norm(u);
   const double natural = natural_map(scale, r, u);
-  const double law = problem.law == Law::coulomb ? natural : law_map(problem.law, problem.facets, scale, r, u);
+  const double law = asked == Law::coulomb ? natural : law_map(asked, facets, scale, r, u);
   keep_worst(out.law_map_m_s, law);
   keep_worst(out.natural_map_m_s, natural);
   out.natural_map_rms_m_s += natural * natural;
-  keep_worst(out.ccp_map_m_s, problem.law == Law::ccp ? law : ccp_map(scale, r, u));
+  keep_worst(out.ccp_map_m_s, asked == Law::ccp ? law : ccp_map(scale, r, u));
   keep_worst(out.penetration_rate_m_s, forbidden_closing(scale, r[0], u[0]));
   keep_worst(out.complementarity_J, complementarity(scale, r[0], u[0]));
   keep_worst(out.cone_violation_m_s, scale.d * std::max(0.0, tangential_norm(r) - scale.mu * r[0]));
@@ -88,12 +89,27 @@ Residuals measure(const ContactProblem& problem, const VecX& r, const VecX& v) {
   for (int c = 0; c < problem.num_contacts(); ++c) {
     const Vec3 r_c = r.segment<3>(3 * static_cast<Eigen::Index>(c));
     const ContactScale scale = contact_scale(problem, c, inverse_mass_scale(problem, masses, c, response.data()));
-    const Vec3 u = compliant_velocity(problem, c, r_c, contact_velocity(problem, c, v.data()));
-    measure_contact(problem, scale, r_c, u, out);
+    const Vec3 u = compliant_velocity(problem.compliance[static_cast<std::size_t>(c)], r_c,
+                                      contact_velocity(problem, c, v.data()));
+    measure_contact(problem.law, problem.facets, scale, r_c, u, out);
     add_impulse(problem, c, -r_c, excess.data());
   }
   if (problem.num_contacts() > 0) out.natural_map_rms_m_s = std::sqrt(out.natural_map_rms_m_s / problem.num_contacts());
   out.momentum_sqrtJ = momentum_residual(problem, v, excess);
+  return out;
+}
+
+Residuals measure(const LocalProblem& problem, const VecX& r) {
+  const VecX velocity = contact_velocities(problem, r);
+  Residuals out;
+  for (int c = 0; c < problem.num_contacts(); ++c) {
+    const auto first = 3 * static_cast<Eigen::Index>(c);
+    const ContactScale scale = contact_scale(problem, c);
+    const Vec3 r_c = r.segment<3>(first);
+    const Vec3 u = compliant_velocity(problem.compliance[static_cast<std::size_t>(c)], r_c, velocity.segment<3>(first));
+    measure_contact(problem.law, problem.facets, scale, r_c, u, out);
+  }
+  if (problem.num_contacts() > 0) out.natural_map_rms_m_s = std::sqrt(out.natural_map_rms_m_s / problem.num_contacts());
   return out;
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 /// What every contact solver is: a pure function from a problem and a guess to a solution.
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "contact/local_problem.h"
 #include "contact/measure.h"
 #include "contact/problem.h"
 
@@ -36,6 +38,20 @@ class ContactSolver {
   virtual std::string name() const = 0;
   /// Same arguments, same bits. Never throws for non-convergence. `guess`: 3 nc impulses, or empty.
   virtual ContactSolution solve(const ContactProblem& problem, const VecX& guess) const = 0;
+  /// The same for a problem without bodies; `v` stays empty.
+  virtual ContactSolution solve(const LocalProblem& problem, const VecX& guess) const = 0;
 };
+
+/// Solves one connected local problem.
+using IslandSolve = std::function<ContactSolution(const LocalProblem& island, const VecX& guess)>;
+
+/// Solves the islands of a problem apart and puts them together: the worst status, the most iterations, the sum of
+/// messages. `v` (of a problem with bodies) is M^-1 (f + H r), `u` follows from it or from W. The global form is
+/// reduced island by island.
+ContactSolution solve_islands(const LocalProblem& problem, const VecX& guess, const IslandSolve& solve);
+ContactSolution solve_islands(const ContactProblem& problem, const VecX& guess, const IslandSolve& solve);
+
+/// The graver of two statuses, in the order of the enumeration.
+inline SolveStatus worse(SolveStatus a, SolveStatus b) { return a < b ? b : a; }
 
 }  // namespace nilas

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
+#include "contact/local_problem.h"
 #include "contact/mass_inverse.h"
 #include "contact/problem.h"
 #include "core/base/error.h"
@@ -11,7 +13,7 @@ namespace nilas {
 constexpr double k_symmetry = 1e-9;
 
 [[noreturn]] static void refuse(const std::string& field, const std::string& fault) {
-  throw ContractError("ContactProblem: " + field + ": " + fault);
+  throw ContractError("contact problem: " + field + ": " + fault);
 }
 
 static void demand_size(const std::string& field, std::size_t found, std::size_t needed) {
@@ -73,16 +75,18 @@ static void check_rows(const ContactProblem& problem) {
   demand_finite("w", problem.w);
 }
 
-static void check_keys(const ContactProblem& problem) {
-  demand_size("key", problem.key.size(), problem.pairs.size());
+template <class Problem>
+static void check_keys(const Problem& problem) {
+  demand_size("key", problem.key.size(), static_cast<std::size_t>(problem.num_contacts()));
   auto keys = problem.key;
   std::sort(keys.begin(), keys.end());
   const auto twin = std::adjacent_find(keys.begin(), keys.end());
   if (twin != keys.end()) refuse("key", std::to_string(*twin) + " occurs twice");
 }
 
-static void check_coefficients(const ContactProblem& problem) {
-  const std::size_t nc = problem.pairs.size();
+template <class Problem>
+static void check_coefficients(const Problem& problem) {
+  const auto nc = static_cast<std::size_t>(problem.num_contacts());
   demand_size("mu", problem.mu.size(), nc);
   demand_size("mu_static", problem.mu_static.size(), nc);
   demand_size("force_limit", problem.force_limit.size(), nc);
@@ -97,6 +101,33 @@ static void check_coefficients(const ContactProblem& problem) {
     if (!(problem.force_limit[c] >= 0)) refuse("force_limit", contact + " is negative or not a number");
     if (problem.compliance[c] < 0) refuse("compliance", contact + " is negative");
   }
+}
+
+static void check_matrix(const LocalProblem& problem) {
+  const int nc = problem.num_contacts();
+  if (problem.row_start.front() != 0) refuse("row_start", "must begin at 0");
+  demand_size("column", problem.column.size(), static_cast<std::size_t>(problem.row_start.back()));
+  demand_size("block", problem.block.size(), problem.column.size());
+  for (int a = 0; a < nc; ++a) {
+    const auto first = problem.column.begin() + problem.row_start[static_cast<std::size_t>(a)];
+    const auto last = problem.column.begin() + problem.row_start[static_cast<std::size_t>(a) + 1];
+    const std::string row = "row " + std::to_string(a);
+    if (last <= first || std::adjacent_find(first, last, std::greater_equal<>()) != last || *first < 0 ||
+        *(last - 1) >= nc)
+      refuse("column", row + " is not in rising order within 0.." + std::to_string(nc - 1));
+    if (!std::binary_search(first, last, a)) refuse("column", row + " has no diagonal block");
+  }
+  for (std::size_t k = 0; k < problem.block.size(); ++k)
+    if (!problem.block[k].allFinite()) refuse("block", "entry " + std::to_string(k) + " is not finite");
+  demand_size("q", static_cast<std::size_t>(problem.q.size()), 3 * static_cast<std::size_t>(nc));
+  demand_finite("q", problem.q);
+}
+
+void validate(const LocalProblem& problem) {
+  if (problem.law == Law::pyramid_k && problem.facets < 3) refuse("facets", "a pyramid has at least 3");
+  check_matrix(problem);
+  check_coefficients(problem);
+  check_keys(problem);
 }
 
 void validate(const ContactProblem& problem) {

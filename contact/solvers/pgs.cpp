@@ -98,7 +98,8 @@ class Solve {
       const auto i = static_cast<std::size_t>(k);
       const int c = rows_.source[i];
       const Vec3 r = Eigen::Map<const Vec3>(rows_.contacts[i].r);
-      const Vec3 u = compliant_velocity(problem_, c, r, contact_velocity(problem_, c, v_.data()));
+      const Vec3 u = compliant_velocity(problem_.compliance[static_cast<std::size_t>(c)], r,
+                                        contact_velocity(problem_, c, v_.data()));
       worst = std::max(worst, law_map(problem_.law, problem_.facets, rows_.scales[i], r, u));
     }
     return worst;

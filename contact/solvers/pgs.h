@@ -33,6 +33,8 @@ class PgsSolver final : public ContactSolver {
   /// then `message` says which, and that contact's impulse is zero.
   /// Throws InputError for a law other than pyramid, coulomb or frictionless.
   ContactSolution solve(const ContactProblem& problem, const VecX& guess) const override;
+  /// The same sweeps on the rows of W.
+  ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;
 
  private:
   PgsSettings settings_;
