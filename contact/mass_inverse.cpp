@@ -6,6 +6,12 @@
 namespace nilas {
 
 constexpr int k_rigid_size = 6;
+/// Larger asymmetry of a block is not rounding, relative to its largest entry.
+constexpr double k_rounding = 1e-14;
+
+static bool is_symmetric(const ContactProblem::ConstMatrix& mass) {
+  return (mass - mass.transpose()).cwiseAbs().maxCoeff() <= k_rounding * mass.cwiseAbs().maxCoeff();
+}
 
 static bool is_rigid_body(const ContactProblem::ConstMatrix& mass) {
   if (mass.rows() != k_rigid_size) return false;
@@ -52,9 +58,12 @@ void MassInverse::add_rigid_body(const ContactProblem::ConstMatrix& mass, int bl
 }
 
 void MassInverse::add_general(const ContactProblem::ConstMatrix& mass, int block) {
-  slot_.push_back(~static_cast<int>(factors_.size()));
-  factors_.emplace_back(mass);
-  if (!mass.allFinite() || factors_.back().info() != Eigen::Success) mark_bad(block);
+  slot_.push_back(~static_cast<int>(general_.size()));
+  general_.push_back({Eigen::LLT<MatX>(mass), {}});
+  if (!mass.allFinite() || general_.back().cholesky.info() != Eigen::Success)
+    mark_bad(block);
+  else if (!is_symmetric(mass))
+    general_.back().lu.emplace(mass);
 }
 
 void MassInverse::apply(int k, const double* momentum, double* velocity) const {
@@ -67,14 +76,18 @@ void MassInverse::apply(int k, const double* momentum, double* velocity) const {
     Eigen::Map<Vec3>{velocity + 3} = w;
     return;
   }
-  const auto& factor = factors_[static_cast<std::size_t>(~slot)];
+  const General& general = general_[static_cast<std::size_t>(~slot)];
+  const auto& factor = general.cholesky;
   Eigen::Map<VecX> x(velocity, factor.rows());
   if (factor.info() != Eigen::Success) {
     x.setConstant(std::numeric_limits<double>::quiet_NaN());
     return;
   }
   x = Eigen::Map<const VecX>(momentum, factor.rows());
-  factor.solveInPlace(x);
+  if (general.lu)
+    x = general.lu->solve(x).eval();
+  else
+    factor.solveInPlace(x);
 }
 
 double MassInverse::square(int k, const double* x) const {
@@ -84,9 +97,11 @@ double MassInverse::square(int k, const double* x) const {
     const Eigen::Map<const Vec3> p(x), l(x + 3);
     return body.inverse_mass * p.squaredNorm() + l.dot(body.inverse_inertia * l);
   }
-  const auto& factor = factors_[static_cast<std::size_t>(~slot)];
+  const General& general = general_[static_cast<std::size_t>(~slot)];
+  const auto& factor = general.cholesky;
   if (factor.info() != Eigen::Success) return std::numeric_limits<double>::quiet_NaN();
   VecX y = Eigen::Map<const VecX>(x, factor.rows());
+  if (general.lu) return y.dot(general.lu->solve(y));
   factor.matrixL().solveInPlace(y);
   return y.squaredNorm();
 }

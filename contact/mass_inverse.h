@@ -1,5 +1,6 @@
 #pragma once
 /// Inverses of the mass blocks of a contact problem.
+#include <optional>
 #include <vector>
 
 #include "contact/problem.h"
@@ -7,7 +8,7 @@
 namespace nilas {
 
 /// M_k^-1 per block. A 6x6 block of the form diag(m I, I_G) is kept as 1/m and I_G^-1, any other by its Cholesky
-/// factor.
+/// factor, and one that is asymmetric beyond rounding (masses of files) by its LU factors beside.
 class MassInverse {
  public:
   explicit MassInverse(const ContactProblem& problem);
@@ -24,13 +25,17 @@ class MassInverse {
     double inverse_mass = 0;
     Mat3 inverse_inertia = Mat3::Zero();
   };
+  struct General {
+    Eigen::LLT<MatX> cholesky;  ///< of the lower triangle
+    std::optional<Eigen::PartialPivLU<MatX>> lu;
+  };
   void add_rigid_body(const ContactProblem::ConstMatrix& mass, int block);
   void add_general(const ContactProblem::ConstMatrix& mass, int block);
   void mark_bad(int block);
 
-  std::vector<int> slot_;  ///< per block: k >= 0 in rigid_bodies_, ~k in factors_
+  std::vector<int> slot_;  ///< per block: k >= 0 in rigid_bodies_, ~k in general_
   std::vector<RigidBody> rigid_bodies_;
-  std::vector<Eigen::LLT<MatX>> factors_;
+  std::vector<General> general_;
   int first_bad_block_ = -1;
 };
 

@@ -21,13 +21,14 @@ struct ContactSolution {
   SolveStatus status = SolveStatus::numerical_error;
   int iterations = 0;
   std::vector<double> history;  ///< law_map_m_s after each iteration, when asked for
-  std::string message;          ///< what failed and at which contact key; empty unless numerical_error
+  std::string message;          ///< what failed and at which contact key; for auto what it used; else empty
 };
 
 /// Settings that all solvers share; a solver's own settings are a struct in its header.
 struct SolverSettings {
   double tolerance = 1e-6;  ///< on law_map_m_s [m/s]; 0: always max_iterations sweeps
   int max_iterations = 1000;
+  double max_seconds = 0;  ///< stop with iteration_limit after this wall time; 0: no limit [s]
   bool keep_history = false;
   int threads = 1;
 };

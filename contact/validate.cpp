@@ -9,8 +9,8 @@
 
 namespace nilas {
 
-/// Largest asymmetry of a mass block that counts as rounding, relative to its largest entry.
-constexpr double k_symmetry = 1e-9;
+/// Largest asymmetry of a mass block, relative to its largest entry: what files may hold.
+constexpr double k_symmetry = 1e-2;
 
 [[noreturn]] static void refuse(const std::string& field, const std::string& fault) {
   throw ContractError("contact problem: " + field + ": " + fault);

@@ -141,7 +141,8 @@ TEST(Problem, ValidationNamesTheField) {
   expect_refused("mass_data", [](auto& p) { p.mass_data[0] = nan; });
   expect_refused("block 0 is not positive definite", [](auto& p) { p.mass_data[0] = -1; });
   expect_refused("block 1 is not positive definite", [](auto& p) { p.mass_data[p.mass_offset[1] + 35] = 0; });
-  expect_refused("block 2 is not symmetric", [](auto& p) { p.mass_data[p.mass_offset[2] + 1] += 0.1; });
+  expect_refused("block 2 is not symmetric",
+                 [](auto& p) { p.mass_data[p.mass_offset[2] + 1] += 0.1 * p.mass_data[p.mass_offset[2]]; });
   expect_refused("f:", [](auto& p) { p.f.conservativeResize(3); });
   expect_refused("f:", [](auto& p) { p.f[4] = nan; });
   expect_refused("pairs", [](auto& p) { p.pairs[0].a = 17; });

@@ -1,0 +1,103 @@
+#pragma once
+/// The few things of HDF5 that problem files need: named datasets of numbers and short texts, read with suspicion.
+///
+/// A file is taken into memory whole, so nothing is ever allocated beyond what it really holds: each dataset's extent
+/// is checked against its storage, its storage against the size of the file. Names are paths such as "fclib_local/W/x".
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/base/math.h"
+
+namespace nilas {
+
+/// HDF5's identifier of an open object, closed at the end of its life.
+class Hdf5Handle {
+ public:
+  using Close = int (*)(std::int64_t);
+  Hdf5Handle(std::int64_t id, Close close) : id_(id), close_(close) {}
+  Hdf5Handle(Hdf5Handle&& other) noexcept : id_(other.id_), close_(other.close_) { other.id_ = -1; }
+  Hdf5Handle& operator=(Hdf5Handle&&) = delete;
+  Hdf5Handle(const Hdf5Handle&) = delete;
+  Hdf5Handle& operator=(const Hdf5Handle&) = delete;
+  ~Hdf5Handle() {
+    if (id_ >= 0) close_(id_);
+  }
+  bool good() const { return id_ >= 0; }
+  std::int64_t get() const { return id_; }
+
+ private:
+  std::int64_t id_;
+  Close close_;
+};
+
+/// Keeps HDF5 from printing its own messages while it lives; faults are told by exceptions alone.
+class Hdf5Silence {
+ public:
+  Hdf5Silence();
+  ~Hdf5Silence();
+  Hdf5Silence(const Hdf5Silence&) = delete;
+  Hdf5Silence& operator=(const Hdf5Silence&) = delete;
+
+ private:
+  int (*print_)(std::int64_t, void*) = nullptr;
+  void* print_data_ = nullptr;
+};
+
+/// A file open for reading. Wrong content is an InputError with the file and the dataset named.
+class Hdf5Reader {
+ public:
+  /// Throws FileError where the file cannot be opened, InputError where it is no HDF5 file or is cut short.
+  explicit Hdf5Reader(const std::filesystem::path& path);
+
+  /// True for a group or dataset held in this file; links that lead elsewhere do not count.
+  bool has(const std::string& name) const;
+  std::vector<int> integers(const std::string& name) const;
+  int integer(const std::string& name) const;
+  /// Finite numbers.
+  VecX numbers(const std::string& name) const;
+  /// Finite numbers or infinity.
+  VecX numbers_or_infinity(const std::string& name) const;
+  /// True for a dataset that was ever written to.
+  bool is_filled(const std::string& name) const;
+  /// Number of elements, from the dataset's extent.
+  std::size_t size(const std::string& name) const;
+  /// A text of fixed length, without the zeros that fill it; empty where there is none.
+  std::string text(const std::string& name) const;
+
+  [[noreturn]] void refuse(const std::string& name, const std::string& fault) const;
+
+ private:
+  struct Dataset;
+  Dataset open(const std::string& name) const;
+  void check_storage(const Dataset& dataset, const std::string& name) const;
+  VecX read_numbers(const std::string& name) const;
+
+  Hdf5Silence silence_;
+  std::string path_;
+  std::size_t file_bytes_ = 0;
+  Hdf5Handle file_;
+};
+
+/// A file made in memory and put on disk by save().
+class Hdf5Writer {
+ public:
+  Hdf5Writer();
+  void add_group(const std::string& name);
+  void add(const std::string& name, const std::vector<int>& values);
+  void add(const std::string& name, const std::vector<double>& values);
+  void add(const std::string& name, const VecX& values);
+  void add(const std::string& name, const std::string& text);
+  /// Writes beside `path` and renames, so that a failure leaves no half file there. Throws FileError.
+  void save(const std::filesystem::path& path) const;
+
+ private:
+  void add(const std::string& name, std::int64_t type, std::size_t count, const void* values);
+
+  Hdf5Silence silence_;
+  Hdf5Handle file_;
+};
+
+}  // namespace nilas
