@@ -9,7 +9,7 @@ Vec3 project_cone(const Vec3& x, double mu) {
   const double n = x[0];
   const double t = tangential_norm(x);
   if (mu <= 1) {
-    if (t <= mu * n) return x;
+    if (n >= 0 && t <= mu * n) return x;
     if (mu * t <= -n) return Vec3::Zero();
     const double height = (n + mu * t) / (1 + mu * mu);
     return {height, mu * height * (x[1] / t), mu * height * (x[2] / t)};
@@ -52,7 +52,7 @@ Sector sector_of(const Vec2& t, int facets) {
 /// (height, out, along) of the nearest point of the endless pyramid for a point outside it, in its sector's axes.
 Vec3 nearest_on_facet(double n, double s, double tau, double slope, double half) {
   const double height = (n + slope * s) / (1 + slope * slope);
-  if (std::abs(tau) <= half * height) return {height, slope * height, tau};
+  if (height >= 0 && std::abs(tau) <= half * height) return {height, slope * height, tau};
   const double side = std::copysign(1.0, tau);
   const double edge = std::max(0.0, (n + slope * s + half * side * tau) / (1 + slope * slope + half * half));
   return {edge, slope * edge, half * side * edge};

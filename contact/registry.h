@@ -19,6 +19,9 @@ const std::vector<SolverEntry>& solver_registry();
 /// Throws InputError naming the nearest solver.
 const SolverEntry& find_solver(const std::string& name);
 
+/// Throws InputError naming the solver's laws, and the solvers that take this one, where the entry does not.
+void demand_law(const SolverEntry& entry, Law law);
+
 const char* to_string(Law law);
 /// "pyramid-8" gives pyramid_k with 8 facets. Throws InputError naming the nearest law.
 struct ParsedLaw {

@@ -6,6 +6,7 @@
 #include "contact/operators.h"
 #include "contact/solvers/pgs_rows.h"
 #include "contact/solvers/pgs_sweep.h"
+#include "contact/solvers/time_limit.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 
@@ -69,6 +70,7 @@ class Solve {
         masses_(masses),
         rows_(rows),
         settings_(settings),
+        time_limit_(settings.shared),
         v_(VecX::Zero(problem.num_velocities())),
         sweep_(pgs_sweep(problem.law, settings.shared.tolerance > 0)) {}
 
@@ -76,7 +78,8 @@ class Solve {
     const SolverSettings& shared = settings_.shared;
     Outcome outcome;
     Stop stop(shared.tolerance, std::max(settings_.stall_sweeps, island.last - island.first));
-    while (outcome.status == SolveStatus::iteration_limit && outcome.iterations < shared.max_iterations) {
+    while (outcome.status == SolveStatus::iteration_limit && outcome.iterations < shared.max_iterations &&
+           !time_limit_.over()) {
       const bool backward = settings_.symmetric_sweeps && outcome.iterations % 2 == 1;
       const double change = sweep_(rows_, island, backward);
       ++outcome.iterations;
@@ -148,6 +151,7 @@ class Solve {
   const MassInverse& masses_;
   PgsRows& rows_;
   const PgsSettings& settings_;
+  TimeLimit time_limit_;
   VecX v_;
   PgsSweep sweep_;
 };

@@ -3,6 +3,7 @@
 
 #include "contact/law_map.h"
 #include "contact/solvers/pgs.h"
+#include "contact/solvers/time_limit.h"
 #include "core/base/error.h"
 
 namespace nilas {
@@ -46,8 +47,8 @@ class LocalSweeps {
       return inverse_mass > smallest && !admit_only ? velocity / inverse_mass : 0.0;
     };
     const double compliance = problem_.compliance[i];
-    const double normal = std::min(
-        std::max(r[0] - step(u[0] + compliance * r[0], w(0, 0) + compliance), 0.0), problem_.force_limit[i]);
+    const double normal =
+        std::min(std::max(r[0] - step(u[0] + compliance * r[0], w(0, 0) + compliance), 0.0), problem_.force_limit[i]);
     const Vec2 u_t = u.tail<2>() + w.block<2, 1>(1, 0) * (normal - r[0]);
     Vec2 t = Vec2::Zero();
     const double bound = problem_.mu[i] * normal;
@@ -72,13 +73,15 @@ ContactSolution PgsSolver::solve(const LocalProblem& problem, const VecX& guess)
   if (problem.law == Law::ccp || problem.law == Law::pyramid_k)
     throw InputError("solver pgs knows the laws pyramid, coulomb and frictionless");
   const SolverSettings& shared = settings_.shared;
+  const TimeLimit time_limit(shared);
   return solve_islands(problem, guess, [&](const LocalProblem& island, const VecX& start) {
     ContactSolution solution;
     LocalSweeps sweeps(island, start);
     double best = std::numeric_limits<double>::infinity();
     int best_sweep = 0;
     solution.status = SolveStatus::iteration_limit;
-    while (solution.iterations < shared.max_iterations && solution.status == SolveStatus::iteration_limit) {
+    while (solution.iterations < shared.max_iterations && solution.status == SolveStatus::iteration_limit &&
+           !time_limit.over()) {
       sweeps.sweep();
       ++solution.iterations;
       if (shared.tolerance <= 0 && !shared.keep_history) continue;

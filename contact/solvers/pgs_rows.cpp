@@ -109,7 +109,7 @@ static void set_impulse(const Vec3& guess, Law law, PgsContact& contact) {
   if (law == Law::pyramid) {
     contact.r[1] = std::clamp(guess[1], -bound, bound);
     contact.r[2] = std::clamp(guess[2], -bound, bound);
-  } else if (law == Law::coulomb) {
+  } else if (law != Law::frictionless) {
     const double length = std::sqrt(guess[1] * guess[1] + guess[2] * guess[2]);
     const double share = length > bound ? bound / length : 1;
     contact.r[1] = share * guess[1];

@@ -130,5 +130,11 @@ TEST(Cone, PyramidSupportIsTheLargestCornerProduct) {
     }
 }
 
+TEST(Cone, WithoutFrictionNothingBelowTheTipIsInside) {
+  EXPECT_EQ(project_cone(Vec3(-2, 0, 0), 0), Vec3(Vec3::Zero()));
+  EXPECT_EQ(project_cone(Vec3(-2, 0, 0), 0, 5), Vec3(Vec3::Zero()));
+  EXPECT_EQ(project_pyramid(Vec3(-2, 0, 0), 0, 8, 5), Vec3(Vec3::Zero()));
+}
+
 }  // namespace
 }  // namespace nilas

@@ -1,0 +1,211 @@
+#include "contact/solvers/admm.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/cone.h"
+#include "contact/solvers/anderson.h"
+#include "contact/solvers/block_cholesky.h"
+#include "contact/solvers/mass_scaled.h"
+#include "core/base/error.h"
+
+namespace nilas {
+
+namespace {
+
+/// e as a share of L, and the exponent k: where it starts, its step, its bounds.
+constexpr double k_regularisation = 1e-6;
+constexpr double k_first_exponent = 0.2;
+constexpr double k_exponent_step = 0.05;
+constexpr double k_largest_exponent = 1;
+/// The penalty moves when one residual is this many times the other.
+constexpr double k_imbalance = 10;
+/// Iterations between looks at the balance; fewer would judge a penalty before it acts.
+constexpr int k_balance_period = 10;
+/// Iterations between measurements.
+constexpr int k_measure_period = 5;
+constexpr int k_power_iterations = 20;
+/// Growth of the fixed-point residual that ends an accelerated sequence.
+constexpr double k_growth = 2;
+/// Plain iterations after that; doubled each time, since acceleration that fails once tends to fail again.
+constexpr int k_first_pause = 10;
+constexpr double k_fall = 0.9;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+Eigen::Index row_of(int c) { return 3 * static_cast<Eigen::Index>(c); }
+
+/// Largest eigenvalue, from a start that no symmetry of a scene makes orthogonal to it.
+double largest_eigenvalue(const Eigen::SparseMatrix<double>& w) {
+  VecX v(w.rows());
+  for (Eigen::Index i = 0; i < v.size(); ++i) v[i] = 1 + 0.5 * std::sin(static_cast<double>(i + 1));
+  double value = 0;
+  for (int k = 0; k < k_power_iterations; ++k) {
+    v = w * (v / v.norm());
+    value = v.norm();
+  }
+  return value;
+}
+
+/// One island.
+class Alternation {
+ public:
+  Alternation(const LocalProblem& island, const AdmmSettings& settings)
+      : island_(island), settings_(settings), problem_(mass_scaled(island)), factor_(problem_.symmetric) {}
+
+  ContactSolution run(const VecX& guess) {
+    y_ = guess.size() > 0 ? project(problem_.scaled_impulses(guess)) : VecX(VecX::Zero(problem_.q.size()));
+    out_.status = SolveStatus::iteration_limit;
+    offer(y_);
+    if (out_.status == SolveStatus::iteration_limit) iterate();
+    if (!std::isfinite(best_map_)) {
+      out_.status = SolveStatus::numerical_error;
+      out_.message = "no finite impulses were reached";
+    }
+    out_.r = problem_.impulses(best_);
+    return out_;
+  }
+
+ private:
+  VecX project(const VecX& r) const {
+    VecX inside(r.size());
+    for (int a = 0; a < problem_.num_contacts(); ++a)
+      inside.segment<3>(row_of(a)) = project_cone(r.segment<3>(row_of(a)), problem_.mu[at(a)], problem_.cap[at(a)]);
+    return inside;
+  }
+
+  /// Keeps r' if it measures best; a look that finds no progress for long ends the run.
+  void offer(const VecX& scaled) {
+    const double map = measure(island_, problem_.impulses(scaled)).law_map_m_s;
+    if (settings_.shared.keep_history) out_.history.push_back(map);
+    if (map < best_map_) {
+      best_map_ = map;
+      best_ = scaled;
+    }
+    if (map < k_fall * fallen_map_) {
+      fallen_map_ = map;
+      fallen_iteration_ = out_.iterations;
+    }
+    if (settings_.shared.tolerance <= 0) return;
+    if (out_.iterations - fallen_iteration_ >= settings_.stall_iterations) out_.status = SolveStatus::stalled;
+    if (best_map_ <= settings_.shared.tolerance) out_.status = SolveStatus::converged;
+  }
+
+  bool set_penalty() {
+    penalty_ = std::sqrt(largest_ * regular_) * std::pow(largest_ / regular_, exponent_);
+    const std::vector<Mat3> unit(at(problem_.num_contacts()), Mat3::Identity());
+    const std::vector<Mat3> added(at(problem_.num_contacts()), (penalty_ + regular_) * Mat3::Identity());
+    return factor_.factor(unit, added);
+  }
+
+  /// One iteration on y_ and z_; leaves the two residuals.
+  void step() {
+    VecX rhs = (penalty_ + regular_) * y_ - z_ - problem_.q;
+    if (problem_.law == Law::coulomb) rhs -= de_saxce_shift(problem_, z_);
+    if (problem_.skew) rhs -= problem_.w * y_ - problem_.symmetric * y_;
+    const VecX x = factor_.solve_unrefined(rhs);
+    const VecX y = project(x + z_ / penalty_);
+    primal_ = (x - y).cwiseAbs().maxCoeff();
+    dual_ = penalty_ * (y - y_).cwiseAbs().maxCoeff();
+    z_ += penalty_ * (x - y);
+    y_ = y;
+  }
+
+  VecX state() const {
+    VecX both(2 * y_.size());
+    both << y_, z_ / penalty_;
+    return both;
+  }
+  void set_state(const VecX& both) {
+    y_ = both.head(y_.size());
+    z_ = penalty_ * both.tail(y_.size());
+  }
+
+  bool balance() {
+    const double before = exponent_;
+    if (primal_ > k_imbalance * dual_) exponent_ += k_exponent_step;
+    if (dual_ > k_imbalance * primal_) exponent_ -= k_exponent_step;
+    exponent_ = std::clamp(exponent_, -k_largest_exponent, k_largest_exponent);
+    return exponent_ != before;
+  }
+
+  void iterate() {
+    largest_ = largest_eigenvalue(problem_.symmetric);
+    regular_ = k_regularisation * largest_;
+    z_ = VecX::Zero(y_.size());
+    if (best_map_ == 0 || !set_penalty()) return;
+    Anderson mixer(settings_.anderson_depth);
+    double least = std::numeric_limits<double>::infinity();
+    VecX least_state;
+    int plain_until = 0, pause = k_first_pause;
+    while (out_.iterations < settings_.shared.max_iterations && out_.status == SolveStatus::iteration_limit) {
+      const VecX before = state();
+      step();
+      ++out_.iterations;
+      if (out_.iterations % k_measure_period == 0 || out_.iterations == settings_.shared.max_iterations) offer(y_);
+      const VecX after = state();
+      if (!after.allFinite()) return;
+      if (out_.iterations % k_balance_period == 0 && balance()) {
+        if (!set_penalty()) return;
+        mixer.restart();
+        least = std::numeric_limits<double>::infinity();
+        continue;
+      }
+      if (settings_.anderson_depth == 0 || out_.iterations < plain_until) continue;
+      const double residual = (after - before).norm();
+      if (residual > k_growth * least) {
+        mixer.restart();
+        set_state(least_state);
+        least = std::numeric_limits<double>::infinity();
+        plain_until = out_.iterations + pause;
+        pause *= 2;
+        continue;
+      }
+      if (residual < least) {
+        least = residual;
+        least_state = after;
+      }
+      set_state(mixer.next(before, after));
+    }
+  }
+
+  const LocalProblem& island_;
+  const AdmmSettings& settings_;
+  MassScaled problem_;
+  BlockCholesky factor_;
+  double largest_ = 0, regular_ = 0, exponent_ = k_first_exponent, penalty_ = 0;
+  VecX y_, z_;
+  double primal_ = 0, dual_ = 0;
+  ContactSolution out_;
+  VecX best_;
+  double best_map_ = std::numeric_limits<double>::infinity();
+  double fallen_map_ = std::numeric_limits<double>::infinity();
+  int fallen_iteration_ = 0;
+};
+
+ContactSolution solve_island(const LocalProblem& island, const VecX& guess, const AdmmSettings& settings) {
+  if (const auto still = solve_immovable(island)) return *still;
+  return Alternation(island, settings).run(guess);
+}
+
+void refuse_law(Law law) {
+  if (law == Law::pyramid || law == Law::pyramid_k)
+    throw InputError("solver admm knows the laws coulomb, ccp and frictionless");
+}
+
+}  // namespace
+
+ContactSolution AdmmSolver::solve(const LocalProblem& problem, const VecX& guess) const {
+  refuse_law(problem.law);
+  return solve_islands(problem, guess, [&](const LocalProblem& island, const VecX& start) {
+    return solve_island(island, start, settings_);
+  });
+}
+
+ContactSolution AdmmSolver::solve(const ContactProblem& problem, const VecX& guess) const {
+  refuse_law(problem.law);
+  return solve_islands(problem, guess, [&](const LocalProblem& island, const VecX& start) {
+    return solve_island(island, start, settings_);
+  });
+}
+
+}  // namespace nilas

@@ -1,0 +1,45 @@
+#pragma once
+/// The default: climbs a ladder of solvers until the tolerance holds, island by island, and says what it used.
+///
+///   0  the guess itself, measured
+///   1  nsgs, 20 sweeps: enough for loose contact, and the state of most contacts for the next rung. Problems with
+///      bodies are swept on their velocities, without W; only what is left is reduced to W
+///   2  newton with little proximal weight where a guess came in, with more from cold
+///   3  nsgs, 500 sweeps from the best so far, then newton with more weight
+///   4  continuation in friction (continuation.h), for laws with friction
+///   5  ipm (laws coulomb, ccp, frictionless), then newton from there
+///
+/// Every rung starts from the best impulses so far in law_map_m_s, and the best ever seen are returned. What decides is
+/// the residual alone. Cost: that of nsgs for loose fields, one to two dozen factorisations of the contacts that carry
+/// impulses for stacks, jams and mass ratios. Laws: all.
+///
+/// Nominal tolerances: 1e-6 m/s in simulations, 1e-10 m/s as a reference. `message` names each rung that was used, on
+/// how many islands, and the most iterations that one island took of it.
+#include "contact/solver.h"
+
+namespace nilas {
+
+struct AutoSettings {
+  SolverSettings shared;  ///< max_iterations counts sweeps and factorisations of an island together
+  int first_sweeps = 20;
+  int more_sweeps = 500;
+  int first_factorisations = 80;   ///< of newton in rung 2 and after ipm
+  int more_factorisations = 400;   ///< of newton in rung 3
+  int path_factorisations = 1500;  ///< of newton for each friction of rung 4
+  int ipm_factorisations = 200;
+};
+
+class AutoSolver final : public ContactSolver {
+ public:
+  explicit AutoSolver(const AutoSettings& settings) : settings_(settings) {}
+  std::string name() const override { return "auto"; }
+  /// converged: every island's law_map_m_s is at most the tolerance, as `measure` finds it on the impulses returned.
+  /// Otherwise the status of the last rung.
+  ContactSolution solve(const ContactProblem& problem, const VecX& guess) const override;
+  ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;
+
+ private:
+  AutoSettings settings_;
+};
+
+}  // namespace nilas

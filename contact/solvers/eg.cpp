@@ -1,0 +1,112 @@
+#include "contact/solvers/eg.h"
+
+#include <cmath>
+
+#include "contact/solvers/best_iterate.h"
+#include "contact/solvers/island_operator.h"
+#include "contact/solvers/law_cone.h"
+#include "core/base/error.h"
+
+namespace nilas {
+
+namespace {
+
+constexpr double k_accepted_ratio = 0.9;
+constexpr double k_timid_ratio = 0.3;
+constexpr double k_shrink = 2.0 / 3;
+
+class Extragradient {
+ public:
+  Extragradient(IslandOperator& island, const VecX& guess) : island_(island), r_(guess) {
+    for (int c = 0; c < island.num_contacts(); ++c) set(c, r_, project(c, r_.segment<3>(3 * c)));
+    island_.velocities(r_, u_);
+  }
+
+  /// One accepted iteration.
+  void step() {
+    if (ratio_ < k_timid_ratio) rho_ /= k_shrink;
+    predict();
+    while (ratio_ > k_accepted_ratio && rho_ > k_least_step) {
+      rho_ *= k_shrink * std::min(1.0, 1 / ratio_);
+      predict();
+    }
+    for (int c = 0; c < island_.num_contacts(); ++c) set(c, r_, moved(c, r_, trial_u_));
+    island_.velocities(r_, u_);
+  }
+
+  double estimate() const { return island_.estimate(r_, u_); }
+  const VecX& impulses() const { return r_; }
+
+ private:
+  /// Steps shorter than this share of 1/d move nothing that doubles can tell.
+  static constexpr double k_least_step = 1e-15;
+
+  Vec3 project(int c, const Vec3& x) const {
+    return project_law(island_.law(), island_.facets(), island_.scales()[static_cast<std::size_t>(c)], x);
+  }
+  static void set(int c, VecX& x, const Vec3& value) { x.segment<3>(3 * static_cast<Eigen::Index>(c)) = value; }
+
+  Vec3 shifted(int c, const VecX& u) const {
+    Vec3 f = u.segment<3>(3 * static_cast<Eigen::Index>(c));
+    f[0] += law_shift(island_.law(), island_.facets(), island_.scales()[static_cast<std::size_t>(c)], f);
+    return f;
+  }
+
+  /// P(r - rho F/d); a contact that cannot move is at its limit while it closes.
+  Vec3 moved(int c, const VecX& r, const VecX& u) const {
+    const ContactScale& scale = island_.scales()[static_cast<std::size_t>(c)];
+    const Vec3 f = shifted(c, u);
+    if (scale.d == 0) return {f[0] < 0 && std::isfinite(scale.force_limit) ? scale.force_limit : 0.0, 0, 0};
+    return project(c, r.segment<3>(3 * static_cast<Eigen::Index>(c)) - rho_ / scale.d * f);
+  }
+
+  void predict() {
+    trial_.resize(r_.size());
+    for (int c = 0; c < island_.num_contacts(); ++c) set(c, trial_, moved(c, r_, u_));
+    island_.velocities(trial_, trial_u_);
+    double force = 0, impulse = 0;
+    for (int c = 0; c < island_.num_contacts(); ++c) {
+      const double d = island_.scales()[static_cast<std::size_t>(c)].d;
+      if (d == 0) continue;
+      const auto first = 3 * static_cast<Eigen::Index>(c);
+      force += (shifted(c, u_) - shifted(c, trial_u_)).squaredNorm() / d;
+      impulse += (r_.segment<3>(first) - trial_.segment<3>(first)).squaredNorm() * d;
+    }
+    ratio_ = impulse > 0 ? rho_ * std::sqrt(force / impulse) : k_accepted_ratio;
+  }
+
+  IslandOperator& island_;
+  VecX r_, u_, trial_, trial_u_;
+  double rho_ = 1;
+  double ratio_ = k_accepted_ratio;
+};
+
+ContactSolution iterate(IslandOperator& island, const VecX& guess, const EgSettings& settings) {
+  Extragradient method(island, guess);
+  BestIterate best(island, settings.shared, settings.stall_iterations);
+  while (best.go_on(method.impulses(), method.estimate())) method.step();
+  return best.solution(method.impulses());
+}
+
+void demand_law(Law law) {
+  if (law == Law::pyramid)
+    throw InputError("solver 'eg' knows the laws coulomb, ccp, pyramid-k and frictionless; choose one of them");
+}
+
+}  // namespace
+
+ContactSolution EgSolver::solve(const ContactProblem& problem, const VecX& guess) const {
+  demand_law(problem.law);
+  return solve_by_operator(problem, guess, settings_.shared, [&](IslandOperator& island, const VecX& start) {
+    return iterate(island, start, settings_);
+  });
+}
+
+ContactSolution EgSolver::solve(const LocalProblem& problem, const VecX& guess) const {
+  demand_law(problem.law);
+  return solve_by_operator(problem, guess, settings_.shared, [&](IslandOperator& island, const VecX& start) {
+    return iterate(island, start, settings_);
+  });
+}
+
+}  // namespace nilas

@@ -1,0 +1,191 @@
+#include "contact/solvers/newton.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "contact/solvers/mass_scaled.h"
+#include "contact/solvers/newton_system.h"
+#include "core/base/error.h"
+
+namespace nilas {
+
+namespace {
+
+/// The proximal weight stays between these; below the first it is lost in rounding beside W', whose diagonal is 1.
+constexpr double k_least_weight = 1e-13;
+constexpr double k_most_weight = 10;
+/// Factors of the weight after a good, a middling and a failed inner solve.
+constexpr double k_fall = 0.1, k_rise = 3, k_retreat = 10;
+/// An inner solve of at most this many steps calls for a smaller weight.
+constexpr int k_quick_steps = 8;
+/// |F| fallen to this share makes an inner solve good, to the second one middling.
+constexpr double k_good = 0.1, k_middling = 0.5;
+/// A line search demands this share of the fall that the linear model promises.
+constexpr double k_armijo = 1e-4;
+/// Retreats beyond the largest weight before giving up.
+constexpr int k_patience = 3;
+/// |F| that rounding leaves, in units of sqrt(J).
+constexpr double k_rounding = 1e-16;
+
+/// Impulses with their velocities, the proximal term included, and |F|.
+struct Iterate {
+  VecX r, u;
+  double size = 0;
+};
+
+class Island {
+ public:
+  Island(const LocalProblem& problem, const NewtonSettings& settings)
+      : problem_(problem), settings_(settings), system_(problem), start_(Clock::now()) {}
+
+  ContactSolution solve(const VecX& guess) {
+    r_ = guess.size() > 0 ? system_.scaled(guess) : VecX(VecX::Zero(problem_.q.size()));
+    out_.status = SolveStatus::iteration_limit;
+    weight_ = settings_.first_weight;
+    judge(r_);
+    while (out_.status == SolveStatus::iteration_limit && !out_of_budget()) outer_step();
+    return out_;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  /// Measures, keeps the best.
+  void judge(const VecX& scaled_r) {
+    const VecX r = system_.impulses(scaled_r);
+    const double law_map = measure(problem_, r).law_map_m_s;
+    if (out_.r.size() == 0 || law_map < best_) {
+      best_ = law_map;
+      out_.r = r;
+    }
+    if (law_map <= settings_.shared.tolerance) out_.status = SolveStatus::converged;
+  }
+
+  bool out_of_budget() const {
+    const int most = std::min(settings_.shared.max_iterations, settings_.max_factorisations);
+    if (out_.iterations >= most) return true;
+    const double limit = settings_.shared.max_seconds;
+    return limit > 0 && std::chrono::duration<double>(Clock::now() - start_).count() > limit;
+  }
+
+  void outer_step() {
+    const VecX free_velocity = system_.velocities(r_);
+    const double before = system_.map_size(r_, free_velocity);
+    const int steps_before = out_.iterations;
+    const double target = std::max(settings_.inner_share * before, k_rounding);
+    VecX r = r_;
+    const double after = inner_solve(free_velocity, target, r);
+    judge(r);
+    if (out_.status != SolveStatus::iteration_limit) return;
+    if (after <= std::max(10 * target, k_good * before)) {
+      r_ = r;
+      if (out_.iterations - steps_before <= k_quick_steps) weight_ = std::max(k_fall * weight_, k_least_weight);
+    } else if (after <= k_middling * before) {
+      r_ = r;
+      weight_ *= k_rise;
+    } else {
+      retreat();
+    }
+  }
+
+  void retreat() {
+    weight_ *= k_retreat;
+    if (weight_ <= k_most_weight) return;
+    weight_ = 10 * settings_.first_weight;
+    r_ = system_.scaled(out_.r);
+    if (++retreats_ == k_patience) out_.status = SolveStatus::stalled;
+  }
+
+  /// Newton on the problem with velocities u + a (r - r_0), r and u those of r_0 on entry. Returns |F|.
+  double inner_solve(VecX u, double target, VecX& r) {
+    Iterate now{r, std::move(u), 0};
+    now.size = system_.linearise(now.r, now.u);
+    Iterate best = now;
+    int in_vain = 0;
+    VecX dr;
+    for (int k = 0; k < settings_.inner_steps && best.size > target && !out_of_budget(); ++k) {
+      if (in_vain == settings_.free_steps && now.size > best.size) {
+        now = best;
+        system_.linearise(now.r, now.u);
+      }
+      ++out_.iterations;
+      if (!system_.step(weight_, now.r, dr)) break;
+      const VecX du = system_.product(dr) + weight_ * dr;
+      if (in_vain < settings_.free_steps) {
+        now = {now.r + dr, now.u + du, 0};
+      } else if (!descend(dr, du, now)) {
+        break;
+      }
+      now.size = system_.linearise(now.r, now.u);
+      if (in_vain < settings_.free_steps) in_vain = now.size < k_middling * best.size ? 0 : in_vain + 1;
+      if (now.size < best.size) best = now;
+      if (settings_.shared.keep_history) note(now.r);
+    }
+    r = best.r;
+    return best.size;
+  }
+
+  /// Halves the step until |F| falls. False when it never does.
+  bool descend(const VecX& dr, const VecX& du, Iterate& now) const {
+    double t = 1;
+    for (int k = 0; k < settings_.halvings; ++k, t *= 0.5) {
+      Iterate next{now.r + t * dr, now.u + t * du, 0};
+      next.size = system_.map_size(next.r, next.u);
+      if (!(next.size < (1 - k_armijo * t) * now.size)) continue;
+      now = std::move(next);
+      return true;
+    }
+    return false;
+  }
+
+  void note(const VecX& scaled_r) { out_.history.push_back(measure(problem_, system_.impulses(scaled_r)).law_map_m_s); }
+
+  const LocalProblem& problem_;
+  const NewtonSettings& settings_;
+  NewtonSystem system_;
+  Clock::time_point start_;
+  ContactSolution out_;
+  VecX r_;
+  double best_ = 0;
+  double weight_ = 0;
+  int retreats_ = 0;
+};
+
+ContactSolution refused(const LocalProblem& problem, const char* message) {
+  ContactSolution out;
+  out.r = VecX::Zero(problem.q.size());
+  out.message = message;
+  return out;
+}
+
+bool is_finite(const LocalProblem& problem, const VecX& guess) {
+  double sum = problem.q.sum() + guess.sum();
+  for (const Mat3& block : problem.block) sum += block.sum();
+  for (std::size_t a = 0; a < problem.mu.size(); ++a) sum += problem.mu[a] + problem.compliance[a];
+  return std::isfinite(sum);
+}
+
+}  // namespace
+
+ContactSolution newton_island(const LocalProblem& island, const VecX& guess, const NewtonSettings& settings) {
+  if (!is_finite(island, guess)) return refused(island, "the problem or the guess holds numbers that are not finite");
+  if (const auto immovable = solve_immovable(island)) return *immovable;
+  return Island(island, settings).solve(guess);
+}
+
+ContactSolution NewtonSolver::solve(const LocalProblem& problem, const VecX& guess) const {
+  NILAS_DEMAND(guess.size() == 0 || guess.size() == problem.q.size());
+  return solve_islands(problem, guess, [&](const LocalProblem& island, const VecX& start) {
+    return newton_island(island, start, settings_);
+  });
+}
+
+ContactSolution NewtonSolver::solve(const ContactProblem& problem, const VecX& guess) const {
+  NILAS_DEMAND(guess.size() == 0 || guess.size() == 3 * problem.num_contacts());
+  return solve_islands(problem, guess, [&](const LocalProblem& island, const VecX& start) {
+    return newton_island(island, start, settings_);
+  });
+}
+
+}  // namespace nilas

@@ -1,0 +1,39 @@
+#pragma once
+/// Block Gauss-Seidel: each contact in turn is solved exactly with all others held (contact/local_solve.h).
+///
+///   for each contact a in order:  b_a = u_a - A_aa r_a,   r_a <- the law's answer to u_a = A_aa r_a + b_a
+///
+/// On a problem with bodies the velocities v = M^-1 (f + H r) are kept up to date, so that a sweep costs O(nc); on a
+/// local problem u_a is gathered over the row of W. W may be asymmetric. Contacts with b_N >= 0 that carry nothing cost
+/// one row (all three for ccp).
+/// Contraction per sweep: cos^2(pi/2n) for a column of n equal bodies, M/(M + m) for M on m: a first stage and a solver
+/// for loose fields; stacks, hyperstatic piles and heavy-on-light want another.
+/// Sources: Jourdan, Alart, Jean 1998; Jean 1999 (non-smooth contact dynamics).
+///
+/// Laws: all. Nominal tolerances: 1e-6 m/s in simulations, 1e-10 m/s in tests. Islands are solved apart.
+#include "contact/solver.h"
+
+namespace nilas {
+
+struct NsgsSettings {
+  SolverSettings shared;
+  bool symmetric_sweeps = false;  ///< every second sweep runs backwards
+  int stall_sweeps = 500;  ///< stalled: law_map fell by less than 0.1 % in this many sweeps (and one per contact)
+};
+
+class NsgsSolver final : public ContactSolver {
+ public:
+  explicit NsgsSolver(const NsgsSettings& settings) : settings_(settings) {}
+  std::string name() const override { return "nsgs"; }
+  /// converged: every island's law_map_m_s is at most the tolerance, as `measure` finds it on the impulses returned.
+  /// stalled, iteration_limit: the impulses are the best that were measured. With tolerance 0 nothing is measured.
+  /// numerical_error: something is not finite, or a contact closes whose sides cannot move and that has no force limit;
+  /// `message` says which.
+  ContactSolution solve(const ContactProblem& problem, const VecX& guess) const override;
+  ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;
+
+ private:
+  NsgsSettings settings_;
+};
+
+}  // namespace nilas

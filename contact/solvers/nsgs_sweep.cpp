@@ -1,0 +1,98 @@
+#include "contact/solvers/nsgs_sweep.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/solvers/contact_sides.h"
+
+namespace nilas {
+
+namespace {
+
+/// Exact Coulomb has its own path, all other laws share one.
+enum class Path { coulomb, ccp, other };
+
+/// (d |dr|)^2
+template <Path path, int NA, int NB>
+double visit(PgsContact& c, NsgsContact& own, const double* coefficients, double* velocities, Law law, int facets) {
+  const Sides<NA, NB> sides(c, coefficients, velocities);
+  Vec3 u(sides.velocity(0) + c.w[0] + c.compliance * c.r[0], 0, 0);
+  if (path != Path::ccp && u[0] >= 0 && c.r[0] == 0) return 0;
+  const bool normal_only = law == Law::frictionless;
+  if (!normal_only) {
+    u[1] = sides.velocity(1) + c.w[1];
+    u[2] = sides.velocity(2) + c.w[2];
+  }
+  const Vec3 old(c.r[0], c.r[1], c.r[2]);
+  const Vec3 b = own.block.without(old, u);
+  const Vec3 r = solve_in_sweep(path == Path::coulomb ? Law::coulomb : law, facets, own.block, b, own.start);
+  const Vec3 change = r - old;
+  const double square = change.squaredNorm();
+  if (square == 0) return 0;
+  if (normal_only)
+    sides.apply_normal(change[0]);
+  else
+    sides.apply(change[0], change[1], change[2]);
+  for (int i = 0; i < 3; ++i) c.r[i] = r[i];
+  return own.d * own.d * square;
+}
+
+template <Path path>
+double visit_any(PgsContact& c, NsgsContact& own, const double* coefficients, double* velocities, Law law, int facets) {
+  switch (c.shape) {
+    case PgsShape::six_six:
+      return visit<path, 6, 6>(c, own, coefficients, velocities, law, facets);
+    case PgsShape::six_none:
+      return visit<path, 6, 0>(c, own, coefficients, velocities, law, facets);
+    case PgsShape::none_six:
+      return visit<path, 0, 6>(c, own, coefficients, velocities, law, facets);
+    case PgsShape::general:
+      return visit<path, k_any, k_any>(c, own, coefficients, velocities, law, facets);
+  }
+  return 0;
+}
+
+template <Path path>
+double sweep(PgsRows& rows, const PgsIsland& island, std::vector<NsgsContact>& blocks, int facets, bool backward) {
+  const double* const coefficients = rows.coefficients.data();
+  double* const velocities = rows.velocities.data();
+  double largest = 0;
+  for (int k = island.first; k < island.last; ++k) {
+    const auto i = static_cast<std::size_t>(backward ? island.first + island.last - 1 - k : k);
+    NsgsContact& own = blocks[i - static_cast<std::size_t>(island.first)];
+    const double change = visit_any<path>(rows.contacts[i], own, coefficients, velocities, rows.law, facets);
+    if (!(change <= largest)) largest = change;
+  }
+  return std::sqrt(largest);
+}
+
+Mat3 block_of(const PgsContact& c, Law law) {
+  Mat3 w = Mat3::Zero();
+  w.diagonal() << c.diagonal[0], c.diagonal[1], c.diagonal[2];
+  if (law == Law::frictionless) return w;
+  w(1, 0) = w(0, 1) = c.coupling[0];
+  w(2, 0) = w(0, 2) = c.coupling[1];
+  w(2, 1) = w(1, 2) = c.coupling[2];
+  return w;
+}
+
+}  // namespace
+
+std::vector<NsgsContact> make_nsgs_contacts(const PgsRows& rows, const PgsIsland& island) {
+  std::vector<NsgsContact> blocks;
+  blocks.reserve(static_cast<std::size_t>(island.last - island.first));
+  for (int k = island.first; k < island.last; ++k) {
+    const PgsContact& c = rows.contacts[static_cast<std::size_t>(k)];
+    const Mat3 w = block_of(c, rows.law);
+    blocks.push_back({ContactBlock(w, c.mu, c.force_limit, c.compliance), {0, c.r[0]}, w.trace() / 3});
+  }
+  return blocks;
+}
+
+double nsgs_sweep(PgsRows& rows, const PgsIsland& island, std::vector<NsgsContact>& blocks, int facets, bool backward) {
+  if (rows.law == Law::coulomb) return sweep<Path::coulomb>(rows, island, blocks, facets, backward);
+  if (rows.law == Law::ccp) return sweep<Path::ccp>(rows, island, blocks, facets, backward);
+  return sweep<Path::other>(rows, island, blocks, facets, backward);
+}
+
+}  // namespace nilas

@@ -1,0 +1,77 @@
+#include "contact/solvers/row_islands.h"
+
+#include <algorithm>
+
+#include "contact/operators.h"
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+
+namespace nilas {
+
+namespace {
+
+void fail(const std::string& message, ContactSolution& out) {
+  out.status = SolveStatus::numerical_error;
+  out.message = message;
+}
+
+ContactSolution solve_one(const RowIsland& island, const SolverSettings& shared, const RowSolve& solve) {
+  ContactSolution part = solve(island);
+  const auto culprit = island.residual.find_culprit(island.rows, island.island, shared.tolerance);
+  if (culprit.contact >= 0)
+    fail(closing_message(culprit.contact, island.problem.key[static_cast<std::size_t>(culprit.contact)],
+                         culprit.closing_speed),
+         part);
+  return part;
+}
+
+/// The islands' worst: an island that stopped early keeps its last law_map.
+void merge(const std::vector<ContactSolution>& parts, ContactSolution& out) {
+  out.status = SolveStatus::converged;
+  std::size_t longest = 0;
+  for (const ContactSolution& part : parts) {
+    out.iterations = std::max(out.iterations, part.iterations);
+    out.status = worse(out.status, part.status);
+    if (out.message.empty()) out.message = part.message;
+    longest = std::max(longest, part.history.size());
+  }
+  out.history.assign(longest, 0.0);
+  for (const ContactSolution& part : parts)
+    for (std::size_t k = 0; k < longest && !part.history.empty(); ++k)
+      out.history[k] = std::max(out.history[k], part.history[std::min(k, part.history.size() - 1)]);
+}
+
+void solve_all(const ContactProblem& problem, const MassInverse& masses, PgsRows& rows, const SolverSettings& shared,
+               const RowSolve& solve, ContactSolution& out) {
+  std::vector<ContactSolution> parts(rows.islands.size());
+  RowResidual residual(problem, masses);
+  parallel_for(static_cast<std::ptrdiff_t>(parts.size()), shared.threads, [&](std::ptrdiff_t k) {
+    const auto i = static_cast<std::size_t>(k);
+    parts[i] = solve_one({problem, rows, rows.islands[i], residual}, shared, solve);
+  });
+  for (std::size_t k = 0; k < rows.source.size(); ++k)
+    out.r.segment<3>(3 * static_cast<Eigen::Index>(rows.source[k])) = Eigen::Map<const Vec3>(rows.contacts[k].r);
+  merge(parts, out);
+}
+
+}  // namespace
+
+ContactSolution solve_row_islands(const ContactProblem& problem, const VecX& guess, const SolverSettings& shared,
+                                  const RowSolve& solve) {
+  NILAS_DEMAND(guess.size() == 0 || guess.size() == 3 * problem.num_contacts());
+  const MassInverse masses(problem);
+  PgsRows rows = make_pgs_rows(problem, masses, guess, shared.threads);
+  ContactSolution out;
+  out.r = VecX::Zero(3 * static_cast<Eigen::Index>(problem.num_contacts()));
+  if (masses.first_bad_block() >= 0)
+    fail("mass block " + std::to_string(masses.first_bad_block()) + " is not positive definite", out);
+  else if (!rows.finite || !guess.allFinite())
+    fail("the problem or the guess holds numbers that are not finite", out);
+  else
+    solve_all(problem, masses, rows, shared, solve, out);
+  out.v = velocities(problem, masses, out.r);
+  out.u = contact_velocities(problem, out.v);
+  return out;
+}
+
+}  // namespace nilas

@@ -1,0 +1,28 @@
+#pragma once
+/// The islands of a problem with bodies solved apart on its rows, without ever forming W: a product costs O(nc).
+#include <functional>
+
+#include "contact/solver.h"
+#include "contact/solvers/pgs_rows.h"
+#include "contact/solvers/row_residual.h"
+
+namespace nilas {
+
+/// What a solver gets of one island. It leaves its impulses in rows.contacts of the island.
+struct RowIsland {
+  const ContactProblem& problem;
+  PgsRows& rows;
+  const PgsIsland& island;
+  RowResidual& residual;
+};
+
+/// What it says of them; `r`, `v` and `u` stay empty.
+using RowSolve = std::function<ContactSolution(const RowIsland& island)>;
+
+/// Sets the rows up with the guess made admissible, calls `solve` for every island (in parallel, each with its own
+/// data) and gathers: the worst status, the most iterations, the first message. numerical_error where input is not
+/// finite or a contact closes whose sides cannot move and that has no force limit.
+ContactSolution solve_row_islands(const ContactProblem& problem, const VecX& guess, const SolverSettings& shared,
+                                  const RowSolve& solve);
+
+}  // namespace nilas

@@ -1,0 +1,165 @@
+/// Closed forms, mass ratios, random heaps and honesty of admm.
+#include "contact/solvers/admm.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "contact/registry.h"
+#include "core/base/error.h"
+#include "tests/support/cone_problems.h"
+
+namespace nilas {
+namespace {
+
+constexpr double k_infinite = std::numeric_limits<double>::infinity();
+
+ContactSolution solve(const ContactProblem& problem, double tolerance = 1e-12, int most = 20000) {
+  return AdmmSolver({.shared = {.tolerance = tolerance, .max_iterations = most}}).solve(problem, {});
+}
+
+void expect_velocity(const ContactProblem& problem, const Vec3& expected) {
+  const ContactSolution s = solve(problem);
+  EXPECT_EQ(s.status, SolveStatus::converged);
+  EXPECT_LT((s.u - expected).norm(), 1e-11) << s.u.transpose();
+}
+
+TEST(Admm, ObliqueImpactShowsTheLaw) {
+  const double v = 1, w = 3;
+  for (const double mu : {0.1, 0.5, 2.0}) {
+    const double lift = (w - mu * v) / (1 + mu * mu);
+    expect_velocity(test::particle(Law::coulomb, 3, mu, {-v, w, 0}), {0, w - mu * v, 0});
+    expect_velocity(test::particle(Law::ccp, 3, mu, {-v, w, 0}), {mu * lift, lift, 0});
+    expect_velocity(test::particle(Law::frictionless, 3, mu, {-v, w, 0}), {0, w, 0});
+  }
+}
+
+TEST(Admm, OneContactOpensOrSticks) {
+  for (const Law law : {Law::coulomb, Law::ccp}) {
+    expect_velocity(test::particle(law, 3, 0.5, {2, 2, -3}), {2, 2, -3});  // inside the dual cone, too
+    expect_velocity(test::particle(law, 3, 0.5, {-2, 0.6, -0.7}), {0, 0, 0});
+    expect_velocity(test::particle(law, 3, 0, {-2, 0.6, -0.7}), {0, 0.6, -0.7});
+  }
+}
+
+TEST(Admm, ForceLimitCrushesAndComplianceYields) {
+  for (const Law law : {Law::coulomb, Law::ccp, Law::frictionless}) {
+    ContactProblem problem = test::particle(law, 2, 0.5, {-3, 0, 0});
+    problem.force_limit[0] = 4;
+    const ContactSolution crushed = solve(problem);
+    EXPECT_EQ(crushed.status, SolveStatus::converged);
+    EXPECT_NEAR(crushed.r[0], 4, 1e-10);
+    problem.force_limit[0] = 7;
+    EXPECT_NEAR(solve(problem).r[0], 6, 1e-10);
+    problem.force_limit[0] = k_infinite;
+    problem.compliance[0] = 0.25;
+    EXPECT_NEAR(solve(problem).r[0], 3 / (0.5 + 0.25), 1e-10);
+  }
+}
+
+TEST(Admm, LimitedImpulseBoundsFriction) {
+  // at the limit the particle goes on into the plane and slides with friction mu times the limit
+  ContactProblem problem = test::particle(Law::coulomb, 2, 0.5, {-3, 5, 0});
+  problem.force_limit[0] = 4;
+  expect_velocity(problem, {-1, 4, 0});
+}
+
+TEST(Admm, ImmovableSidesAreNamed) {
+  ContactProblem problem;
+  problem.add_contact(-1, MatX(3, 0), -1, MatX(3, 0), 77);
+  problem.w[0] = -1;
+  const ContactSolution s = solve(problem);
+  EXPECT_EQ(s.status, SolveStatus::numerical_error);
+  EXPECT_NE(s.message.find("77"), std::string::npos);
+  problem.force_limit[0] = 5;
+  EXPECT_EQ(solve(problem).status, SolveStatus::converged);
+  EXPECT_EQ(solve(problem).r[0], 5);
+}
+
+TEST(Admm, StackOfAnyMassRatioStands) {
+  for (const double ratio : {1.0, 1e3, 1e6}) {
+    const ContactProblem problem = test::box_stack(test::growing_masses(10, ratio), 0.5);
+    const ContactSolution s = solve(problem, 1e-9);
+    EXPECT_EQ(s.status, SolveStatus::converged) << ratio;
+    EXPECT_LT(s.u.cwiseAbs().maxCoeff(), 1e-8) << ratio;
+    EXPECT_LE(measure(problem, s.r).natural_map_m_s, 1e-9) << ratio;
+  }
+}
+
+TEST(Admm, RandomHeapsConverge) {
+  for (const Law law : {Law::coulomb, Law::ccp, Law::frictionless})
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+      ContactProblem problem = test::random_heap(seed, 8, 12, 0.1 * static_cast<double>(seed % 5 + 1));
+      problem.law = law;
+      const ContactSolution s = solve(problem, 1e-9);
+      EXPECT_EQ(s.status, SolveStatus::converged) << to_string(law) << " seed " << seed;
+      EXPECT_LE(measure(problem, s.r).law_map_m_s, 1e-9);
+    }
+}
+
+TEST(Admm, RandomHeapsWithLimitsAndComplianceConverge) {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    ContactProblem problem = test::random_heap(seed, 8, 12, 0.3);
+    problem.law = Law::ccp;
+    for (std::size_t c = 0; c < 12; ++c) {
+      if (c % 2 == 0) problem.force_limit[c] = 0.5;
+      if (c % 3 == 0) problem.compliance[c] = 0.1;
+      if (c % 5 == 0) problem.force_limit[c] = 0;
+    }
+    const ContactSolution s = solve(problem, 1e-9);
+    EXPECT_EQ(s.status, SolveStatus::converged) << seed;
+    EXPECT_LE(measure(problem, s.r).law_map_m_s, 1e-9);
+  }
+}
+
+TEST(Admm, AsymmetricOperatorIsSolvedAsStored) {
+  LocalProblem problem = reduce(test::random_heap(1, 8, 6, 0.3));
+  for (std::size_t k = 0; k < problem.block.size(); ++k)
+    problem.block[k](0, 1) += 1e-3 * std::sin(static_cast<double>(k));
+  const AdmmSolver solver({.shared = {.tolerance = 1e-10, .max_iterations = 20000}});
+  const ContactSolution s = solver.solve(problem, {});
+  EXPECT_EQ(s.status, SolveStatus::converged);
+  EXPECT_LE(measure(problem, s.r).law_map_m_s, 1e-10);
+}
+
+TEST(Admm, ConvergedIsWhatMeasureSays) {
+  for (const double tolerance : {1e-2, 1e-5, 1e-8})
+    for (const int most : {1, 5, 50, 500})
+      for (std::uint64_t seed = 0; seed < 5; ++seed) {
+        const ContactProblem problem = test::random_heap(seed, 5, 12, 0.6);
+        const ContactSolution s = solve(problem, tolerance, most);
+        EXPECT_EQ(s.status == SolveStatus::converged, measure(problem, s.r).law_map_m_s <= tolerance);
+        EXPECT_TRUE(s.r.allFinite());
+      }
+}
+
+TEST(Admm, GuessNearTheAnswerEndsAtOnce) {
+  const ContactProblem problem = test::random_heap(3, 8, 12, 0.3);
+  const AdmmSolver solver({.shared = {.tolerance = 1e-9, .max_iterations = 20000}});
+  const ContactSolution cold = solver.solve(problem, {});
+  const ContactSolution warm = solver.solve(problem, cold.r);
+  EXPECT_EQ(warm.status, SolveStatus::converged);
+  EXPECT_EQ(warm.iterations, 0);
+  EXPECT_LT((warm.r - cold.r).norm(), 1e-14 * cold.r.norm());
+}
+
+TEST(Admm, SameBitsEveryTime) {
+  const ContactProblem problem = test::random_heap(4, 8, 14, 0.4);
+  EXPECT_EQ((solve(problem).r - solve(problem).r).norm(), 0);
+}
+
+TEST(Admm, RefusesPyramids) {
+  ContactProblem problem = test::particle(Law::pyramid, 1, 0.5, {-1, 0, 0});
+  EXPECT_THROW(solve(problem), InputError);
+}
+
+TEST(Admm, AccelerationReachesTheSameVelocities) {
+  const ContactProblem problem = test::box_stack({1, 10, 100}, 0.5);
+  AdmmSettings plain{.shared = {.tolerance = 1e-10, .max_iterations = 20000}, .anderson_depth = 0};
+  const ContactSolution slow = AdmmSolver(plain).solve(problem, {});
+  EXPECT_EQ(slow.status, SolveStatus::converged);
+  EXPECT_LT((slow.u - solve(problem, 1e-10).u).norm(), 1e-8);
+}
+
+}  // namespace
+}  // namespace nilas

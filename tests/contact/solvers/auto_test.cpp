@@ -1,0 +1,179 @@
+#include "contact/solvers/auto.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <numeric>
+
+#include "contact/fclib_io.h"
+#include "tests/support/problem_factory.h"
+
+namespace nilas {
+namespace {
+
+template <class Problem>
+ContactSolution solve(const Problem& problem, const VecX& guess = {}, double tolerance = 1e-10) {
+  return AutoSolver({.shared = {.tolerance = tolerance}}).solve(problem, guess);
+}
+
+TEST(Auto, EveryLawOnRandomHeaps) {
+  for (const Law law : {Law::coulomb, Law::ccp, Law::pyramid, Law::pyramid_k, Law::frictionless})
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+      ContactProblem problem = test::random_heap(seed, 8, 16, 0.3);
+      problem.law = law;
+      const ContactSolution solution = solve(problem);
+      EXPECT_EQ(solution.status, SolveStatus::converged) << static_cast<int>(law) << " " << seed;
+      EXPECT_LE(measure(problem, solution.r).law_map_m_s, 1e-10 * (1 + 1e-9));
+    }
+}
+
+TEST(Auto, SaysWhatItUsed) {
+  const ContactSolution solution = solve(test::raft(6, 0.3, 1, 1));
+  EXPECT_NE(solution.message.find("nsgs 20 sweeps"), std::string::npos) << solution.message;
+  EXPECT_NE(solution.message.find("newton"), std::string::npos) << solution.message;
+  EXPECT_EQ(solve(test::raft(6, 0.3, 1, 1), solution.r).message, "guess");
+}
+
+TEST(Auto, StartsFromItsOwnSolutionWithoutAnIteration) {
+  const ContactProblem problem = test::raft(6, 0.3, 0.8, 1);
+  const ContactSolution first = solve(problem), again = solve(problem, first.r);
+  ASSERT_EQ(first.status, SolveStatus::converged);
+  EXPECT_EQ(again.status, SolveStatus::converged);
+  EXPECT_EQ(again.iterations, 0);
+  EXPECT_EQ(again.r, first.r);
+  EXPECT_LT((again.v - first.v).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(Auto, WarmStartSavesIterations) {
+  ContactProblem problem = test::raft(10, 0.3, 0.9, 3);
+  const VecX r = solve(problem, {}, 1e-8).r;
+  problem.f *= 1.001;
+  EXPECT_LT(solve(problem, r, 1e-8).iterations, solve(problem, {}, 1e-8).iterations);
+}
+
+TEST(Auto, SameBitsTwice) {
+  const ContactProblem problem = test::raft(8, 0.3, 0.9, 2);
+  EXPECT_EQ(solve(problem).r, solve(problem).r);
+}
+
+TEST(Auto, StopsAtItsLimits) {
+  const ContactSolution solution =
+      AutoSolver({.shared = {.tolerance = 1e-12, .max_iterations = 22}}).solve(test::raft(8, 0.3, 1, 2), {});
+  EXPECT_EQ(solution.status, SolveStatus::iteration_limit);
+  EXPECT_LE(solution.iterations, 22);
+}
+
+TEST(Auto, NamesWhatIsNotFinite) {
+  ContactProblem problem = test::random_heap(1, 4, 6, 0.3);
+  problem.f[0] = std::numeric_limits<double>::quiet_NaN();
+  const ContactSolution solution = solve(problem);
+  EXPECT_EQ(solution.status, SolveStatus::numerical_error);
+  EXPECT_NE(solution.message.find("finite"), std::string::npos) << solution.message;
+}
+
+TEST(Auto, NoContacts) {
+  EXPECT_EQ(solve(ContactProblem{}).status, SolveStatus::converged);
+  EXPECT_EQ(solve(LocalProblem{}).status, SolveStatus::converged);
+}
+
+/// Contacts in another order.
+LocalProblem shuffled(const LocalProblem& problem) {
+  const int nc = problem.num_contacts();
+  std::vector<int> place(static_cast<std::size_t>(nc));
+  std::iota(place.begin(), place.end(), 0);
+  RandomStream random(11, "order");
+  for (std::size_t k = place.size(); k > 1; --k) std::swap(place[k - 1], place[random.bits() % k]);
+  LocalProblem out = problem;
+  std::vector<std::vector<std::pair<int, Mat3>>> rows(place.size());
+  for (std::size_t a = 0; a < place.size(); ++a) {
+    const auto to = static_cast<std::size_t>(place[a]);
+    for (int k = problem.row_start[a]; k < problem.row_start[a + 1]; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      rows[to].emplace_back(place[static_cast<std::size_t>(problem.column[i])], problem.block[i]);
+    }
+    out.q.segment<3>(3 * place[a]) = problem.q.segment<3>(3 * static_cast<Eigen::Index>(a));
+    out.mu[to] = problem.mu[a];
+    out.mu_static[to] = problem.mu_static[a];
+    out.key[to] = problem.key[a];
+  }
+  out.row_start = {0};
+  out.column.clear();
+  out.block.clear();
+  for (auto& row : rows) {
+    std::sort(row.begin(), row.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
+    for (const auto& [column, block] : row) {
+      out.column.push_back(column);
+      out.block.push_back(block);
+    }
+    out.row_start.push_back(static_cast<int>(out.column.size()));
+  }
+  return out;
+}
+
+/// Tangents turned by an angle of each contact's own, all masses larger by `factor`.
+LocalProblem turned_and_scaled(const LocalProblem& problem, double factor) {
+  LocalProblem out = problem;
+  const auto turn = [](int c) {
+    Mat3 R = Mat3::Identity();
+    R.bottomRightCorner<2, 2>() = Eigen::Rotation2Dd(1.7 * c).toRotationMatrix();
+    return R;
+  };
+  for (int a = 0; a < problem.num_contacts(); ++a) {
+    out.q.segment<3>(3 * a) = turn(a) * problem.q.segment<3>(3 * a);
+    for (int k = problem.row_start[static_cast<std::size_t>(a)]; k < problem.row_start[static_cast<std::size_t>(a) + 1];
+         ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      out.block[i] = turn(a) * problem.block[i] * turn(problem.column[i]).transpose() / factor;
+    }
+  }
+  return out;
+}
+
+class Files : public ::testing::Test {
+ protected:
+  /// All problems but the two hardest.
+  static std::vector<std::pair<std::string, LocalProblem>> problems() {
+    std::vector<std::pair<std::string, LocalProblem>> out;
+    for (const auto& entry : std::filesystem::directory_iterator(std::getenv("NILAS_FCLIB_DIR"))) {
+      const std::string name = entry.path().stem().string();
+      if (entry.path().extension() != ".hdf5" || name == "RockPile_tob1" || name == "spherepile-10x5") continue;
+      const FclibProblem file = read_fclib(entry.path());
+      const auto* const local = std::get_if<LocalProblem>(&file.problem);
+      out.emplace_back(name, local != nullptr ? *local : reduce(std::get<ContactProblem>(file.problem)));
+    }
+    return out;
+  }
+  void SetUp() override {
+    if (std::getenv("NILAS_FCLIB_DIR") == nullptr) GTEST_SKIP() << "NILAS_FCLIB_DIR is not set";
+  }
+};
+
+TEST_F(Files, AreSolvedAsTheyAre) {
+  for (const auto& [name, problem] : problems()) {
+    const ContactSolution solution = solve(problem);
+    EXPECT_EQ(solution.status, SolveStatus::converged) << name << ": " << solution.message;
+    EXPECT_LE(measure(problem, solution.r).natural_map_m_s, 1e-10) << name;
+  }
+}
+
+TEST_F(Files, RockPileIsSolvedByContinuationInFriction) {
+  const FclibProblem file = read_fclib(std::filesystem::path(std::getenv("NILAS_FCLIB_DIR")) / "RockPile_tob1.hdf5");
+  const LocalProblem& problem = std::get<LocalProblem>(file.problem);
+  const ContactSolution solution =
+      AutoSolver({.shared = {.tolerance = 1e-10, .max_iterations = 100000, .max_seconds = 60}}).solve(problem, {});
+  EXPECT_EQ(solution.status, SolveStatus::converged) << solution.message;
+  EXPECT_LE(measure(problem, solution.r).natural_map_m_s, 1e-10);
+}
+
+TEST_F(Files, AreSolvedShuffledTurnedAndScaled) {
+  for (const auto& [name, problem] : problems()) {
+    EXPECT_EQ(solve(shuffled(problem)).status, SolveStatus::converged) << name;
+    for (const double factor : {1e-4, 30.0})
+      EXPECT_EQ(solve(turned_and_scaled(problem, factor)).status, SolveStatus::converged) << name << " " << factor;
+  }
+}
+
+}  // namespace
+}  // namespace nilas

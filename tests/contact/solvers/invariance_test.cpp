@@ -1,0 +1,188 @@
+/// What must not change the answer, for every solver of the registry and every law that it knows.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "contact/registry.h"
+#include "tests/support/problem_changes.h"
+#include "tests/support/problem_factory.h"
+
+namespace nilas {
+namespace {
+
+constexpr double k_tolerance = 1e-10;
+/// Velocities may differ by the tolerance times the condition of these problems [m/s].
+constexpr double k_same = 1e-7;
+constexpr int k_seeds = 3;
+
+struct Subject {
+  std::string solver;
+  Law law;
+};
+
+std::vector<Subject> subjects() {
+  std::vector<Subject> all;
+  for (const auto& entry : solver_registry())
+    for (const Law law : entry.laws) all.push_back({entry.name, law});
+  return all;
+}
+
+std::string name_of(const testing::TestParamInfo<Subject>& info) {
+  std::string name = info.param.solver + "_" + to_string(info.param.law);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+/// Four bodies with five contacts, few enough for brute force.
+ContactProblem heap(int seed, Law law) {
+  ContactProblem problem = test::random_heap(100 + static_cast<std::uint64_t>(seed), 4, 5, 0.3);
+  problem.law = law;
+  problem.facets = 6;
+  return problem;
+}
+
+class Invariance : public testing::TestWithParam<Subject> {
+ protected:
+  ContactProblem heap_of(int seed) const { return heap(seed, GetParam().law); }
+
+  template <class Problem>
+  ContactSolution solve(const Problem& problem) const {
+    const auto solver = find_solver(GetParam().solver).make({.tolerance = k_tolerance, .max_iterations = 100000});
+    ContactSolution solution = solver->solve(problem, {});
+    EXPECT_EQ(solution.status, SolveStatus::converged) << solution.message;
+    EXPECT_LE(measure(problem, solution.r).law_map_m_s, k_tolerance);
+    return solution;
+  }
+
+  void expect_same_motion(const ContactProblem& one, const ContactProblem& two) const {
+    EXPECT_LT((solve(one).v - solve(two).v).cwiseAbs().maxCoeff(), k_same);
+  }
+
+  bool isotropic() const { return GetParam().law != Law::pyramid && GetParam().law != Law::pyramid_k; }
+};
+
+TEST_P(Invariance, OrderOfContacts) {
+  for (int seed = 0; seed < k_seeds; ++seed)
+    expect_same_motion(heap_of(seed), test::with_order(heap_of(seed), {4, 1, 0, 3, 2}));
+}
+
+TEST_P(Invariance, SwapOfTheTwoSides) {
+  for (int seed = 0; seed < k_seeds; ++seed) expect_same_motion(heap_of(seed), test::with_swapped_sides(heap_of(seed)));
+}
+
+TEST_P(Invariance, TurnOfTheTangents) {
+  // a quarter turn maps the box pyramid onto itself, sixty degrees this hexagon
+  const double angle = isotropic() ? 0.7 : GetParam().law == Law::pyramid ? k_pi / 2 : k_pi / 3;
+  for (int seed = 0; seed < k_seeds; ++seed)
+    expect_same_motion(heap_of(seed), test::with_turned_tangents(heap_of(seed), angle));
+}
+
+TEST_P(Invariance, ScaleOfAllMasses) {
+  for (int seed = 0; seed < k_seeds; ++seed)
+    for (const double factor : {1e-3, 1e7}) {
+      const ContactSolution one = solve(heap_of(seed)), two = solve(test::with_mass_scale(heap_of(seed), factor));
+      EXPECT_LT((one.v - two.v).cwiseAbs().maxCoeff(), k_same);
+      EXPECT_LT((factor * one.r - two.r).norm(), 1e-6 * factor * (1 + one.r.norm()));
+    }
+}
+
+TEST_P(Invariance, ScaleOfAllSpeeds) {
+  for (int seed = 0; seed < k_seeds; ++seed)
+    EXPECT_LT((16 * solve(heap_of(seed)).v - solve(test::with_speed_scale(heap_of(seed), 16)).v).cwiseAbs().maxCoeff(),
+              20 * k_same);
+}
+
+TEST_P(Invariance, LocalAndGlobalForm) {
+  for (int seed = 0; seed < k_seeds; ++seed) {
+    const ContactProblem problem = heap_of(seed);
+    const ContactSolution local = solve(reduce(problem));
+    EXPECT_LT((solve(problem).v - velocities(problem, local.r)).cwiseAbs().maxCoeff(), k_same);
+  }
+}
+
+TEST_P(Invariance, DuplicateContacts) {
+  for (int seed = 0; seed < k_seeds; ++seed) {
+    const ContactProblem one = test::with_order(heap_of(seed), {0, 1, 2});
+    expect_same_motion(one, test::with_duplicates(one));
+  }
+}
+
+TEST_P(Invariance, SameArgumentsSameBits) {
+  const ContactProblem problem = heap_of(1);
+  EXPECT_EQ(solve(problem).r, solve(problem).r);
+}
+
+TEST_P(Invariance, ConvergedMeansWhatMeasureSays) {
+  for (const double tolerance : {1e-2, 1e-5, 1e-8})
+    for (int seed = 0; seed < k_seeds; ++seed) {
+      const ContactProblem problem = heap_of(seed);
+      const auto solver = find_solver(GetParam().solver).make({.tolerance = tolerance, .max_iterations = 30});
+      const ContactSolution solution = solver->solve(problem, {});
+      const double law_map = measure(problem, solution.r).law_map_m_s;
+      if (solution.status == SolveStatus::converged)
+        EXPECT_LE(law_map, tolerance);
+      else
+        EXPECT_GT(law_map, tolerance);
+      EXPECT_NE(solution.status, SolveStatus::numerical_error) << solution.message;
+    }
+}
+
+TEST_P(Invariance, LimitsAndComplianceAreKept) {
+  for (int seed = 0; seed < k_seeds; ++seed) {
+    ContactProblem problem = test::with_order(heap_of(seed), {0, 1, 2, 3});
+    problem.force_limit = {0.2, 0, 1, std::numeric_limits<double>::infinity()};
+    problem.compliance = {0, 0.1, 0.3, 0.2};
+    problem.mu[2] = problem.mu_static[2] = 0;
+    const ContactSolution solution = solve(problem);
+    for (int c = 0; c < 3; ++c) EXPECT_LE(solution.r[3 * c], problem.force_limit[static_cast<std::size_t>(c)] + 1e-9);
+    expect_same_motion(problem, test::with_mass_scale(problem, 1e4));
+  }
+}
+
+/// A particle of mass m with velocity (-v, w, 0) before contact: the closed forms that tell the laws apart.
+TEST_P(Invariance, ObliqueImpactOfAParticle) {
+  for (const double v : {1.0, 0.2, 0.0})
+    for (const double w : {3.0, 0.1})
+      for (const double mu : {0.0, 0.5, 1.5}) {
+        const double m = 7, left = std::max(0.0, w - mu * v);
+        ContactProblem problem;
+        problem.law = GetParam().law;
+        problem.facets = 8;
+        problem.add_block(m * Mat3::Identity());
+        problem.f << -m * v, m * w, 0;
+        problem.add_contact(-1, MatX(3, 0), 0, Mat3::Identity(), 1);
+        problem.mu.back() = problem.mu_static.back() = mu;
+        Vec3 expected(0, left, 0);  // corners of the polygon and sides of the box lie along the slip
+        if (problem.law == Law::frictionless) expected[1] = w;
+        if (problem.law == Law::ccp) expected = left / (1 + mu * mu) * Vec3(mu, 1, 0);
+        EXPECT_LT((solve(problem).v - expected).norm(), 10 * k_tolerance) << v << " " << w << " " << mu;
+      }
+}
+
+/// Slip along phi against a k-sided pyramid: friction between mu cos(pi/k) and mu, the box up to sqrt(2) mu.
+TEST_P(Invariance, FrictionOfAParticleInEveryDirection) {
+  const double mu = 0.4, v = 1;
+  for (const double phi : {0.0, 0.2, k_pi / 6, k_pi / 4, 1.0}) {
+    ContactProblem problem;
+    problem.law = GetParam().law;
+    problem.facets = 6;
+    problem.add_block(Mat3::Identity());
+    problem.f << -v, 5 * std::cos(phi), 5 * std::sin(phi);
+    problem.add_contact(-1, MatX(3, 0), 0, Mat3::Identity(), 1);
+    problem.mu.back() = problem.mu_static.back() = mu;
+    const ContactSolution s = solve(problem);
+    const double ratio = s.r.tail<2>().norm() / s.r[0];
+    double low = mu, high = mu;
+    if (problem.law == Law::frictionless) low = high = 0;
+    if (problem.law == Law::pyramid_k) low = mu * std::cos(k_pi / 6);
+    if (problem.law == Law::pyramid) high = std::sqrt(2) * mu;
+    EXPECT_GE(ratio, low - 1e-9) << phi;
+    EXPECT_LE(ratio, high + 1e-9) << phi;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(AllSolvers, Invariance, testing::ValuesIn(subjects()), name_of);
+
+}  // namespace
+}  // namespace nilas
