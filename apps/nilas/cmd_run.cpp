@@ -104,10 +104,13 @@ class Run {
     std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is then an error of the write, with a message
     try {
       for (long k = 0; k < steps && !stop_requested; ++k) {
-        folder_.record(simulation.step(), simulation.bodies());
+        const StepRecord record = simulation.step();
+        folder_.store(record, simulation.last_problem());
+        folder_.record(record, simulation.bodies());
         console.progress(simulation.time(), k + 1);
       }
     } catch (const SimulationError& e) {
+      folder_.store_last(simulation.last_problem());
       return {"failed", exit_numerics, e.what()};
     }
     if (stop_requested)

@@ -46,6 +46,7 @@ int main(int argc, char** argv) {
   nilas::add_check(app, action);
   nilas::add_hull(app, action);
   nilas::add_field(app, action);
+  nilas::add_solve(app, action);
   nilas::add_solvers(app, action);
   nilas::add_schema(app, action);
   try {

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/output/claim_folder.h"
+#include "core/output/problem_files.h"
 #include "core/output/scene_xml.h"
 
 namespace nilas {
@@ -15,6 +16,7 @@ struct RunFolder::Outputs {
         channels(info),
         statistics(info),
         steps(folder / "steps.csv", info),
+        problems(folder, asked.problems),
         snapshot_every(asked.trajectory_every),
         bodies_asked(asked.bodies) {
     if (info.has_vessel) vessel.emplace(folder / "vessel.csv", channels);
@@ -34,6 +36,7 @@ struct RunFolder::Outputs {
   std::optional<VesselCsv> vessel;
   std::optional<BodiesCsv> bodies;
   std::optional<Trajectory> trajectory;
+  ProblemFiles problems;
   double snapshot_every;  ///< [s]; 0: none
   std::optional<bool> bodies_asked;
   double t_start = 0;
@@ -83,6 +86,16 @@ void RunFolder::record(StepRecord record, const Bodies& bodies) {
       std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
   out.steps.row(record);
   out.statistics.add(record, out.vessel_values);
+}
+
+void RunFolder::store(const StepRecord& record, const SolvedProblem& solved) {
+  NILAS_DEMAND(outputs_ != nullptr);
+  outputs_->problems.step(record, solved);
+}
+
+void RunFolder::store_last(const SolvedProblem& solved) {
+  NILAS_DEMAND(outputs_ != nullptr);
+  outputs_->problems.last(solved);
 }
 
 void RunFolder::write_snapshot(double t, long step, const Bodies& bodies) {

@@ -38,6 +38,10 @@ class RunFolder {
   void start(double t, const Ledger& ledger, const Bodies& bodies);
   /// One step; `bodies` at its end. Time spent here is counted to Phase::output. Throws FileError.
   void record(StepRecord record, const Bodies& bodies);
+  /// The step's contact problem, where the scene asks for it. Throws FileError.
+  void store(const StepRecord& record, const SolvedProblem& solved);
+  /// The problem at which the numerics failed. Throws FileError.
+  void store_last(const SolvedProblem& solved);
   /// Closes the outputs and writes summary.json, with the mass of ice that `bodies` still hold. Throws FileError.
   nlohmann::ordered_json finish(SummaryInput input, const Bodies& bodies);
   const RunStatistics& statistics() const;

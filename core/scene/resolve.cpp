@@ -24,9 +24,6 @@ const std::map<std::string, std::string>& seed_2014() {
   return values;
 }
 
-/// The solver that auto means in this version.
-const std::string k_only_solver = "pgs";
-
 class Resolver {
  public:
   Resolver(const std::filesystem::path& file, std::vector<std::string>& notes)
@@ -38,7 +35,6 @@ class Resolver {
     for (auto& attribute : element.attributes)
       if (attribute.valid) spell(attribute, *find_attribute(spec, attribute.name));
     for (const auto& attribute : spec.attributes) add_default(element, attribute);
-    if (element.name == "contact") resolve_solver(element);
     add_derived(element);
     note_without_effect(element, spec);
     sort_attributes(element, spec);
@@ -71,13 +67,6 @@ class Resolver {
       value = spec.fallback;
     }
     add(element, spec.name, canonical_value(spec, value));
-  }
-
-  void resolve_solver(SceneElement& contact) {
-    SceneAttribute* solver = attribute_of(contact, "solver");
-    if (!solver->valid || solver->value != "auto") return;
-    solver->value = k_only_solver;
-    note(where_of(contact, "solver"), "'auto' means '" + k_only_solver + "' in this version");
   }
 
   /// Defaults that depend on other attributes.

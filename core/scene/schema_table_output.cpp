@@ -27,8 +27,9 @@ static ElementSpec output() {
                           .type = ValueType::choice,
                           .choices = {"never", "worst", "failed", "every"},
                           .default_value = "never",
-                          .not_built = {"worst", "failed", "every"},
-                          .doc = "Which contact problems are stored."},
+                          .doc = "Which contact problems are stored, in FCLIB form with the impulses used, in the "
+                                 "folder problems: none, the one with the largest residual so far, those whose solver "
+                                 "missed its tolerance, or every step's."},
                          {.name = "checkpoint_every",
                           .unit = "s",
                           .range = at_least(0),

@@ -64,6 +64,7 @@ struct Simulation::World {
   const Wrenches& evaluate_loads();
   std::vector<ArticulatedBlock> begin_vessel(const Wrenches& free);
   std::vector<ContactPoint> find_contacts();
+  ContactSolution solve(const ContactProblem& problem, const VecX& guess) const;
   StepMotion velocity_step(const AssembledContacts& contacts, const ContactSolution& solution, const Wrenches& free,
                            std::vector<ContactPoint> points);
   void advance_poses(StepMotion& motion);
@@ -85,11 +86,13 @@ struct Simulation::World {
   bool gyroscopic;
   ContactDetector detector;
   std::unique_ptr<ContactSolver> solver;
+  std::unique_ptr<ContactSolver> retry;  ///< for on_failure="retry"
   ContactModel model;
   WarmStart warm;
   Wrenches weight, free_loads;
   std::vector<Wrenches> module_loads;
   EnergyAccount energy;
+  SolvedProblem last;
   std::size_t pairs_named = 0;  ///< of the pairs without friction, already told
 };
 
@@ -114,7 +117,9 @@ void Simulation::World::build_contact_model(const ContactScene& contact) {
   settings.tolerance = contact.tolerance;
   settings.max_iterations = contact.max_iterations;
   settings.threads = threads;
+  demand_law(find_solver(contact.solver), law.law);
   solver = find_solver(contact.solver).make(settings);
+  if (contact.on_failure == "retry" && contact.tolerance > 0) retry = find_solver("auto").make(settings);
   parts.info.modules.emplace_back("contact", "law " + contact.law + ", solver " + contact.solver + ", stabilisation " +
                                                  contact.stabilisation + ", detection " + contact.detection +
                                                  ", integrator " + contact.integrator);
@@ -153,6 +158,15 @@ std::vector<ContactPoint> Simulation::World::find_contacts() {
   std::vector<ContactPoint> points = detector.detect(parts.bodies, farthest[0] + farthest[1]);
   drop_out_of_reach(parts.bodies, reach, points);
   return points;
+}
+
+/// On failure, `retry` climbs the ladder of auto from the impulses that the chosen solver left.
+ContactSolution Simulation::World::solve(const ContactProblem& problem, const VecX& guess) const {
+  ContactSolution solution = solver->solve(problem, guess);
+  if (!retry || solution.status == SolveStatus::converged) return solution;
+  ContactSolution again = retry->solve(problem, solution.r.allFinite() ? solution.r : VecX());
+  again.iterations += solution.iterations;
+  return again;
 }
 
 StepMotion Simulation::World::velocity_step(const AssembledContacts& contacts, const ContactSolution& solution,
@@ -314,13 +328,13 @@ StepRecord Simulation::step() {
   // one value holds the step's contact problem
   const Mat3 vessel_inertia =
       world.parts.vessel ? world.parts.bodies.inertia_G(world.parts.vessel_index) : Mat3::Zero();
-  const AssembledContacts contacts =
+  AssembledContacts contacts =
       assemble(world.parts.bodies, free, points, world.parts.friction, world.model.assembly, world.begin_vessel(free));
   watch.lap(Phase::assembly);
 
   // impulses, judged by the one yardstick
   const VecX guess = world.model.warm_start ? world.warm.guess(contacts.problem.key) : VecX();
-  const ContactSolution solution = world.solver->solve(contacts.problem, guess);
+  const ContactSolution solution = world.solve(contacts.problem, guess);
   world.warm.keep(contacts.problem.key, solution.r);
   record.residuals = measure(contacts.problem, solution.r, solution.v);
   record.status = solution.status;
@@ -332,6 +346,9 @@ StepRecord Simulation::step() {
   world.advance_poses(motion);
   const Velocities pseudo = world.correct_positions(motion, contacts);
   ++world.steps;
+  record.contacts = contacts.problem.num_contacts();
+  record.islands = static_cast<int>(find_islands(contacts.problem).size());
+  world.last = {std::move(contacts.problem), solution};
   world.demand_finite();
   world.name_unnamed_pairs();
   watch.lap(Phase::integration);
@@ -349,8 +366,6 @@ StepRecord Simulation::step() {
   record.t = world.time();
   record.h = world.h;
   record.floes = world.parts.info.floes;
-  record.contacts = contacts.problem.num_contacts();
-  record.islands = static_cast<int>(find_islands(contacts.problem).size());
   record.ledger = world.energy.ledger();
   record.momentum_imbalance = balance.linear;
   record.momentum_scale = balance.linear_scale;
@@ -368,6 +383,7 @@ double Simulation::time() const { return world_->time(); }
 const Bodies& Simulation::bodies() const { return world_->parts.bodies; }
 const RunInfo& Simulation::info() const { return world_->parts.info; }
 const Ledger& Simulation::initial_ledger() const { return world_->energy.ledger(); }
+const SolvedProblem& Simulation::last_problem() const { return world_->last; }
 int Simulation::vessel_index() const { return world_->parts.vessel_index; }
 
 }  // namespace nilas

@@ -25,6 +25,8 @@ class Simulation {
   const RunInfo& info() const;
   /// Energies at the start, before the first step.
   const Ledger& initial_ledger() const;
+  /// Of the last step; empty before the first.
+  const SolvedProblem& last_problem() const;
   int vessel_index() const;  ///< in bodies(), -1 without a vessel
 
  private:

@@ -51,6 +51,12 @@ struct StepRecord {
   std::optional<VesselRecord> vessel;
 };
 
+/// A step's contact problem and what its solver made of it.
+struct SolvedProblem {
+  ContactProblem problem;
+  ContactSolution solution;
+};
+
 /// What is known when a run begins.
 struct RunInfo {
   std::string scene_name;

@@ -26,7 +26,7 @@ TEST(Cli, HelpNamesEveryCommand) {
   const ScratchFolder folder;
   const auto help = run_nilas("--help", folder.path());
   EXPECT_EQ(help.exit_code, 0);
-  for (const char* command : {"run", "check", "hull", "field", "solvers", "schema"}) {
+  for (const char* command : {"run", "check", "hull", "field", "solve", "solvers", "schema"}) {
     EXPECT_TRUE(mentions(help.out, command)) << command;
     EXPECT_EQ(run_nilas(std::string(command) + " --help", folder.path()).exit_code, 0) << command;
   }

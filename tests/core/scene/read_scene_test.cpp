@@ -190,7 +190,7 @@ TEST(ReadScene, DefaultsWithoutAModelFallBackAndSaySo) {
   const SceneFolder folder;
   const Scene scene = folder.read("<scene version='1'/>");
   EXPECT_EQ(scene.contact.law, "coulomb");
-  EXPECT_EQ(scene.contact.solver, "pgs");
+  EXPECT_EQ(scene.contact.solver, "auto");
   EXPECT_EQ(scene.contact.integrator, "semi-implicit-euler");
   EXPECT_EQ(scene.contact.stabilisation, "split-impulse");
   EXPECT_EQ(scene.contact.detection, "discrete");
@@ -199,7 +199,6 @@ TEST(ReadScene, DefaultsWithoutAModelFallBackAndSaySo) {
       "<contact integrator>: the default 'moreau' is not built in this version; 'semi-implicit-euler' is used.",
       "<contact detection>: the default 'continuous' is not built in this version; 'discrete' is used.",
       "<contact stabilisation>: the default 'projection' is not built in this version; 'split-impulse' is used.",
-      "<contact solver>: 'auto' means 'pgs' in this version.",
       "<output contacts>: the default 'hull' is not built in this version; 'none' is used."};
   EXPECT_EQ(scene.notes, expected);
 }

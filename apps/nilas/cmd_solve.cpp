@@ -1,0 +1,156 @@
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "apps/nilas/commands.h"
+#include "contact/fclib_io.h"
+#include "contact/registry.h"
+#include "core/base/error.h"
+
+namespace nilas {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct SolveOptions {
+  std::string problem, solver = "auto", law = "coulomb", write;
+  double tolerance = 1e-8, max_seconds = 60;
+  int max_iterations = 100000, threads = 1;
+  bool json = false;
+};
+
+struct Outcome {
+  ContactSolution solution;
+  Residuals residuals;
+  double seconds = 0;
+};
+
+/// Before a long solve rather than after it.
+void check_target(const std::filesystem::path& target) {
+  const auto folder = target.parent_path();
+  if (!folder.empty() && !std::filesystem::is_directory(folder))
+    throw FileError(target.string() + ": cannot be written, there is no folder " + folder.string());
+}
+
+void set_law(const ParsedLaw& law, FclibProblem& problem) {
+  std::visit(
+      [&law](auto& form) {
+        form.law = law.law;
+        if (law.facets > 0) form.facets = law.facets;
+      },
+      problem.problem);
+}
+
+/// The velocities that follow from the impulses alone, so that what is measured is what is written.
+void follow_impulses(const LocalProblem& problem, ContactSolution& solution) {
+  solution.u = contact_velocities(problem, solution.r);
+}
+
+void follow_impulses(const ContactProblem& problem, ContactSolution& solution) {
+  solution.v = velocities(problem, solution.r);
+  solution.u = contact_velocities(problem, solution.v);
+}
+
+template <class Problem>
+Outcome solve_form(const Problem& problem, const ContactSolver& solver, double tolerance) {
+  Outcome out;
+  const auto start = std::chrono::steady_clock::now();
+  out.solution = solver.solve(problem, VecX());
+  out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  follow_impulses(problem, out.solution);
+  out.residuals = measure(problem, out.solution.r);
+  // the yardstick has the last word on what a solver claims
+  if (out.solution.status == SolveStatus::converged && tolerance > 0 && !(out.residuals.law_map_m_s <= tolerance))
+    out.solution.status = SolveStatus::stalled;
+  return out;
+}
+
+ordered_json report(const SolveOptions& options, const FclibProblem& problem, const Outcome& outcome) {
+  const auto& solution = outcome.solution;
+  ordered_json table{{"problem", std::filesystem::path(options.problem).stem().string()},
+                     {"title", problem.title},
+                     {"form", problem.num_velocities() > 0 ? "global" : "local"},
+                     {"nc", problem.num_contacts()},
+                     {"ndof", problem.num_velocities()},
+                     {"asymmetry", problem.asymmetry},
+                     {"solver", options.solver},
+                     {"used", solution.message.empty() ? options.solver : solution.message},
+                     {"law", options.law},
+                     {"tolerance", options.tolerance},
+                     {"status", to_string(solution.status)},
+                     {"iterations", solution.iterations},
+                     {"seconds", outcome.seconds}};
+  for (const auto& column : residual_columns()) table[column.name] = outcome.residuals.*column.member;
+  return table;
+}
+
+void print(const ordered_json& table, bool json) {
+  // titles of older files are in any encoding
+  constexpr auto k_on_bad_text = ordered_json::error_handler_t::replace;
+  if (json) {
+    std::cout << table.dump(2, ' ', false, k_on_bad_text) << "\n";
+    return;
+  }
+  for (const auto& [name, value] : table.items()) {
+    const std::string text = value.is_string()         ? value.template get<std::string>()
+                             : value.is_number_float() ? fmt::format("{:.6g}", value.template get<double>())
+                                                       : value.dump();
+    std::cout << fmt::format("  {:<22}{}\n", name, text);
+  }
+}
+
+int solve_problem(const SolveOptions& options) {
+  const SolverEntry& entry = find_solver(options.solver);
+  const ParsedLaw law = parse_law(options.law);
+  demand_law(entry, law.law);
+  if (!options.write.empty()) check_target(options.write);
+  FclibProblem problem = read_fclib(options.problem);
+  set_law(law, problem);
+  SolverSettings settings;
+  settings.tolerance = options.tolerance;
+  settings.max_iterations = options.max_iterations;
+  settings.max_seconds = options.max_seconds;
+  settings.threads = options.threads;
+  const auto solver = entry.make(settings);
+  const Outcome outcome =
+      std::visit([&](const auto& form) { return solve_form(form, *solver, options.tolerance); }, problem.problem);
+  print(report(options, problem, outcome), options.json);
+  std::cout.flush();
+  if (!options.write.empty()) {
+    write_fclib(options.write, problem, &outcome.solution);
+    if (!options.json) std::cout << "written: " << options.write << "\n";
+  }
+  return outcome.solution.status == SolveStatus::converged ? exit_done : exit_numerics;
+}
+
+}  // namespace
+
+void add_solve(CLI::App& app, Action& action) {
+  auto* command =
+      app.add_subcommand("solve", "solves one contact problem in FCLIB format; prints how wrong the answer is");
+  auto options = std::make_shared<SolveOptions>();
+  command->add_option("problem", options->problem, "FCLIB file (HDF5), local or global form, 3-D")->required();
+  command->add_option("--solver", options->solver, "see nilas solvers")->capture_default_str();
+  command->add_option("--law", options->law, "coulomb, ccp, pyramid, pyramid-K, frictionless")->capture_default_str();
+  command->add_option("--tolerance", options->tolerance, "on law_map_m_s [m/s]; 0 runs all iterations")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command->add_option("--max-iterations", options->max_iterations, "of the solver")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_option("--max-time", options->max_seconds, "wall time of the solve [s]; 0 means no limit")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command->add_option("--threads", options->threads, "threads; the results do not depend on it")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_option("--write", options->write, "FCLIB file to write with the problem and the solution");
+  command->add_flag("--json", options->json, "the result as JSON on stdout");
+  command->callback([&action, options] { action = [options] { return solve_problem(*options); }; });
+}
+
+}  // namespace nilas
