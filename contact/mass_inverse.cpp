@@ -30,6 +30,13 @@ static bool is_positive_definite(const Mat3& a) {
   return a(0, 0) > 0 && minor > 0 && a.determinant() > 0;
 }
 
+/// L^-1 of a = L L^T.
+static Mat3 inverse_root(const Mat3& a) {
+  Mat3 root = Mat3::Identity();
+  Eigen::LLT<Mat3>(a).matrixL().solveInPlace(root);
+  return root;
+}
+
 MassInverse::MassInverse(const ContactProblem& problem) {
   slot_.reserve(static_cast<std::size_t>(problem.num_blocks()));
   for (int k = 0; k < problem.num_blocks(); ++k) {
@@ -52,6 +59,8 @@ void MassInverse::add_rigid_body(const ContactProblem::ConstMatrix& mass, int bl
   RigidBody body;
   body.inverse_mass = good ? 1.0 / mass(0, 0) : nan;
   body.inverse_inertia = good ? Mat3(inertia.inverse()) : Mat3(Mat3::Constant(nan));
+  body.root_mass = std::sqrt(body.inverse_mass);
+  body.root_inertia = good ? inverse_root(inertia) : Mat3(Mat3::Constant(nan));
   slot_.push_back(static_cast<int>(rigid_bodies_.size()));
   rigid_bodies_.push_back(body);
   if (!good) mark_bad(block);
@@ -88,6 +97,35 @@ void MassInverse::apply(int k, const double* momentum, double* velocity) const {
     x = general.lu->solve(x).eval();
   else
     factor.solveInPlace(x);
+}
+
+bool MassInverse::has_root(int k) const {
+  const int slot = slot_[static_cast<std::size_t>(k)];
+  return slot >= 0 || !general_[static_cast<std::size_t>(~slot)].lu;
+}
+
+void MassInverse::apply_root(int k, const double* momentum, double* scaled) const {
+  const int slot = slot_[static_cast<std::size_t>(k)];
+  if (slot >= 0) {
+    const RigidBody& body = rigid_bodies_[static_cast<std::size_t>(slot)];
+    const double* const l = momentum + 3;
+    const Mat3& root = body.root_inertia;
+    for (int i = 0; i < 3; ++i) scaled[i] = body.root_mass * momentum[i];
+    const double x = root(0, 0) * l[0], y = root(1, 0) * l[0] + root(1, 1) * l[1];
+    const double z = root(2, 0) * l[0] + root(2, 1) * l[1] + root(2, 2) * l[2];
+    scaled[3] = x;
+    scaled[4] = y;
+    scaled[5] = z;
+    return;
+  }
+  const auto& factor = general_[static_cast<std::size_t>(~slot)].cholesky;
+  Eigen::Map<VecX> x(scaled, factor.rows());
+  if (factor.info() != Eigen::Success) {
+    x.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return;
+  }
+  x = Eigen::Map<const VecX>(momentum, factor.rows());
+  factor.matrixL().solveInPlace(x);
 }
 
 double MassInverse::square(int k, const double* x) const {

@@ -7,8 +7,8 @@
 
 namespace nilas {
 
-/// M_k^-1 per block. A 6x6 block of the form diag(m I, I_G) is kept as 1/m and I_G^-1, any other by its Cholesky
-/// factor, and one that is asymmetric beyond rounding (masses of files) by its LU factors beside.
+/// M_k^-1 per block. A 6x6 block of the form diag(m I, I_G) is kept as 1/m and I_G^-1 with their roots, any other by
+/// its Cholesky factor, and one that is asymmetric beyond rounding (masses of files) by its LU factors beside.
 class MassInverse {
  public:
   explicit MassInverse(const ContactProblem& problem);
@@ -19,11 +19,17 @@ class MassInverse {
   void apply(int k, const double* momentum, double* velocity) const;
   /// x^T M_k^-1 x, x of block_size(k) numbers.
   double square(int k, const double* x) const;
+  /// False for a block that is asymmetric beyond rounding, which has no root.
+  bool has_root(int k) const;
+  /// scaled = L^-1 momentum with M_k = L L^T: the mass-scaled velocity L^T v of M_k v. NaN for a bad block.
+  void apply_root(int k, const double* momentum, double* scaled) const;
 
  private:
   struct RigidBody {
     double inverse_mass = 0;
     Mat3 inverse_inertia = Mat3::Zero();
+    double root_mass = 0;              ///< 1/sqrt(m)
+    Mat3 root_inertia = Mat3::Zero();  ///< lower triangle, root^T root = I_G^-1
   };
   struct General {
     Eigen::LLT<MatX> cholesky;  ///< of the lower triangle

@@ -18,6 +18,7 @@ class Sides {
  public:
   Sides(const PgsContact& contact, const double* coefficients, double* velocities)
       : rows_(coefficients + contact.rows),
+        responses_(coefficients + contact.responses),
         a_(velocities + contact.first_a),
         b_(velocities + contact.first_b),
         n_a_(NA == k_any ? contact.size_a : NA),
@@ -25,7 +26,7 @@ class Sides {
 
   /// Row i of J_A v_A + J_B v_B.
   double velocity(Eigen::Index i) const {
-    const double* const row = rows_ + i * 2 * (n_a_ + n_b_);
+    const double* const row = rows_ + i * (n_a_ + n_b_);
     if constexpr (NA > 0 && NB > 0)
       return (Numbers<NA>(row).cwiseProduct(Numbers<NA>(a_)) + Numbers<NB>(row + NA).cwiseProduct(Numbers<NB>(b_)))
           .sum();
@@ -36,14 +37,14 @@ class Sides {
   }
 
   void apply_normal(double dn) const {
-    const double* const y = rows_ + n_a_ + n_b_;
+    const double* const y = responses_;
     if constexpr (NA != 0) Velocities<NA>(a_, n_a_) += dn * Numbers<NA>(y, n_a_);
     if constexpr (NB != 0) Velocities<NB>(b_, n_b_) += dn * Numbers<NB>(y + n_a_, n_b_);
   }
 
   void apply(double dn, double d1, double d2) const {
-    const Eigen::Index stride = 2 * (n_a_ + n_b_);
-    const double* const y0 = rows_ + n_a_ + n_b_;
+    const Eigen::Index stride = n_a_ + n_b_;
+    const double* const y0 = responses_;
     const double *const y1 = y0 + stride, *const y2 = y1 + stride;
     if constexpr (NA != 0)
       Velocities<NA>(a_, n_a_) += dn * Numbers<NA>(y0, n_a_) + d1 * Numbers<NA>(y1, n_a_) + d2 * Numbers<NA>(y2, n_a_);
@@ -54,6 +55,7 @@ class Sides {
 
  private:
   const double* rows_;
+  const double* responses_;
   double* a_;
   double* b_;
   Eigen::Index n_a_, n_b_;

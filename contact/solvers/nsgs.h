@@ -11,15 +11,11 @@
 /// Sources: Jourdan, Alart, Jean 1998; Jean 1999 (non-smooth contact dynamics).
 ///
 /// Laws: all. Nominal tolerances: 1e-6 m/s in simulations, 1e-10 m/s in tests. Islands are solved apart.
-#include "contact/solver.h"
+#include "contact/solvers/sweep_loop.h"
 
 namespace nilas {
 
-struct NsgsSettings {
-  SolverSettings shared;
-  bool symmetric_sweeps = false;  ///< every second sweep runs backwards
-  int stall_sweeps = 500;  ///< stalled: law_map fell by less than 0.1 % in this many sweeps (and one per contact)
-};
+using NsgsSettings = SweepSettings;
 
 class NsgsSolver final : public ContactSolver {
  public:

@@ -13,15 +13,11 @@
 /// is the norm clamp of Simbody and Bullet, both rows stepped at once.
 ///
 /// Nominal tolerances: 1e-6 m/s in simulations, 1e-10 m/s in tests. Islands are solved apart, each to its own stop.
-#include "contact/solver.h"
+#include "contact/solvers/sweep_loop.h"
 
 namespace nilas {
 
-struct PgsSettings {
-  SolverSettings shared;
-  bool symmetric_sweeps = false;  ///< every second sweep runs backwards
-  int stall_sweeps = 500;  ///< stalled: law_map fell by less than 0.1 % in this many sweeps (and one per contact)
-};
+using PgsSettings = SweepSettings;
 
 class PgsSolver final : public ContactSolver {
  public:

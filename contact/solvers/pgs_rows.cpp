@@ -45,7 +45,11 @@ static PgsContact place_contact(const ContactProblem& problem, const PgsRows& ro
   return contact;
 }
 
-static void place_islands(const ContactProblem& problem, PgsRows& rows) {
+static bool has_roots(const MassInverse& masses, const ContactProblem::Pair& pair) {
+  return (pair.a < 0 || masses.has_root(pair.a)) && (pair.b < 0 || masses.has_root(pair.b));
+}
+
+static void place_islands(const ContactProblem& problem, const MassInverse& masses, PgsRows& rows) {
   const int rows_per_contact = rows.law == Law::frictionless ? 1 : 3;
   std::vector<char> listed(static_cast<std::size_t>(problem.num_blocks()), 0);
   Eigen::Index coefficients = 0;
@@ -58,9 +62,13 @@ static void place_islands(const ContactProblem& problem, PgsRows& rows) {
         listed[static_cast<std::size_t>(k)] = 1;
         island.blocks.push_back(k);
       }
-      rows.contacts.push_back(place_contact(problem, rows, c));
-      rows.contacts.back().rows = coefficients;
-      coefficients += rows_per_contact * rows.contacts.back().stride();
+      PgsContact& contact = rows.contacts.emplace_back(place_contact(problem, rows, c));
+      Eigen::Index count = rows_per_contact * contact.stride();
+      count += count % 2;  // the unrolled sweeps load pairs
+      const bool once = has_roots(masses, problem.pairs[static_cast<std::size_t>(c)]);
+      contact.rows = coefficients;
+      contact.responses = once ? coefficients : coefficients + count;
+      coefficients += once ? count : 2 * count;
       rows.source.push_back(c);
     }
     island.last = static_cast<int>(rows.source.size());
@@ -87,18 +95,46 @@ static void set_weights(const Mat3& w, Law law, double d, PgsContact& contact) {
   contact.weight[2] = weight(law == Law::coulomb ? larger : w(2, 2));
 }
 
-/// Copies one contact's rows and responses to their place.
-static void copy_rows(const ContactProblem& problem, int c, const double* response, int row_count,
-                      const PgsContact& contact, double* out) {
-  const auto a = problem.jacobian_a(c), b = problem.jacobian_b(c);
-  const Eigen::Index n_a = contact.size_a, n_b = contact.size_b;
-  const double* const response_b = response + 3 * n_a;
-  for (int i = 0; i < row_count; ++i) {
-    out = std::copy_n(a.data() + i * n_a, n_a, out);
-    out = std::copy_n(b.data() + i * n_b, n_b, out);
-    out = std::copy_n(response + i * n_a, n_a, out);
-    out = std::copy_n(response_b + i * n_b, n_b, out);
+/// Row i of one side and its response, written to their places.
+static void write_row(const MassInverse& masses, int block, const double* jacobian, Eigen::Index n, double* row,
+                      double* response) {
+  if (masses.has_root(block)) {
+    masses.apply_root(block, jacobian, row);
+    if (response != row) std::copy_n(row, n, response);
+    return;
   }
+  std::copy_n(jacobian, n, row);
+  masses.apply(block, jacobian, response);
+}
+
+/// All three rows of contact c and their responses.
+static void write_rows(const ContactProblem& problem, const MassInverse& masses, int c, double* rows,
+                       double* responses) {
+  const auto& pair = problem.pairs[static_cast<std::size_t>(c)];
+  const auto a = problem.jacobian_a(c), b = problem.jacobian_b(c);
+  const Eigen::Index n_a = a.cols(), n_b = b.cols(), stride = n_a + n_b;
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    double *const row = rows + i * stride, *const response = responses + i * stride;
+    if (pair.a >= 0) write_row(masses, pair.a, a.data() + i * n_a, n_a, row, response);
+    if (pair.b >= 0) write_row(masses, pair.b, b.data() + i * n_b, n_b, row + n_a, response + n_a);
+  }
+}
+
+/// Lower triangle of W_cc from the rows. `same_block`: both sides belong to one tree, and each moves the other.
+static Mat3 own_block(const double* rows, const double* responses, Eigen::Index n_a, Eigen::Index n_b,
+                      bool same_block) {
+  const Eigen::Index stride = n_a + n_b;
+  Mat3 w = Mat3::Zero();
+  for (Eigen::Index i = 0; i < 3; ++i)
+    for (Eigen::Index j = 0; j <= i; ++j) {
+      const double *const row = rows + i * stride, *const response = responses + j * stride;
+      double sum = 0;
+      for (Eigen::Index k = 0; k < stride; ++k) sum += row[k] * response[k];
+      if (same_block)
+        for (Eigen::Index k = 0; k < n_a; ++k) sum += row[k] * response[n_a + k] + row[n_a + k] * response[k];
+      w(i, j) = sum;
+    }
+  return w;
 }
 
 static void set_impulse(const Vec3& guess, Law law, PgsContact& contact) {
@@ -117,13 +153,24 @@ static void set_impulse(const Vec3& guess, Law law, PgsContact& contact) {
   }
 }
 
+/// `room`: for the rows of a contact that keeps only its first.
 static void fill_contact(const ContactProblem& problem, const MassInverse& masses, const VecX& guess, PgsRows& rows,
-                         std::size_t place, double* response) {
+                         std::size_t place, double* room) {
   PgsContact& contact = rows.contacts[place];
   const int c = rows.source[place];
   const auto i = static_cast<std::size_t>(c);
   const auto first = 3 * static_cast<Eigen::Index>(c);
-  const Mat3 w = delassus_block(problem, masses, c, response);
+  const auto& pair = problem.pairs[i];
+  const bool normal_only = rows.law == Law::frictionless, once = contact.rows == contact.responses;
+  double* const all_rows = normal_only ? room : rows.coefficients.data() + contact.rows;
+  double* const all_responses =
+      once ? all_rows : (normal_only ? room + 3 * contact.stride() : rows.coefficients.data() + contact.responses);
+  write_rows(problem, masses, c, all_rows, all_responses);
+  if (normal_only) {
+    std::copy_n(all_rows, contact.stride(), rows.coefficients.data() + contact.rows);
+    if (!once) std::copy_n(all_responses, contact.stride(), rows.coefficients.data() + contact.responses);
+  }
+  const Mat3 w = own_block(all_rows, all_responses, contact.size_a, contact.size_b, pair.a == pair.b);
   const double d = inverse_mass_scale(w);
   rows.scales[place] = contact_scale(problem, c, d);
   contact.mu = problem.mu[i];
@@ -131,8 +178,6 @@ static void fill_contact(const ContactProblem& problem, const MassInverse& masse
   contact.compliance = problem.compliance[i];
   Eigen::Map<Vec3>{contact.w} = problem.w.segment<3>(first);
   set_weights(w, rows.law, d, contact);
-  copy_rows(problem, c, response, rows.law == Law::frictionless ? 1 : 3, contact,
-            rows.coefficients.data() + contact.rows);
   if (guess.size() > 0) set_impulse(guess.segment<3>(first), rows.law, contact);
 }
 
@@ -146,11 +191,18 @@ static bool all_finite(const PgsRows& rows) {
   return std::isfinite(sum);
 }
 
+void set_block_velocities(const MassInverse& masses, int k, const double* momentum, PgsRows& rows) {
+  double* const out = rows.velocities.data() + rows.first_velocity[static_cast<std::size_t>(k)];
+  if (masses.has_root(k))
+    masses.apply_root(k, momentum, out);
+  else
+    masses.apply(k, momentum, out);
+}
+
 static void set_velocities(const ContactProblem& problem, const MassInverse& masses, PgsRows& rows, int threads) {
   parallel_for(problem.num_blocks(), threads, [&](std::ptrdiff_t k) {
-    const auto i = static_cast<std::size_t>(k);
-    masses.apply(static_cast<int>(k), problem.f.data() + problem.block_offset[i],
-                 rows.velocities.data() + rows.first_velocity[i]);
+    set_block_velocities(masses, static_cast<int>(k),
+                         problem.f.data() + problem.block_offset[static_cast<std::size_t>(k)], rows);
   });
   rows.finite = all_finite(rows);
   for (const auto& contact : rows.contacts) apply_impulse(contact, rows);
@@ -160,15 +212,15 @@ PgsRows make_pgs_rows(const ContactProblem& problem, const MassInverse& masses, 
   PgsRows rows;
   rows.law = problem.law;
   place_velocities(problem, rows);
-  place_islands(problem, rows);
+  place_islands(problem, masses, rows);
   // one scratch area per chunk; the chunks do not depend on the number of threads
   constexpr std::ptrdiff_t chunk = 256;
   const auto count = static_cast<std::ptrdiff_t>(rows.contacts.size());
-  const std::size_t scratch = largest_response(problem);
+  const std::size_t room = 2 * largest_response(problem);
   parallel_for((count + chunk - 1) / chunk, threads, [&](std::ptrdiff_t k) {
-    std::vector<double> response(scratch);
+    std::vector<double> scratch(room);
     for (std::ptrdiff_t place = k * chunk; place < std::min(count, (k + 1) * chunk); ++place)
-      fill_contact(problem, masses, guess, rows, static_cast<std::size_t>(place), response.data());
+      fill_contact(problem, masses, guess, rows, static_cast<std::size_t>(place), scratch.data());
   });
   set_velocities(problem, masses, rows, threads);
   return rows;

@@ -11,7 +11,10 @@ namespace nilas {
 /// Block sizes for which a sweep has unrolled code.
 enum class PgsShape { six_six, six_none, none_six, general };
 
-/// One contact. `rows` leads to row i = N, T1, T2 at rows + i * stride(): J_A J_B, then M^-1 J_A^T and M^-1 J_B^T.
+/// One contact. Row i = N, T1, T2 of its two blocks, A's numbers before B's, stands at rows + i * stride(), and what an
+/// impulse along it adds to the velocities at responses + i * stride(). A block with M = L L^T has the velocities
+/// z = L^T v, and then row and response are the same L^-1 J^T and stand there once. A block whose stored mass is
+/// asymmetric keeps v, with row J and response M^-1 J^T.
 struct PgsContact {
   double r[3] = {0, 0, 0};
   double w[3] = {0, 0, 0};
@@ -21,13 +24,13 @@ struct PgsContact {
   double mu = 0;
   double force_limit = 0;
   double compliance = 0;
-  Eigen::Index rows = 0;         ///< into PgsRows::coefficients
-  int first_a = 0, first_b = 0;  ///< into PgsRows::velocities
+  Eigen::Index rows = 0, responses = 0;  ///< into PgsRows::coefficients
+  int first_a = 0, first_b = 0;          ///< into PgsRows::velocities
   int size_a = 0, size_b = 0;
   PgsShape shape = PgsShape::general;
   bool unanswerable = false;  ///< its normal velocity cannot be changed and no force limit says what to do
 
-  int stride() const { return 2 * (size_a + size_b); }
+  int stride() const { return size_a + size_b; }
 };
 
 struct PgsIsland {
@@ -41,11 +44,14 @@ struct PgsRows {
   std::vector<int> source;           ///< index in the problem of each contact
   std::vector<ContactScale> scales;  ///< for the law's residual
   VecX coefficients;
-  VecX velocities;                  ///< with the impulses so far; each block begins at an even place
+  VecX velocities;                  ///< z or v with the impulses so far; each block begins at an even place
   std::vector<int> first_velocity;  ///< per block
   std::vector<PgsIsland> islands;
   bool finite = true;  ///< false: some input is not
 };
+
+/// Writes the velocities that the sweeps keep of block k from its momentum M v.
+void set_block_velocities(const MassInverse& masses, int k, const double* momentum, PgsRows& rows);
 
 /// Sets all up for the impulses `guess` (3 nc, or empty for none), made admissible.
 PgsRows make_pgs_rows(const ContactProblem& problem, const MassInverse& masses, const VecX& guess, int threads);

@@ -31,22 +31,21 @@ double RowResidual::law_map(const PgsRows& rows, const PgsIsland& island) {
 void RowResidual::set_velocities(const PgsRows& rows, const PgsIsland& island) {
   for (const int k : island.blocks) {
     const int first = problem_.block_offset[static_cast<std::size_t>(k)];
-    v_.segment(first, problem_.block_size(k)) = problem_.f.segment(first, problem_.block_size(k));
+    momentum_.segment(first, problem_.block_size(k)) = problem_.f.segment(first, problem_.block_size(k));
   }
   for (int k = island.first; k < island.last; ++k) {
     const auto i = static_cast<std::size_t>(k);
-    add_impulse(problem_, rows.source[i], Eigen::Map<const Vec3>(rows.contacts[i].r), v_.data());
+    add_impulse(problem_, rows.source[i], Eigen::Map<const Vec3>(rows.contacts[i].r), momentum_.data());
   }
   for (const int k : island.blocks) {
-    double* const block = v_.data() + problem_.block_offset[static_cast<std::size_t>(k)];
-    masses_.apply(k, block, block);
+    const int first = problem_.block_offset[static_cast<std::size_t>(k)];
+    masses_.apply(k, momentum_.data() + first, v_.data() + first);
   }
 }
 
 void RowResidual::correct(PgsRows& rows, const PgsIsland& island) const {
   for (const int k : island.blocks)
-    rows.velocities.segment(rows.first_velocity[static_cast<std::size_t>(k)], problem_.block_size(k)) =
-        v_.segment(problem_.block_offset[static_cast<std::size_t>(k)], problem_.block_size(k));
+    set_block_velocities(masses_, k, momentum_.data() + problem_.block_offset[static_cast<std::size_t>(k)], rows);
 }
 
 RowResidual::Culprit RowResidual::find_culprit(const PgsRows& rows, const PgsIsland& island, double tolerance) {

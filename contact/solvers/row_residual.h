@@ -11,7 +11,7 @@ namespace nilas {
 class RowResidual {
  public:
   RowResidual(const ContactProblem& problem, const MassInverse& masses)
-      : problem_(problem), masses_(masses), v_(VecX::Zero(problem.num_velocities())) {}
+      : problem_(problem), masses_(masses), momentum_(VecX::Zero(problem.num_velocities())), v_(momentum_) {}
 
   /// law_map of the island with velocities M^-1 (f + H r) [m/s], as `measure` has it.
   double law_map(const PgsRows& rows, const PgsIsland& island);
@@ -30,7 +30,7 @@ class RowResidual {
 
   const ContactProblem& problem_;
   const MassInverse& masses_;
-  VecX v_;
+  VecX momentum_, v_;  ///< f + H r and M^-1 of it
 };
 
 /// The same on a local problem, as a message; empty: none.
