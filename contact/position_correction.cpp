@@ -1,9 +1,10 @@
 #include "contact/position_correction.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "contact/islands.h"
-#include "contact/solvers/pgs.h"
+#include "contact/operators.h"
 #include "core/base/error.h"
 
 namespace nilas {
@@ -11,11 +12,10 @@ namespace nilas {
 namespace {
 
 /// The step's contact graph with what stands still taken out.
-ContactProblem movable_graph(const AssembledContacts& contacts, bool move_articulated) {
+ContactProblem movable_graph(const AssembledContacts& contacts) {
   ContactProblem graph;
   graph.block_offset = contacts.problem.block_offset;
   graph.pairs = contacts.problem.pairs;
-  if (move_articulated) return graph;
   for (auto& pair : graph.pairs) {
     if (pair.a >= contacts.first_articulated_block) pair.a = -1;
     if (pair.b >= contacts.first_articulated_block) pair.b = -1;
@@ -23,20 +23,19 @@ ContactProblem movable_graph(const AssembledContacts& contacts, bool move_articu
   return graph;
 }
 
-/// Contacts of all islands with something to move and a depth beyond `smallest` [m].
-std::vector<int> contacts_to_correct(const ContactProblem& graph, const std::vector<ContactPoint>& points,
-                                     double smallest) {
-  std::vector<int> chosen;
-  if (std::none_of(points.begin(), points.end(), [&](const ContactPoint& c) { return -c.gap > smallest; }))
-    return chosen;
-  for (const auto& island : find_islands(graph)) {
-    const auto& first = graph.pairs[static_cast<std::size_t>(island.front())];
-    if (first.a < 0 && first.b < 0) continue;
-    const bool deep = std::any_of(island.begin(), island.end(),
-                                  [&](int c) { return -points[static_cast<std::size_t>(c)].gap > smallest; });
-    if (deep) chosen.insert(chosen.end(), island.begin(), island.end());
-  }
-  return chosen;
+/// The groups with something to move and a depth beyond `smallest` [m].
+std::vector<std::vector<int>> groups_to_correct(const ContactProblem& graph, const std::vector<ContactPoint>& points,
+                                                double smallest) {
+  const auto is_deep = [&](const ContactPoint& c) { return -c.gap > smallest; };
+  if (std::none_of(points.begin(), points.end(), is_deep)) return {};
+  auto groups = find_islands(graph);
+  std::erase_if(groups, [&](const std::vector<int>& group) {
+    const auto& first = graph.pairs[static_cast<std::size_t>(group.front())];
+    return (first.a < 0 && first.b < 0) || std::none_of(group.begin(), group.end(), [&](int c) {
+             return is_deep(points[static_cast<std::size_t>(c)]);
+           });
+  });
+  return groups;
 }
 
 double least_speed(const ContactPoint& point, const CorrectionSettings& settings) {
@@ -45,96 +44,121 @@ double least_speed(const ContactPoint& point, const CorrectionSettings& settings
   return depth < 0 ? depth / settings.h : 0;
 }
 
-/// The frictionless problem of a correction, built contact by contact from the step's problem.
-class CorrectionProblem {
+constexpr int k_size = 6;  ///< of a rigid body's block
+
+/// One contact's normal row on the mass-scaled velocities of its two bodies; zero for a side that stands still.
+struct NormalRow {
+  Vec6 a = Vec6::Zero(), b = Vec6::Zero();
+  double w = 0;      ///< W_NN [1/kg]
+  double least = 0;  ///< speed of separation asked for [m/s]
+  double r = 0;      ///< [N s]
+  int first_a = 0, first_b = 0;
+};
+
+/// The motion of one group, from rest.
+class GroupCorrection {
  public:
-  CorrectionProblem(const ContactProblem& step, const CorrectionSettings& settings)
-      : step_(step), settings_(settings), place_(static_cast<std::size_t>(step.num_blocks()), -1) {
-    problem_.h = settings.h;
-    problem_.law = Law::frictionless;
+  /// `z`: mass-scaled velocities of all blocks and six more that no row moves.
+  GroupCorrection(const ContactProblem& step, const MassInverse& masses, VecX& z)
+      : step_(step), masses_(masses), z_(z) {}
+
+  void add(int c, const ContactProblem::Pair& pair, double least) {
+    NormalRow row;
+    row.first_a = place(pair.a, step_.jacobian_a(c).data(), row.a);
+    row.first_b = place(pair.b, step_.jacobian_b(c).data(), row.b);
+    row.w = row.a.squaredNorm() + row.b.squaredNorm();
+    row.least = least;
+    rows_.push_back(row);
   }
 
-  /// Takes over contact c between the blocks of `pair` (-1: stands still).
-  void add(int c, const ContactProblem::Pair& pair, const ContactPoint& point) {
-    if (pair.a >= 0) append(step_.jacobian_a(c));
-    if (pair.b >= 0) append(step_.jacobian_b(c));
-    problem_.jacobian_offset.push_back(problem_.jacobian_data.size());
-    problem_.pairs.push_back({block_for(pair.a), block_for(pair.b)});
-    problem_.key.push_back(step_.key[static_cast<std::size_t>(c)]);
-    least_speeds_.push_back(least_speed(point, settings_));
-  }
-
-  const ContactProblem& finish() {
-    const std::size_t count = problem_.pairs.size();
-    problem_.f = VecX::Zero(problem_.num_velocities());
-    problem_.w = VecX::Zero(3 * static_cast<Eigen::Index>(count));
-    for (std::size_t i = 0; i < count; ++i) problem_.w[3 * static_cast<Eigen::Index>(i)] = -least_speeds_[i];
-    problem_.mu.assign(count, 0.0);
-    problem_.mu_static.assign(count, 0.0);
-    problem_.force_limit.assign(count, std::numeric_limits<double>::infinity());
-    problem_.compliance.assign(count, 0.0);
-    return problem_;
-  }
-
-  /// Velocities of this problem's blocks put where the step's problem has them.
-  void scatter(const VecX& v, VecX& step_v) const {
-    for (std::size_t k = 0; k < blocks_.size(); ++k) {
-      const int size = step_.block_size(blocks_[k]);
-      step_v.segment(step_.block_offset[static_cast<std::size_t>(blocks_[k])], size) =
-          v.segment(problem_.block_offset[k], size);
+  /// Largest |dr| W of a sweep over all rows.
+  double sweep() {
+    double largest = 0;
+    for (NormalRow& row : rows_) {
+      auto z_a = z_.segment<k_size>(row.first_a), z_b = z_.segment<k_size>(row.first_b);
+      const double lack = row.least - (row.a.cwiseProduct(z_a) + row.b.cwiseProduct(z_b)).sum();
+      const double change = std::max(lack / row.w, -row.r);
+      if (change == 0) continue;
+      row.r += change;
+      z_a += change * row.a;
+      z_b += change * row.b;
+      largest = std::max(largest, std::abs(change) * row.w);
     }
+    return largest;
   }
+
+  /// Largest min(W r, u_N - least), the natural map of the normal direction [m/s].
+  double residual() const {
+    double worst = 0;
+    for (const NormalRow& row : rows_) {
+      const double excess =
+          row.a.dot(z_.segment<k_size>(row.first_a)) + row.b.dot(z_.segment<k_size>(row.first_b)) - row.least;
+      worst = std::max(worst, std::abs(std::min(row.w * row.r, excess)));
+    }
+    return worst;
+  }
+
+  double impulse(std::size_t place) const { return rows_[place].r; }
 
  private:
-  void append(const ContactProblem::ConstJacobian& rows) {
-    problem_.jacobian_data.insert(problem_.jacobian_data.end(), rows.data(), rows.data() + rows.size());
-  }
-
-  int block_for(int k) {
-    if (k < 0) return -1;
-    int& place = place_[static_cast<std::size_t>(k)];
-    if (place < 0) {
-      place = static_cast<int>(blocks_.size());
-      blocks_.push_back(k);
-      const auto mass = step_.mass(k);
-      problem_.block_offset.push_back(problem_.block_offset.back() + step_.block_size(k));
-      problem_.mass_data.insert(problem_.mass_data.end(), mass.data(), mass.data() + mass.size());
-      problem_.mass_offset.push_back(problem_.mass_data.size());
-    }
-    return place;
+  int place(int block, const double* jacobian, Vec6& row) const {
+    if (block < 0) return static_cast<int>(z_.size()) - k_size;
+    NILAS_DEMAND(step_.block_size(block) == k_size && masses_.has_root(block));
+    masses_.apply_root(block, jacobian, row.data());
+    return step_.block_offset[static_cast<std::size_t>(block)];
   }
 
   const ContactProblem& step_;
-  const CorrectionSettings& settings_;
-  ContactProblem problem_;
-  std::vector<int> place_;   ///< of the step's blocks among this problem's, -1: not in it
-  std::vector<int> blocks_;  ///< of the step's problem
-  std::vector<double> least_speeds_;
+  const MassInverse& masses_;
+  VecX& z_;
+  std::vector<NormalRow> rows_;
 };
 
 }  // namespace
 
 PositionCorrection position_correction(const AssembledContacts& contacts, const std::vector<ContactPoint>& points,
                                        const CorrectionSettings& settings) {
-  NILAS_DEMAND(settings.h > 0 && points.size() == contacts.problem.pairs.size());
+  const ContactProblem& step = contacts.problem;
+  NILAS_DEMAND(settings.h > 0 && points.size() == step.pairs.size());
   PositionCorrection out;
-  out.v = VecX::Zero(contacts.problem.num_velocities());
-  const ContactProblem graph = movable_graph(contacts, settings.move_articulated);
-  // a speed below the solver's tolerance would be met by standing still
-  const double smallest = settings.slop + settings.solver.tolerance * settings.h / settings.erp;
-  const std::vector<int> chosen = settings.erp > 0 ? contacts_to_correct(graph, points, smallest) : std::vector<int>{};
-  if (chosen.empty()) return out;
+  out.v = VecX::Zero(step.num_velocities());
+  const ContactProblem graph = movable_graph(contacts);
+  // a speed below the tolerance would be met by standing still
+  const double smallest = settings.slop + settings.tolerance * settings.h / settings.erp;
+  const auto groups = settings.erp > 0 ? groups_to_correct(graph, points, smallest) : std::vector<std::vector<int>>{};
+  if (groups.empty()) return out;
 
-  CorrectionProblem correction(contacts.problem, settings);
-  for (const int c : chosen) {
-    const auto i = static_cast<std::size_t>(c);
-    correction.add(c, graph.pairs[i], points[i]);
+  const MassInverse masses(step);
+  VecX z = VecX::Zero(step.num_velocities() + k_size);
+  VecX impulses = VecX::Zero(3 * static_cast<Eigen::Index>(step.num_contacts()));
+  for (const auto& group : groups) {
+    GroupCorrection correction(step, masses, z);
+    for (const int c : group) {
+      const auto i = static_cast<std::size_t>(c);
+      correction.add(c, graph.pairs[i], least_speed(points[i], settings));
+    }
+    int sweeps = 0;
+    bool converged = false;
+    while (!converged && sweeps < settings.max_sweeps) {
+      ++sweeps;
+      converged = correction.sweep() <= settings.tolerance && correction.residual() <= settings.tolerance;
+    }
+    out.contacts += static_cast<int>(group.size());
+    out.converged = out.converged && converged;
+    out.sweeps = std::max(out.sweeps, sweeps);
+    for (std::size_t k = 0; k < group.size(); ++k)
+      impulses[3 * static_cast<Eigen::Index>(group[k])] = correction.impulse(k);
   }
-  const ContactSolution solution = PgsSolver({.shared = settings.solver}).solve(correction.finish(), {});
-  correction.scatter(solution.v, out.v);
-  out.contacts = static_cast<int>(chosen.size());
-  out.status = solution.status;
-  out.iterations = solution.iterations;
+  // v = M^-1 H r of the free bodies, from the impulses alone
+  for (int c = 0; c < step.num_contacts(); ++c)
+    if (impulses[3 * static_cast<Eigen::Index>(c)] > 0)
+      add_impulse(step, c, impulses.segment<3>(3 * static_cast<Eigen::Index>(c)), out.v.data());
+  for (int k = 0; k < contacts.first_articulated_block; ++k) {
+    double* const block = out.v.data() + step.block_offset[static_cast<std::size_t>(k)];
+    masses.apply(k, block, block);
+  }
+  out.v.tail(step.num_velocities() - step.block_offset[static_cast<std::size_t>(contacts.first_articulated_block)])
+      .setZero();
   return out;
 }
 

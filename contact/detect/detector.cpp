@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "contact/detect/broad_phase.h"
 #include "contact/detect/fcl_query.h"
 #include "contact/detect/narrow_phase.h"
+#include "contact/detect/reach.h"
+#include "core/base/error.h"
 #include "core/base/parallel.h"
 
 namespace nilas {
@@ -18,10 +21,6 @@ constexpr std::ptrdiff_t k_stretches_per_thread = 8;
 /// Pairs are searched strip by strip of so many part radii, so that a part's geometry is still in the cache when its
 /// next neighbour asks for it.
 constexpr double k_strip_radii = 12;
-
-}  // namespace
-
-namespace {
 
 struct PairPlace {
   double strip = 0, along = 0;
@@ -49,7 +48,8 @@ struct ContactDetector::Implementation {
   void learn_bodies(const Bodies& bodies);
   void carry_memory_over();
   void order_by_place(const Bodies& bodies);
-  void search_pairs(const Bodies& bodies, double margin);
+  void list_pairs(const Bodies& bodies, double margin);
+  void search_pairs(const Bodies& bodies, const std::vector<double>& margins);
   std::vector<ContactPoint> collect();
 };
 
@@ -99,7 +99,16 @@ void ContactDetector::Implementation::order_by_place(const Bodies& bodies) {
   std::sort(order.begin(), order.end(), [](const PairPlace& p, const PairPlace& q) { return p < q; });
 }
 
-void ContactDetector::Implementation::search_pairs(const Bodies& bodies, double margin) {
+void ContactDetector::Implementation::list_pairs(const Bodies& bodies, double margin) {
+  learn_bodies(bodies);
+  last_pairs.swap(pairs);
+  last_memory.swap(memory);
+  pairs = broad.candidates(bodies, parts, margin);
+  carry_memory_over();
+  order_by_place(bodies);
+}
+
+void ContactDetector::Implementation::search_pairs(const Bodies& bodies, const std::vector<double>& margins) {
   const auto count = static_cast<std::ptrdiff_t>(pairs.size());
   const std::ptrdiff_t stretches = threads > 1 ? threads * k_stretches_per_thread : 1;
   rooms.resize(static_cast<std::size_t>(stretches));
@@ -107,7 +116,7 @@ void ContactDetector::Implementation::search_pairs(const Bodies& bodies, double 
   parallel_for(stretches, threads, [&](std::ptrdiff_t s) {
     for (std::ptrdiff_t k = s * count / stretches; k < (s + 1) * count / stretches; ++k) {
       const std::ptrdiff_t i = order[k].pair;
-      find_pair_contacts(bodies, parts[pairs[i].part_a], parts[pairs[i].part_b], margin, fcl, rooms[s], memory[i],
+      find_pair_contacts(bodies, parts[pairs[i].part_a], parts[pairs[i].part_b], margins[i], fcl, rooms[s], memory[i],
                          contacts[i]);
     }
   });
@@ -136,14 +145,23 @@ ContactDetector& ContactDetector::operator=(ContactDetector&&) noexcept = defaul
 
 std::vector<ContactPoint> ContactDetector::detect(const Bodies& bodies, double margin) {
   Implementation& work = *implementation_;
-  work.learn_bodies(bodies);
-  work.last_pairs.swap(work.pairs);
-  work.last_memory.swap(work.memory);
-  work.pairs = work.broad.candidates(bodies, work.parts, margin);
-  work.carry_memory_over();
-  work.order_by_place(bodies);
-  work.search_pairs(bodies, margin);
+  work.list_pairs(bodies, margin);
+  work.search_pairs(bodies, std::vector<double>(work.pairs.size(), margin));
   return work.collect();
+}
+
+std::vector<ContactPoint> ContactDetector::detect(const Bodies& bodies, const std::vector<double>& own_reach) {
+  NILAS_DEMAND(own_reach.size() == static_cast<std::size_t>(bodies.size()));
+  // no two bodies close a larger gap than the two that reach farthest
+  std::vector<double> farthest = own_reach;
+  farthest.resize(std::max<std::size_t>(farthest.size(), 2), 0);
+  std::partial_sort(farthest.begin(), farthest.begin() + 2, farthest.end(), std::greater<>());
+  Implementation& work = *implementation_;
+  work.list_pairs(bodies, farthest[0] + farthest[1]);
+  work.search_pairs(bodies, pair_margins(bodies, own_reach, work.pairs));
+  std::vector<ContactPoint> points = work.collect();
+  drop_out_of_reach(bodies, own_reach, points);
+  return points;
 }
 
 const DetectorCounts& ContactDetector::counts() const { return implementation_->counts; }

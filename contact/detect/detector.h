@@ -28,6 +28,8 @@ class ContactDetector {
   /// All points with gap < margin [m]. Pairs of two bodies that cannot move are left out. Bodies appended since the
   /// last call are picked up; a body whose shape changed must be re-added under a new id.
   std::vector<ContactPoint> detect(const Bodies& bodies, double margin);
+  /// The points whose gap the bodies' own reach (contact/detect/reach.h, one length per body [m]) may close.
+  std::vector<ContactPoint> detect(const Bodies& bodies, const std::vector<double>& own_reach);
   const DetectorCounts& counts() const;  ///< of the last call
 
  private:

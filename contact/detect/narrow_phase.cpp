@@ -91,7 +91,8 @@ void polytope_or_cylinder_pair(const Bodies& bodies, const Part& a, const Part& 
     point.n = n_G;
     point.gap = p.gap;
     const bool deepest = p.gap <= axis.s + pair.tolerance;  // there the axis itself is the normal
-    if (room.facing.curved && !deepest && std::hypot(p.slope.u, p.slope.v) <= k_most_slope) {
+    if (room.facing.curved && !deepest &&
+        p.slope.u * p.slope.u + p.slope.v * p.slope.v <= k_most_slope * k_most_slope) {
       const Vec3 n = plane.n - p.slope.u * plane.t1 - p.slope.v * plane.t2;
       point.n = R * n.normalized();
       point.gap = std::max(p.gap / n.norm(), axis.s);  // no place is nearer than the axis separates

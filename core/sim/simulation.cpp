@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "contact/assemble.h"
 #include "contact/detect/detector.h"
 #include "contact/islands.h"
 #include "contact/position_correction.h"
-#include "contact/reach.h"
+#include "contact/detect/reach.h"
 #include "contact/registry.h"
 #include "core/base/error.h"
 #include "core/base/hash.h"
@@ -108,7 +107,10 @@ void Simulation::World::build_contact_model(const ContactScene& contact) {
   model.correction.max_speed = contact.max_speed;
   // a hundredth of a millimetre per step at 0.01 s: far below what the split impulse is to remove
   constexpr double k_correction_tolerance = 1e-3;  // [m/s]
-  model.correction.solver.tolerance = k_correction_tolerance;
+  model.correction.tolerance = k_correction_tolerance;
+  // a scene that fixes its sweeps means these too
+  if (contact.tolerance == 0)
+    model.correction.max_sweeps = std::min(model.correction.max_sweeps, contact.max_iterations);
   model.split_impulse = contact.stabilisation == "split-impulse";
   model.warm_start = contact.warm_start;
   model.stop_on_failure = contact.on_failure == "stop" && contact.tolerance > 0;  // fixed sweeps promise nothing
@@ -150,14 +152,7 @@ std::vector<ArticulatedBlock> Simulation::World::begin_vessel(const Wrenches& fr
 
 std::vector<ContactPoint> Simulation::World::find_contacts() {
   if (model.margin > 0) return detector.detect(parts.bodies, model.margin);
-  const std::vector<double> reach = own_reach(parts.bodies, free_loads, h, k_reach_share);
-  // no two bodies close a larger gap than the two that reach farthest
-  std::vector<double> farthest = reach;
-  farthest.resize(std::max<std::size_t>(farthest.size(), 2), 0);
-  std::partial_sort(farthest.begin(), farthest.begin() + 2, farthest.end(), std::greater<>());
-  std::vector<ContactPoint> points = detector.detect(parts.bodies, farthest[0] + farthest[1]);
-  drop_out_of_reach(parts.bodies, reach, points);
-  return points;
+  return detector.detect(parts.bodies, own_reach(parts.bodies, free_loads, h, k_reach_share));
 }
 
 /// On failure, `retry` climbs the ladder of auto from the impulses that the chosen solver left.

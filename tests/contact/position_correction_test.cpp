@@ -32,8 +32,8 @@ struct Row {
     FrictionTable friction;
     friction.add("*", "*", {0.3, 0.3, 0});
     contacts = assemble(bodies, Wrenches(bodies.id.size()), points, friction, {.h = k_step}, articulated);
-    settings.solver.tolerance = 1e-12;
-    settings.solver.max_iterations = 100000;
+    settings.tolerance = 1e-12;
+    settings.max_sweeps = 100000;
   }
 
   void add(double x, Motion motion) {
@@ -63,7 +63,7 @@ TEST(PositionCorrection, RemovesItsShareOfTheDepthBeyondTheSlop) {
   PositionCorrection result;
   const auto v = Row({0.006}).speeds(&result);
   EXPECT_NEAR(v[1], 0.2 * 0.005 / k_step, 1e-12);  // the body's own speed of -3 m/s plays no part
-  EXPECT_EQ(result.status, SolveStatus::converged);
+  EXPECT_TRUE(result.converged);
   EXPECT_EQ(result.contacts, 1);
 }
 
@@ -114,7 +114,7 @@ TEST(PositionCorrection, IslandsWithoutDepthStayStill) {
   EXPECT_EQ(v[3], 0);
 }
 
-TEST(PositionCorrection, ArticulatedBodiesStandStillUnlessTold) {
+TEST(PositionCorrection, ArticulatedBodiesStandStill) {
   ArticulatedBlock vessel;
   vessel.body = 1;
   vessel.mass = MatX::Constant(1, 1, 10);
@@ -126,16 +126,6 @@ TEST(PositionCorrection, ArticulatedBodiesStandStillUnlessTold) {
   EXPECT_NEAR(row.speeds(&result)[2], 0.1, 1e-11);
   EXPECT_EQ(result.v[6], 0);
   EXPECT_EQ(result.contacts, 1);  // the vessel's contact with the wall has nothing to move
-
-  // free to move away from the floe, the vessel would run into the wall it touches: the floe still does all
-  row.settings.move_articulated = true;
-  EXPECT_NEAR(row.speeds(&result)[2], 0.1, 1e-11);
-  EXPECT_NEAR(result.v[6], 0, 1e-11);
-
-  Row away({-0.5, 0.006}, {vessel});  // far from the wall, equal masses share
-  away.settings.move_articulated = true;
-  EXPECT_NEAR(away.speeds(&result)[2], 0.05, 1e-11);
-  EXPECT_NEAR(result.v[6], -0.05, 1e-11);
 }
 
 TEST(PositionCorrection, DeepOverlapOfTwoImmovableBodiesIsLeftOut) {
@@ -146,7 +136,7 @@ TEST(PositionCorrection, DeepOverlapOfTwoImmovableBodiesIsLeftOut) {
   PositionCorrection result;
   row.speeds(&result);
   EXPECT_EQ(result.contacts, 0);
-  EXPECT_EQ(result.status, SolveStatus::converged);
+  EXPECT_TRUE(result.converged);
 }
 
 }  // namespace

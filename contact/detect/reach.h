@@ -2,6 +2,7 @@
 /// Which contact points can matter in this step: how far each body can get, and so which gaps can close.
 #include <vector>
 
+#include "contact/detect/broad_phase.h"
 #include "contact/detect/contact_point.h"
 #include "core/bodies/bodies.h"
 #include "core/bodies/module.h"
@@ -12,6 +13,11 @@ namespace nilas {
 /// speed and by the loads on it [m]: share * h * (|v + h F/m - v_mean| + |w + h I^-1 T| radius). A body that floats at
 /// rest reaches nothing, one about to fall reaches its fall.
 std::vector<double> own_reach(const Bodies& bodies, const Wrenches& loads, double h, double share);
+
+/// Per candidate pair the gap beyond which no point between its bodies can stay in `drop_out_of_reach` [m]: the same
+/// rule with reach handed on along all candidates as if their gaps were closed.
+std::vector<double> pair_margins(const Bodies& bodies, const std::vector<double>& own,
+                                 const std::vector<PartPair>& pairs);
 
 /// Drops the points whose gap will not close in this step: a gap stays when it is smaller than what one body can reach,
 /// by its own motion or pushed, together with the other's own reach. A body that is hit takes over m/(m + m') of the
