@@ -176,7 +176,8 @@ double asymmetry(const LocalProblem& problem) {
       const Mat3& w = problem.block[at(k)];
       largest = std::max(largest, w.cwiseAbs().maxCoeff());
       const std::ptrdiff_t mirror = find_block(problem, problem.column[at(k)], a);
-      const Mat3 other = mirror < 0 ? Mat3(Mat3::Zero()) : Mat3(problem.block[static_cast<std::size_t>(mirror)].transpose());
+      const Mat3 other =
+          mirror < 0 ? Mat3(Mat3::Zero()) : Mat3(problem.block[static_cast<std::size_t>(mirror)].transpose());
       difference = std::max(difference, (w - other).cwiseAbs().maxCoeff());
     }
   return largest > 0 ? difference / largest : 0;

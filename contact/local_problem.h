@@ -17,12 +17,12 @@ struct LocalProblem {
   Law law = Law::coulomb;
   int facets = 8;  ///< of pyramid_k
 
-  std::vector<int> row_start{0};  ///< nc + 1, into column and block
-  std::vector<int> column;        ///< contact of each block of W, rising within a row; the diagonal is always there
-  std::vector<Mat3> block;        ///< W_ab [1/kg]
-  VecX q;                         ///< 3 nc [m/s]
-  std::vector<double> mu;         ///< nc, kinetic friction coefficient
-  std::vector<double> mu_static;  ///< nc, >= mu
+  std::vector<int> row_start{0};    ///< nc + 1, into column and block
+  std::vector<int> column;          ///< contact of each block of W, rising within a row; the diagonal is always there
+  std::vector<Mat3> block;          ///< W_ab [1/kg]
+  VecX q;                           ///< 3 nc [m/s]
+  std::vector<double> mu;           ///< nc, kinetic friction coefficient
+  std::vector<double> mu_static;    ///< nc, >= mu
   std::vector<double> force_limit;  ///< nc, largest normal impulse (infinite: none) [N s]
   std::vector<double> compliance;   ///< nc, u_N + c r_N replaces u_N [m/(s N s)]
   std::vector<std::uint64_t> key;   ///< nc, distinct

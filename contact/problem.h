@@ -16,6 +16,7 @@ namespace nilas {
 
 /// Contact law, a property of the problem. See docs/theory_contact.md.
 enum class Law { coulomb, ccp, pyramid, pyramid_k, frictionless };
+const char* to_string(Law law);
 
 struct ContactProblem {
   /// One contact row triple between two blocks; a block index of -1 is a prescribed or fixed side.

@@ -20,40 +20,11 @@ namespace nilas {
 constexpr int k_fewest_facets = 3;
 constexpr int k_most_facets = 1000;
 
-static std::unique_ptr<ContactSolver> make_admm(const SolverSettings& settings) {
-  return std::make_unique<AdmmSolver>(AdmmSettings{.shared = settings});
-}
-
-static std::unique_ptr<ContactSolver> make_auto(const SolverSettings& settings) {
-  return std::make_unique<AutoSolver>(AutoSettings{.shared = settings});
-}
-
-static std::unique_ptr<ContactSolver> make_newton(const SolverSettings& settings) {
-  return std::make_unique<NewtonSolver>(NewtonSettings{.shared = settings});
-}
-
-static std::unique_ptr<ContactSolver> make_ipm(const SolverSettings& settings) {
-  return std::make_unique<IpmSolver>(IpmSettings{.shared = settings});
-}
-
-static std::unique_ptr<ContactSolver> make_eg(const SolverSettings& settings) {
-  return std::make_unique<EgSolver>(EgSettings{.shared = settings});
-}
-
-static std::unique_ptr<ContactSolver> make_apgd(const SolverSettings& settings) {
-  return std::make_unique<ApgdSolver>(ApgdSettings{.shared = settings});
-}
-
-static std::unique_ptr<ContactSolver> make_enumerate(const SolverSettings& settings) {
-  return std::make_unique<EnumerateSolver>(EnumerateSettings{.shared = settings});
-}
-
-static std::unique_ptr<ContactSolver> make_nsgs(const SolverSettings& settings) {
-  return std::make_unique<NsgsSolver>(NsgsSettings{.shared = settings});
-}
-
-static std::unique_ptr<ContactSolver> make_pgs(const SolverSettings& settings) {
-  return std::make_unique<PgsSolver>(PgsSettings{.shared = settings});
+template <class Solver, class Settings>
+static std::unique_ptr<ContactSolver> make(const SolverSettings& shared) {
+  Settings settings;
+  settings.shared = shared;
+  return std::make_unique<Solver>(settings);
 }
 
 const std::vector<SolverEntry>& solver_registry() {
@@ -64,46 +35,40 @@ const std::vector<SolverEntry>& solver_registry() {
   static const std::vector<SolverEntry> entries{
       {"pgs",
        "Projected Gauss-Seidel on single rows, about 25 ns per contact and sweep; for loose packings and comparison "
-       "with "
-       "earlier tools, slow for stacks and heavy-on-light contact.",
-       pgs_laws, make_pgs},
+       "with earlier tools, slow for stacks and heavy-on-light contact.",
+       pgs_laws, make<PgsSolver, PgsSettings>},
       {"nsgs",
        "Block Gauss-Seidel with the exact solution of each contact, 1.3 to 1.7 times the cost of a sweep of pgs; for "
        "loose fields and as a first stage, slow for stacks and heavy-on-light contact.",
-       all_laws, make_nsgs},
+       all_laws, make<NsgsSolver, NsgsSettings>},
       {"eg",
        "Self-adaptive extragradient, two products with W per iteration, O(contacts); for sliding fields, slow for "
-       "stacks "
-       "and redundant contacts.",
-       convex_sets, make_eg},
+       "stacks and redundant contacts.",
+       convex_sets, make<EgSolver, EgSettings>},
       {"apgd",
        "Accelerated projected gradient with De Saxce's outer loop, one product with W per iteration, O(contacts); 100 "
-       "to "
-       "20000 iterations; for stacks, mass ratios and fields alike where 1e-8 m/s is enough.",
-       convex_sets, make_apgd},
+       "to 20000 iterations; for stacks, mass ratios and fields alike where 1e-8 m/s is enough.",
+       convex_sets, make<ApgdSolver, ApgdSettings>},
       {"enumerate",
        "Tries every combination of open, sticking and slipping of up to 8 contacts, 3^n dense systems; an oracle to "
        "check others by.",
-       cone_laws, make_enumerate},
+       cone_laws, make<EnumerateSolver, EnumerateSettings>},
       {"admm",
        "Alternating directions with De Saxce's shift; few factorisations, two triangular solves per iteration, 30 to "
-       "1000 "
-       "iterations; for sticking contact of any masses, stalls where slipping contacts are redundant.",
-       cone_laws, make_admm},
+       "1000 iterations; for sticking contact of any masses, stalls where slipping contacts are redundant.",
+       cone_laws, make<AdmmSolver, AdmmSettings>},
       {"ipm",
        "Interior point with a De Saxce outer loop and a Newton finish; 10 to 200 factorisations whatever the masses; "
-       "for "
-       "extreme mass ratios, stacks and redundant contacts, costly for large loose fields.",
-       cone_laws, make_ipm},
+       "for extreme mass ratios, stacks and redundant contacts, costly for large loose fields.",
+       cone_laws, make<IpmSolver, IpmSettings>},
       {"newton",
        "Proximal semismooth Newton, one sparse factorisation of the loaded contacts per iteration, 5 to 30 iterations; "
-       "the "
-       "reference: for accuracy, stacks, jams, redundant contacts and mass ratios.",
-       all_laws, make_newton},
+       "the reference: for accuracy, stacks, jams, redundant contacts and mass ratios.",
+       all_laws, make<NewtonSolver, NewtonSettings>},
       {"auto",
        "Climbs from nsgs over newton to ipm until the tolerance holds, island by island, and says what it used; the "
        "default for every problem.",
-       all_laws, make_auto},
+       all_laws, make<AutoSolver, AutoSettings>},
   };
   return entries;
 }
@@ -135,22 +100,6 @@ void demand_law(const SolverEntry& entry, Law law) {
     if (takes(other)) others += (others.empty() ? "" : ", ") + other.name;
   throw InputError("solver '" + entry.name + "' does not take the law '" + to_string(law) + "'; it takes: " + laws +
                    "; solvers for this law: " + others);
-}
-
-const char* to_string(Law law) {
-  switch (law) {
-    case Law::coulomb:
-      return "coulomb";
-    case Law::ccp:
-      return "ccp";
-    case Law::pyramid:
-      return "pyramid";
-    case Law::pyramid_k:
-      return "pyramid-k";
-    case Law::frictionless:
-      return "frictionless";
-  }
-  return "unknown";
 }
 
 /// The k of "pyramid-k", 0 when the name has another form.

@@ -22,7 +22,6 @@ const SolverEntry& find_solver(const std::string& name);
 /// Throws InputError naming the solver's laws, and the solvers that take this one, where the entry does not.
 void demand_law(const SolverEntry& entry, Law law);
 
-const char* to_string(Law law);
 /// "pyramid-8" gives pyramid_k with 8 facets. Throws InputError naming the nearest law.
 struct ParsedLaw {
   Law law = Law::coulomb;

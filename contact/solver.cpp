@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/error.h"
+
 namespace nilas {
 
 const char* to_string(SolveStatus status) {
@@ -58,8 +60,7 @@ ContactSolution solve_islands(const LocalProblem& problem, const VecX& guess, co
   if (islands.size() == 1)
     take_over(solve(problem, guess), islands.front(), whole);
   else
-    for (const auto& island : islands)
-      take_over(solve(select(problem, island), part_of(guess, island)), island, whole);
+    for (const auto& island : islands) take_over(solve(select(problem, island), part_of(guess, island)), island, whole);
   whole.u = contact_velocities(problem, whole.r);
   return whole;
 }
@@ -69,6 +70,27 @@ ContactSolution solve_islands(const ContactProblem& problem, const VecX& guess, 
   whole.v = velocities(problem, whole.r);
   whole.u = contact_velocities(problem, whole.v);
   return whole;
+}
+
+void demand_known(const char* solver, std::initializer_list<Law> known, Law law) {
+  if (std::find(known.begin(), known.end(), law) != known.end()) return;
+  std::string laws;
+  for (const Law one : known) laws += (laws.empty() ? "" : ", ") + std::string(to_string(one));
+  throw InputError("solver '" + std::string(solver) + "' knows the laws " + laws + "; choose one of them");
+}
+
+ContactSolution IslandSolver::solve(const LocalProblem& problem, const VecX& guess) const {
+  NILAS_DEMAND(guess.size() == 0 || guess.size() == problem.q.size());
+  demand_law(problem.law);
+  return solve_islands(problem, guess,
+                       [this](const LocalProblem& island, const VecX& start) { return solve_island(island, start); });
+}
+
+ContactSolution IslandSolver::solve(const ContactProblem& problem, const VecX& guess) const {
+  NILAS_DEMAND(guess.size() == 0 || guess.size() == 3 * problem.num_contacts());
+  demand_law(problem.law);
+  return solve_islands(problem, guess,
+                       [this](const LocalProblem& island, const VecX& start) { return solve_island(island, start); });
 }
 
 }  // namespace nilas

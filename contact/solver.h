@@ -1,6 +1,7 @@
 #pragma once
 /// What every contact solver is: a pure function from a problem and a guess to a solution.
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <string>
 #include <vector>
@@ -51,6 +52,21 @@ using IslandSolve = std::function<ContactSolution(const LocalProblem& island, co
 /// reduced island by island.
 ContactSolution solve_islands(const LocalProblem& problem, const VecX& guess, const IslandSolve& solve);
 ContactSolution solve_islands(const ContactProblem& problem, const VecX& guess, const IslandSolve& solve);
+
+/// Throws InputError naming the laws that a solver knows where `law` is none of them.
+void demand_known(const char* solver, std::initializer_list<Law> known, Law law);
+
+/// A solver that reduces every problem to its islands' local form.
+class IslandSolver : public ContactSolver {
+ public:
+  ContactSolution solve(const ContactProblem& problem, const VecX& guess) const final;
+  ContactSolution solve(const LocalProblem& problem, const VecX& guess) const final;
+
+ private:
+  /// Throws InputError for a law it does not know.
+  virtual void demand_law(Law) const {}
+  virtual ContactSolution solve_island(const LocalProblem& island, const VecX& guess) const = 0;
+};
 
 /// The graver of two statuses, in the order of the enumeration.
 inline SolveStatus worse(SolveStatus a, SolveStatus b) { return a < b ? b : a; }

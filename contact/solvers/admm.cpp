@@ -182,30 +182,13 @@ class Alternation {
   int fallen_iteration_ = 0;
 };
 
-ContactSolution solve_island(const LocalProblem& island, const VecX& guess, const AdmmSettings& settings) {
-  if (const auto still = solve_immovable(island)) return *still;
-  return Alternation(island, settings).run(guess);
-}
-
-void refuse_law(Law law) {
-  if (law == Law::pyramid || law == Law::pyramid_k)
-    throw InputError("solver admm knows the laws coulomb, ccp and frictionless");
-}
-
 }  // namespace
 
-ContactSolution AdmmSolver::solve(const LocalProblem& problem, const VecX& guess) const {
-  refuse_law(problem.law);
-  return solve_islands(problem, guess, [&](const LocalProblem& island, const VecX& start) {
-    return solve_island(island, start, settings_);
-  });
-}
+void AdmmSolver::demand_law(Law law) const { demand_known("admm", {Law::coulomb, Law::ccp, Law::frictionless}, law); }
 
-ContactSolution AdmmSolver::solve(const ContactProblem& problem, const VecX& guess) const {
-  refuse_law(problem.law);
-  return solve_islands(problem, guess, [&](const LocalProblem& island, const VecX& start) {
-    return solve_island(island, start, settings_);
-  });
+ContactSolution AdmmSolver::solve_island(const LocalProblem& island, const VecX& guess) const {
+  if (const auto still = solve_immovable(island)) return *still;
+  return Alternation(island, settings_).run(guess);
 }
 
 }  // namespace nilas

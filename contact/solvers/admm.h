@@ -24,14 +24,14 @@ struct AdmmSettings {
   int stall_iterations = 1000;  ///< stalled: law_map did not fall by a tenth within so many
 };
 
-class AdmmSolver final : public ContactSolver {
+class AdmmSolver final : public IslandSolver {
  public:
   explicit AdmmSolver(const AdmmSettings& settings) : settings_(settings) {}
   std::string name() const override { return "admm"; }
   /// converged: law_map_m_s as `measure` finds it is at most the tolerance in every island. The best impulses measured
   /// are returned whatever the status. Throws InputError for laws other than coulomb, ccp and frictionless.
-  ContactSolution solve(const ContactProblem& problem, const VecX& guess) const override;
-  ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;
+  void demand_law(Law law) const override;
+  ContactSolution solve_island(const LocalProblem& island, const VecX& guess) const override;
 
  private:
   AdmmSettings settings_;

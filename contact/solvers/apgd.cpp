@@ -11,6 +11,8 @@ namespace nilas {
 
 namespace {
 
+constexpr std::initializer_list<Law> k_laws{Law::coulomb, Law::ccp, Law::pyramid_k, Law::frictionless};
+
 /// The inner residual against the outer one at which the shifts are renewed.
 constexpr double k_inner_share = 0.1;
 /// L falls by this factor per iteration, so that it follows the curvature where the iterates are.
@@ -147,22 +149,17 @@ ContactSolution iterate(IslandOperator& island, const VecX& guess, const ApgdSet
   return best.solution(method.impulses());
 }
 
-void demand_law(Law law) {
-  if (law == Law::pyramid)
-    throw InputError("solver 'apgd' knows the laws coulomb, ccp, pyramid-k and frictionless; choose one of them");
-}
-
 }  // namespace
 
 ContactSolution ApgdSolver::solve(const ContactProblem& problem, const VecX& guess) const {
-  demand_law(problem.law);
+  demand_known("apgd", k_laws, problem.law);
   return solve_by_operator(problem, guess, settings_.shared, [&](IslandOperator& island, const VecX& start) {
     return iterate(island, start, settings_);
   });
 }
 
 ContactSolution ApgdSolver::solve(const LocalProblem& problem, const VecX& guess) const {
-  demand_law(problem.law);
+  demand_known("apgd", k_laws, problem.law);
   return solve_by_operator(problem, guess, settings_.shared, [&](IslandOperator& island, const VecX& start) {
     return iterate(island, start, settings_);
   });

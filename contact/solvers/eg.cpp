@@ -11,6 +11,8 @@ namespace nilas {
 
 namespace {
 
+constexpr std::initializer_list<Law> k_laws{Law::coulomb, Law::ccp, Law::pyramid_k, Law::frictionless};
+
 constexpr double k_accepted_ratio = 0.9;
 constexpr double k_timid_ratio = 0.3;
 constexpr double k_shrink = 2.0 / 3;
@@ -88,22 +90,17 @@ ContactSolution iterate(IslandOperator& island, const VecX& guess, const EgSetti
   return best.solution(method.impulses());
 }
 
-void demand_law(Law law) {
-  if (law == Law::pyramid)
-    throw InputError("solver 'eg' knows the laws coulomb, ccp, pyramid-k and frictionless; choose one of them");
-}
-
 }  // namespace
 
 ContactSolution EgSolver::solve(const ContactProblem& problem, const VecX& guess) const {
-  demand_law(problem.law);
+  demand_known("eg", k_laws, problem.law);
   return solve_by_operator(problem, guess, settings_.shared, [&](IslandOperator& island, const VecX& start) {
     return iterate(island, start, settings_);
   });
 }
 
 ContactSolution EgSolver::solve(const LocalProblem& problem, const VecX& guess) const {
-  demand_law(problem.law);
+  demand_known("eg", k_laws, problem.law);
   return solve_by_operator(problem, guess, settings_.shared, [&](IslandOperator& island, const VecX& start) {
     return iterate(island, start, settings_);
   });

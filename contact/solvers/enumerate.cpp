@@ -183,7 +183,7 @@ class Search {
   double least_ = std::numeric_limits<double>::infinity();
 };
 
-ContactSolution solve_island(const LocalProblem& island, double tolerance) {
+ContactSolution try_all(const LocalProblem& island, double tolerance) {
   ContactSolution solution;
   solution.r = VecX::Zero(island.q.size());
   if (island.num_contacts() > k_most_contacts) {
@@ -199,25 +199,14 @@ ContactSolution solve_island(const LocalProblem& island, double tolerance) {
   return solution;
 }
 
-void demand_law(Law law) {
-  if (law == Law::pyramid || law == Law::pyramid_k)
-    throw InputError("solver 'enumerate' knows the laws coulomb, ccp and frictionless; choose one of them");
-}
-
 }  // namespace
 
-ContactSolution EnumerateSolver::solve(const ContactProblem& problem, const VecX& guess) const {
-  demand_law(problem.law);
-  return solve_islands(problem, guess, [&](const LocalProblem& island, const VecX&) {
-    return solve_island(island, settings_.shared.tolerance);
-  });
+void EnumerateSolver::demand_law(Law law) const {
+  demand_known("enumerate", {Law::coulomb, Law::ccp, Law::frictionless}, law);
 }
 
-ContactSolution EnumerateSolver::solve(const LocalProblem& problem, const VecX& guess) const {
-  demand_law(problem.law);
-  return solve_islands(problem, guess, [&](const LocalProblem& island, const VecX&) {
-    return solve_island(island, settings_.shared.tolerance);
-  });
+ContactSolution EnumerateSolver::solve_island(const LocalProblem& island, const VecX&) const {
+  return try_all(island, settings_.shared.tolerance);
 }
 
 }  // namespace nilas

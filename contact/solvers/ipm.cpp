@@ -122,30 +122,13 @@ class Rounds {
   double best_map_ = std::numeric_limits<double>::infinity();
 };
 
-void refuse_law(Law law) {
-  if (law == Law::pyramid || law == Law::pyramid_k)
-    throw InputError("solver ipm knows the laws coulomb, ccp and frictionless");
-}
-
-ContactSolution solve_island(const LocalProblem& island, const VecX& guess, const IpmSettings& settings) {
-  if (const auto still = solve_immovable(island)) return *still;
-  return Rounds(island, settings).run(guess);
-}
-
 }  // namespace
 
-ContactSolution IpmSolver::solve(const LocalProblem& problem, const VecX& guess) const {
-  refuse_law(problem.law);
-  return solve_islands(problem, guess, [&](const LocalProblem& island, const VecX& start) {
-    return solve_island(island, start, settings_);
-  });
-}
+void IpmSolver::demand_law(Law law) const { demand_known("ipm", {Law::coulomb, Law::ccp, Law::frictionless}, law); }
 
-ContactSolution IpmSolver::solve(const ContactProblem& problem, const VecX& guess) const {
-  refuse_law(problem.law);
-  return solve_islands(problem, guess, [&](const LocalProblem& island, const VecX& start) {
-    return solve_island(island, start, settings_);
-  });
+ContactSolution IpmSolver::solve_island(const LocalProblem& island, const VecX& guess) const {
+  if (const auto still = solve_immovable(island)) return *still;
+  return Rounds(island, settings_).run(guess);
 }
 
 }  // namespace nilas

@@ -27,14 +27,14 @@ struct IpmSettings {
   int finish_iterations = 20;  ///< Newton's factorisations per round; 0: none
 };
 
-class IpmSolver final : public ContactSolver {
+class IpmSolver final : public IslandSolver {
  public:
   explicit IpmSolver(const IpmSettings& settings) : settings_(settings) {}
   std::string name() const override { return "ipm"; }
   /// converged: law_map_m_s as `measure` finds it is at most the tolerance in every island. The best impulses seen are
   /// returned whatever the status. Throws InputError for laws other than coulomb, ccp and frictionless.
-  ContactSolution solve(const ContactProblem& problem, const VecX& guess) const override;
-  ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;
+  void demand_law(Law law) const override;
+  ContactSolution solve_island(const LocalProblem& island, const VecX& guess) const override;
 
  private:
   IpmSettings settings_;

@@ -174,18 +174,8 @@ ContactSolution newton_island(const LocalProblem& island, const VecX& guess, con
   return Island(island, settings).solve(guess);
 }
 
-ContactSolution NewtonSolver::solve(const LocalProblem& problem, const VecX& guess) const {
-  NILAS_DEMAND(guess.size() == 0 || guess.size() == problem.q.size());
-  return solve_islands(problem, guess, [&](const LocalProblem& island, const VecX& start) {
-    return newton_island(island, start, settings_);
-  });
-}
-
-ContactSolution NewtonSolver::solve(const ContactProblem& problem, const VecX& guess) const {
-  NILAS_DEMAND(guess.size() == 0 || guess.size() == 3 * problem.num_contacts());
-  return solve_islands(problem, guess, [&](const LocalProblem& island, const VecX& start) {
-    return newton_island(island, start, settings_);
-  });
+ContactSolution NewtonSolver::solve_island(const LocalProblem& island, const VecX& guess) const {
+  return newton_island(island, guess, settings_);
 }
 
 }  // namespace nilas

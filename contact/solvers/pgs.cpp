@@ -13,11 +13,6 @@ namespace {
 /// Rows held by less than this share of the contact's mean inverse mass cannot move.
 constexpr double k_immovable_share = 1e-20;
 
-void demand_law(Law law) {
-  if (law == Law::ccp || law == Law::pyramid_k)
-    throw InputError("solver 'pgs' knows the laws pyramid, coulomb and frictionless; choose one of them");
-}
-
 class BodiesIsland : public RowSweeps {
  public:
   BodiesIsland(const RowIsland& whole, const SweepSettings& settings)
@@ -78,7 +73,7 @@ class LocalIsland : public LocalSweeps {
 }  // namespace
 
 ContactSolution PgsSolver::solve(const ContactProblem& problem, const VecX& guess) const {
-  demand_law(problem.law);
+  demand_known("pgs", {Law::pyramid, Law::coulomb, Law::frictionless}, problem.law);
   return solve_row_islands(problem, guess, settings_.shared, [&](const RowIsland& island) {
     BodiesIsland sweeps(island, settings_);
     return sweep_to_tolerance(sweeps, island.island.last - island.island.first, settings_);
@@ -86,7 +81,7 @@ ContactSolution PgsSolver::solve(const ContactProblem& problem, const VecX& gues
 }
 
 ContactSolution PgsSolver::solve(const LocalProblem& problem, const VecX& guess) const {
-  demand_law(problem.law);
+  demand_known("pgs", {Law::pyramid, Law::coulomb, Law::frictionless}, problem.law);
   NILAS_DEMAND(guess.size() == 0 || guess.size() == 3 * problem.num_contacts());
   return solve_by_sweeps<LocalIsland>(problem, guess, settings_);
 }

@@ -5,9 +5,9 @@
 
 #include "contact/assemble.h"
 #include "contact/detect/detector.h"
+#include "contact/detect/reach.h"
 #include "contact/islands.h"
 #include "contact/position_correction.h"
-#include "contact/detect/reach.h"
 #include "contact/registry.h"
 #include "core/base/error.h"
 #include "core/base/hash.h"

@@ -21,6 +21,10 @@ struct Subject {
   Law law;
 };
 
+std::ostream& operator<<(std::ostream& out, const Subject& subject) {
+  return out << subject.solver << " " << to_string(subject.law);
+}
+
 std::vector<Subject> subjects() {
   std::vector<Subject> all;
   for (const auto& entry : solver_registry())

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "tests/support/problem_factory.h"
+#include "tests/support/cone_problems.h"
 
 namespace nilas {
 namespace {
@@ -15,18 +15,6 @@ constexpr double k_gravity = 9.81;
 
 ContactSolution solve(const ContactProblem& problem, double tolerance = 1e-12, const VecX& guess = {}) {
   return PgsSolver({.shared = {.tolerance = tolerance, .max_iterations = 100000}}).solve(problem, guess);
-}
-
-/// A particle above a fixed plane with velocity (u_N, u_T1, u_T2) before contact.
-ContactProblem particle(Law law, double mass, double mu, const Vec3& before) {
-  ContactProblem problem;
-  problem.law = law;
-  problem.h = 0.01;
-  problem.add_block(mass * Mat3::Identity());
-  problem.f = mass * before;
-  problem.add_contact(-1, MatX(3, 0), 0, Mat3::Identity(), 1);
-  problem.mu[0] = problem.mu_static[0] = mu;
-  return problem;
 }
 
 void expect_velocity(const ContactProblem& problem, const Vec3& expected) {
@@ -38,28 +26,28 @@ void expect_velocity(const ContactProblem& problem, const Vec3& expected) {
 
 TEST(Pgs, OneContactOpens) {
   for (const Law law : {Law::pyramid, Law::coulomb, Law::frictionless})
-    expect_velocity(particle(law, 3, 0.5, {1, 2, -3}), {1, 2, -3});
+    expect_velocity(test::particle(law, 3, 0.5, {1, 2, -3}), {1, 2, -3});
 }
 
 TEST(Pgs, OneContactSticks) {
-  expect_velocity(particle(Law::pyramid, 3, 0.5, {-2, 0.9, -0.9}), {0, 0, 0});
-  expect_velocity(particle(Law::coulomb, 3, 0.5, {-2, 0.6, -0.7}), {0, 0, 0});
+  expect_velocity(test::particle(Law::pyramid, 3, 0.5, {-2, 0.9, -0.9}), {0, 0, 0});
+  expect_velocity(test::particle(Law::coulomb, 3, 0.5, {-2, 0.6, -0.7}), {0, 0, 0});
 }
 
 TEST(Pgs, OneContactSlides) {
   // each row of the pyramid loses mu v on its own, the cone loses it along the slip
-  expect_velocity(particle(Law::pyramid, 3, 0.5, {-2, 3, -4}), {0, 2, -3});
-  expect_velocity(particle(Law::pyramid, 3, 0.5, {-2, 3, -0.5}), {0, 2, 0});
-  expect_velocity(particle(Law::coulomb, 3, 0.5, {-2, 3, -4}), {0, 2.4, -3.2});
-  expect_velocity(particle(Law::frictionless, 3, 0.5, {-2, 3, -4}), {0, 3, -4});
+  expect_velocity(test::particle(Law::pyramid, 3, 0.5, {-2, 3, -4}), {0, 2, -3});
+  expect_velocity(test::particle(Law::pyramid, 3, 0.5, {-2, 3, -0.5}), {0, 2, 0});
+  expect_velocity(test::particle(Law::coulomb, 3, 0.5, {-2, 3, -4}), {0, 2.4, -3.2});
+  expect_velocity(test::particle(Law::frictionless, 3, 0.5, {-2, 3, -4}), {0, 3, -4});
 }
 
 TEST(Pgs, ObliqueImpactOfExactCoulombDoesNotLift) {
-  expect_velocity(particle(Law::coulomb, 1, 0.5, {-1, 3, 0}), {0, 2.5, 0});
+  expect_velocity(test::particle(Law::coulomb, 1, 0.5, {-1, 3, 0}), {0, 2.5, 0});
 }
 
 TEST(Pgs, GapMayCloseButNotBeCrossed) {
-  ContactProblem problem = particle(Law::frictionless, 2, 0, {-3, 0, 0});
+  ContactProblem problem = test::particle(Law::frictionless, 2, 0, {-3, 0, 0});
   problem.w[0] = 5;  // gap 0.05 over 0.01 s
   EXPECT_NEAR(solve(problem).v[0], -3, 1e-15);
   problem.w[0] = 1;
@@ -67,14 +55,14 @@ TEST(Pgs, GapMayCloseButNotBeCrossed) {
 }
 
 TEST(Pgs, RestitutionOfANormalImpact) {
-  ContactProblem problem = particle(Law::coulomb, 2, 0.3, {-3, 0, 0});
+  ContactProblem problem = test::particle(Law::coulomb, 2, 0.3, {-3, 0, 0});
   problem.w[0] = 0.8 * -3;
   EXPECT_NEAR(solve(problem).v[0], 2.4, 1e-14);
 }
 
 TEST(Pgs, ForceLimitCrushes) {
   for (const Law law : {Law::pyramid, Law::coulomb, Law::frictionless}) {
-    ContactProblem problem = particle(law, 2, 0.5, {-3, 0, 0});
+    ContactProblem problem = test::particle(law, 2, 0.5, {-3, 0, 0});
     problem.force_limit[0] = 4;
     const ContactSolution s = solve(problem);
     EXPECT_EQ(s.status, SolveStatus::converged);
@@ -87,7 +75,7 @@ TEST(Pgs, ForceLimitCrushes) {
 
 TEST(Pgs, ComplianceYields) {
   for (const Law law : {Law::pyramid, Law::coulomb, Law::frictionless}) {
-    ContactProblem problem = particle(law, 2, 0.5, {-3, 0, 0});
+    ContactProblem problem = test::particle(law, 2, 0.5, {-3, 0, 0});
     problem.compliance[0] = 0.25;
     const ContactSolution s = solve(problem);
     EXPECT_EQ(s.status, SolveStatus::converged);
@@ -119,7 +107,7 @@ Vec3 slide(Law law, double speed, double direction, double mu, double h) {
   Vec3 x = Vec3::Zero();
   double t = 0;
   while (v.norm() > 0 && t < 100) {
-    ContactProblem problem = particle(law, mass, mu, v - Vec3(h * k_gravity, 0, 0));
+    ContactProblem problem = test::particle(law, mass, mu, v - Vec3(h * k_gravity, 0, 0));
     v = solve(problem, 1e-15).v;
     if (v.norm() < 1e-13) v.setZero();  // rounding is all that is left of the motion
     x += h * v;
@@ -157,7 +145,7 @@ TEST(Pgs, DiscStopsAtTheSameDistanceInEveryDirection) {
 }
 
 TEST(Pgs, ClosingContactThatNothingCanMoveIsNamed) {
-  ContactProblem problem = particle(Law::pyramid, 2, 0.5, {-2, 0, 0});
+  ContactProblem problem = test::particle(Law::pyramid, 2, 0.5, {-2, 0, 0});
   problem.add_contact(-1, MatX(3, 0), -1, MatX(3, 0), 987);
   problem.w.tail<3>() << -0.3, 1, 0;
   ContactSolution s = solve(problem);
@@ -243,13 +231,13 @@ TEST(Pgs, NoContacts) {
 }
 
 TEST(Pgs, RefusesLawsItDoesNotKnowAndGuessesOfTheWrongSize) {
-  EXPECT_THROW(solve(particle(Law::ccp, 1, 0.5, {-1, 0, 0})), InputError);
-  EXPECT_THROW(solve(particle(Law::pyramid_k, 1, 0.5, {-1, 0, 0})), InputError);
-  EXPECT_THROW(solve(particle(Law::pyramid, 1, 0.5, {-1, 0, 0}), 1e-6, VecX::Zero(4)), ContractError);
+  EXPECT_THROW(solve(test::particle(Law::ccp, 1, 0.5, {-1, 0, 0})), InputError);
+  EXPECT_THROW(solve(test::particle(Law::pyramid_k, 1, 0.5, {-1, 0, 0})), InputError);
+  EXPECT_THROW(solve(test::particle(Law::pyramid, 1, 0.5, {-1, 0, 0}), 1e-6, VecX::Zero(4)), ContractError);
 }
 
 TEST(Pgs, AGuessIsMadeAdmissible) {
-  const ContactProblem problem = particle(Law::coulomb, 3, 0.5, {-2, 3, -4});
+  const ContactProblem problem = test::particle(Law::coulomb, 3, 0.5, {-2, 3, -4});
   const ContactSolution cold = solve(problem);
   for (const Vec3& guess : {Vec3(-9, 1, 1), Vec3(0, 5, 5), Vec3(100, -99, 99)})
     EXPECT_LT((solve(problem, 1e-13, guess).u - cold.u).norm(), 1e-12);

@@ -1,11 +1,11 @@
-/// Closed forms, mass ratios, random heaps and honesty of admm.
-#include "contact/solvers/admm.h"
-
+/// Closed forms, mass ratios, random heaps and honesty of the solvers of convex problems.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "contact/registry.h"
+#include "contact/solvers/admm.h"
+#include "contact/solvers/second_order_cone.h"
 #include "core/base/error.h"
 #include "tests/support/cone_problems.h"
 
@@ -14,17 +14,30 @@ namespace {
 
 constexpr double k_infinite = std::numeric_limits<double>::infinity();
 
-ContactSolution solve(const ContactProblem& problem, double tolerance = 1e-12, int most = 20000) {
-  return AdmmSolver({.shared = {.tolerance = tolerance, .max_iterations = most}}).solve(problem, {});
-}
+struct Subject {
+  std::string solver;
+  int most;  ///< iterations
+};
+std::ostream& operator<<(std::ostream& out, const Subject& subject) { return out << subject.solver; }
 
-void expect_velocity(const ContactProblem& problem, const Vec3& expected) {
-  const ContactSolution s = solve(problem);
-  EXPECT_EQ(s.status, SolveStatus::converged);
-  EXPECT_LT((s.u - expected).norm(), 1e-11) << s.u.transpose();
-}
+class ConeSolver : public testing::TestWithParam<Subject> {
+ protected:
+  std::unique_ptr<ContactSolver> solver(double tolerance, int most = GetParam().most) const {
+    return find_solver(GetParam().solver).make({.tolerance = tolerance, .max_iterations = most});
+  }
 
-TEST(Admm, ObliqueImpactShowsTheLaw) {
+  ContactSolution solve(const ContactProblem& problem, double tolerance = 1e-12) const {
+    return solver(tolerance)->solve(problem, {});
+  }
+
+  void expect_velocity(const ContactProblem& problem, const Vec3& expected) const {
+    const ContactSolution s = solve(problem);
+    EXPECT_EQ(s.status, SolveStatus::converged);
+    EXPECT_LT((s.u - expected).norm(), 1e-11) << s.u.transpose();
+  }
+};
+
+TEST_P(ConeSolver, ObliqueImpactShowsTheLaw) {
   const double v = 1, w = 3;
   for (const double mu : {0.1, 0.5, 2.0}) {
     const double lift = (w - mu * v) / (1 + mu * mu);
@@ -34,7 +47,7 @@ TEST(Admm, ObliqueImpactShowsTheLaw) {
   }
 }
 
-TEST(Admm, OneContactOpensOrSticks) {
+TEST_P(ConeSolver, OneContactOpensOrSticks) {
   for (const Law law : {Law::coulomb, Law::ccp}) {
     expect_velocity(test::particle(law, 3, 0.5, {2, 2, -3}), {2, 2, -3});  // inside the dual cone, too
     expect_velocity(test::particle(law, 3, 0.5, {-2, 0.6, -0.7}), {0, 0, 0});
@@ -42,7 +55,7 @@ TEST(Admm, OneContactOpensOrSticks) {
   }
 }
 
-TEST(Admm, ForceLimitCrushesAndComplianceYields) {
+TEST_P(ConeSolver, ForceLimitCrushesAndComplianceYields) {
   for (const Law law : {Law::coulomb, Law::ccp, Law::frictionless}) {
     ContactProblem problem = test::particle(law, 2, 0.5, {-3, 0, 0});
     problem.force_limit[0] = 4;
@@ -57,14 +70,14 @@ TEST(Admm, ForceLimitCrushesAndComplianceYields) {
   }
 }
 
-TEST(Admm, LimitedImpulseBoundsFriction) {
+TEST_P(ConeSolver, LimitedImpulseBoundsFriction) {
   // at the limit the particle goes on into the plane and slides with friction mu times the limit
   ContactProblem problem = test::particle(Law::coulomb, 2, 0.5, {-3, 5, 0});
   problem.force_limit[0] = 4;
   expect_velocity(problem, {-1, 4, 0});
 }
 
-TEST(Admm, ImmovableSidesAreNamed) {
+TEST_P(ConeSolver, ImmovableSidesAreNamed) {
   ContactProblem problem;
   problem.add_contact(-1, MatX(3, 0), -1, MatX(3, 0), 77);
   problem.w[0] = -1;
@@ -76,7 +89,7 @@ TEST(Admm, ImmovableSidesAreNamed) {
   EXPECT_EQ(solve(problem).r[0], 5);
 }
 
-TEST(Admm, StackOfAnyMassRatioStands) {
+TEST_P(ConeSolver, StackOfAnyMassRatioStands) {
   for (const double ratio : {1.0, 1e3, 1e6}) {
     const ContactProblem problem = test::box_stack(test::growing_masses(10, ratio), 0.5);
     const ContactSolution s = solve(problem, 1e-9);
@@ -86,7 +99,7 @@ TEST(Admm, StackOfAnyMassRatioStands) {
   }
 }
 
-TEST(Admm, RandomHeapsConverge) {
+TEST_P(ConeSolver, RandomHeapsConverge) {
   for (const Law law : {Law::coulomb, Law::ccp, Law::frictionless})
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
       ContactProblem problem = test::random_heap(seed, 8, 12, 0.1 * static_cast<double>(seed % 5 + 1));
@@ -97,7 +110,7 @@ TEST(Admm, RandomHeapsConverge) {
     }
 }
 
-TEST(Admm, RandomHeapsWithLimitsAndComplianceConverge) {
+TEST_P(ConeSolver, RandomHeapsWithLimitsAndComplianceConverge) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     ContactProblem problem = test::random_heap(seed, 8, 12, 0.3);
     problem.law = Law::ccp;
@@ -112,53 +125,77 @@ TEST(Admm, RandomHeapsWithLimitsAndComplianceConverge) {
   }
 }
 
-TEST(Admm, AsymmetricOperatorIsSolvedAsStored) {
+TEST_P(ConeSolver, AsymmetricOperatorIsSolvedAsStored) {
   LocalProblem problem = reduce(test::random_heap(1, 8, 6, 0.3));
   for (std::size_t k = 0; k < problem.block.size(); ++k)
     problem.block[k](0, 1) += 1e-3 * std::sin(static_cast<double>(k));
-  const AdmmSolver solver({.shared = {.tolerance = 1e-10, .max_iterations = 20000}});
-  const ContactSolution s = solver.solve(problem, {});
+  const ContactSolution s = solver(1e-10)->solve(problem, {});
   EXPECT_EQ(s.status, SolveStatus::converged);
   EXPECT_LE(measure(problem, s.r).law_map_m_s, 1e-10);
 }
 
-TEST(Admm, ConvergedIsWhatMeasureSays) {
+TEST_P(ConeSolver, ConvergedIsWhatMeasureSays) {
   for (const double tolerance : {1e-2, 1e-5, 1e-8})
     for (const int most : {1, 5, 50, 500})
       for (std::uint64_t seed = 0; seed < 5; ++seed) {
         const ContactProblem problem = test::random_heap(seed, 5, 12, 0.6);
-        const ContactSolution s = solve(problem, tolerance, most);
+        const ContactSolution s = solver(tolerance, most)->solve(problem, {});
         EXPECT_EQ(s.status == SolveStatus::converged, measure(problem, s.r).law_map_m_s <= tolerance);
         EXPECT_TRUE(s.r.allFinite());
       }
 }
 
-TEST(Admm, GuessNearTheAnswerEndsAtOnce) {
+TEST_P(ConeSolver, GuessNearTheAnswerEndsAtOnce) {
   const ContactProblem problem = test::random_heap(3, 8, 12, 0.3);
-  const AdmmSolver solver({.shared = {.tolerance = 1e-9, .max_iterations = 20000}});
-  const ContactSolution cold = solver.solve(problem, {});
-  const ContactSolution warm = solver.solve(problem, cold.r);
+  const ContactSolution cold = solve(problem, 1e-9);
+  const ContactSolution warm = solver(1e-9)->solve(problem, cold.r);
   EXPECT_EQ(warm.status, SolveStatus::converged);
   EXPECT_EQ(warm.iterations, 0);
   EXPECT_LT((warm.r - cold.r).norm(), 1e-14 * cold.r.norm());
 }
 
-TEST(Admm, SameBitsEveryTime) {
+TEST_P(ConeSolver, SameBitsEveryTime) {
   const ContactProblem problem = test::random_heap(4, 8, 14, 0.4);
   EXPECT_EQ((solve(problem).r - solve(problem).r).norm(), 0);
 }
 
-TEST(Admm, RefusesPyramids) {
+TEST_P(ConeSolver, RefusesPyramids) {
   ContactProblem problem = test::particle(Law::pyramid, 1, 0.5, {-1, 0, 0});
   EXPECT_THROW(solve(problem), InputError);
 }
 
+INSTANTIATE_TEST_SUITE_P(All, ConeSolver, testing::Values(Subject{"admm", 20000}, Subject{"ipm", 1000}),
+                         [](const auto& each) { return each.param.solver; });
+
 TEST(Admm, AccelerationReachesTheSameVelocities) {
   const ContactProblem problem = test::box_stack({1, 10, 100}, 0.5);
   AdmmSettings plain{.shared = {.tolerance = 1e-10, .max_iterations = 20000}, .anderson_depth = 0};
+  const AdmmSettings quick{.shared = plain.shared};
   const ContactSolution slow = AdmmSolver(plain).solve(problem, {});
   EXPECT_EQ(slow.status, SolveStatus::converged);
-  EXPECT_LT((slow.u - solve(problem, 1e-10).u).norm(), 1e-8);
+  EXPECT_LT((slow.u - AdmmSolver(quick).solve(problem, {}).u).norm(), 1e-8);
+}
+
+TEST(Ipm, ScalingTakesBothPointsToOne) {
+  RandomStream random(1, "cone");
+  for (int k = 0; k < 100; ++k) {
+    const auto inside = [&] {
+      const Vec3 t = test::random_vector(random);
+      return Vec3(tangential_norm(t) + std::exp(4 * random.normal()), t[1], t[2]);
+    };
+    const Vec3 x = inside(), z = inside();
+    const NesterovTodd nt = nesterov_todd(x, z);
+    EXPECT_LT((nt.scaling * x - nt.inverse * z).norm(), 1e-9 * nt.scaled.norm());
+    EXPECT_LT((nt.scaling * nt.inverse - Mat3::Identity()).norm(), 1e-6);
+    EXPECT_LT((jordan_product(x, jordan_quotient(z, x)) - z).norm(), 1e-9 * z.norm() * (1 + x[0] / cone_margin(x)));
+    const Vec3 dx = test::random_vector(random);
+    const double step = step_to_boundary(x, dx);
+    if (std::isfinite(step)) {
+      EXPECT_NEAR(cone_margin(x + step * dx) / (x[0] + step * dx.norm()), 0, 1e-12);
+    } else {
+      EXPECT_GE(cone_margin(dx), -1e-14);
+    }
+  }
 }
 
 }  // namespace
