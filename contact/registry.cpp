@@ -12,6 +12,10 @@
 #include "contact/solvers/newton.h"
 #include "contact/solvers/nsgs.h"
 #include "contact/solvers/pgs.h"
+#ifdef NILAS_PEER_SOLVERS
+#include "contact/peers/siconos.h"
+#include "contact/peers/simbody_pgs.h"
+#endif
 #include "core/base/error.h"
 
 namespace nilas {
@@ -26,6 +30,13 @@ static std::unique_ptr<ContactSolver> make(const SolverSettings& shared) {
   settings.shared = shared;
   return std::make_unique<Solver>(settings);
 }
+
+#ifdef NILAS_PEER_SOLVERS
+template <SiconosMethod method>
+static std::unique_ptr<ContactSolver> make_siconos(const SolverSettings& shared) {
+  return std::make_unique<SiconosSolver>(SiconosSettings{.shared = shared, .method = method});
+}
+#endif
 
 const std::vector<SolverEntry>& solver_registry() {
   static const std::vector<Law> pgs_laws{Law::pyramid, Law::coulomb, Law::frictionless};
@@ -69,6 +80,28 @@ const std::vector<SolverEntry>& solver_registry() {
        "Climbs from nsgs over newton to ipm until the tolerance holds, island by island, and says what it used; the "
        "default for every problem.",
        all_laws, make<AutoSolver, AutoSettings>},
+#ifdef NILAS_PEER_SOLVERS
+      {"siconos-nsgs",
+       "Siconos' block Gauss-Seidel, run down a ladder of its own relative tolerances; for comparison only.",
+       {Law::coulomb},
+       make_siconos<SiconosMethod::nsgs>},
+      {"siconos-nsn-ac",
+       "Siconos' semismooth Newton on the function of Alart and Curnier, run likewise; for comparison only.",
+       {Law::coulomb},
+       make_siconos<SiconosMethod::nsn_ac>},
+      {"siconos-prox",
+       "Siconos' proximal point with that Newton inside, run likewise; for comparison only.",
+       {Law::coulomb},
+       make_siconos<SiconosMethod::prox>},
+      {"siconos-admm",
+       "Siconos' alternating directions, run likewise; for comparison only.",
+       {Law::coulomb},
+       make_siconos<SiconosMethod::admm>},
+      {"simbody-pgs",
+       "Simbody's over-relaxed projected Gauss-Seidel on a dense W, up to 1000 contacts; for comparison only.",
+       {Law::coulomb},
+       make<SimbodyPgsSolver, SimbodyPgsSettings>},
+#endif
   };
   return entries;
 }

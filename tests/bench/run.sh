@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Times one step of the packed scene on Nilas, Bullet and ODE in turn and prints the table with ratios and growth exponents.
-# usage: tests/bench/run.sh [packed|kernels|help]      (through ./dev bench)
+# `solvers` times every contact solver and Siconos' on stored problems and draws what it finds.
+# usage: tests/bench/run.sh [packed|solvers|kernels|help]      (through ./dev bench)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 bin=build/bench
@@ -27,8 +28,28 @@ packed() {
   echo "rows: $rows"
 }
 
+# Problems: those of NILAS_FCLIB_DIR where that is set, and the worst steps of runs made here.
+solvers() {
+  local out=$bin/solvers rows=$bin/solvers/rows.csv scene files=()
+  mkdir -p "$out"
+  for scene in towing mirror-25 presawn-a; do
+    [ -f "$out/$scene/summary.json" ] ||
+      "$bin/nilas" run "apps/scenes/$scene.xml" --until 4 --set output/@problems=worst --out "$out/$scene" --force >/dev/null
+    for file in "$out/$scene"/problems/*.hdf5; do
+      [ -f "$file" ] && cp "$file" "$out/$scene-$(basename "$file")" && files+=("$out/$scene-$(basename "$file")")
+    done
+  done
+  if [ -n "${NILAS_FCLIB_DIR:-}" ]; then files+=("$NILAS_FCLIB_DIR"/*.hdf5); fi
+  echo "problem,contacts,velocities,solver,asked,status,iterations,seconds,natural_map_m_s" >"$rows"
+  OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 "$bin/bench_solvers" "${LIMIT:-5}" "${files[@]}" >>"$rows"
+  /usr/bin/python3 tests/bench/solvers_table.py "$rows" "$out"
+  echo "rows: $rows"
+}
+
 case "${1:-packed}" in
+  solvers) solvers ;;
   packed) packed ;;
   kernels) shift; "$bin/bench_kernels" "$@" ;;
-  *) echo "usage: ./dev bench [packed|kernels]   ROUNDS=n sets how often the packed table is measured (3)" ;;
+  *) echo "usage: ./dev bench [packed|solvers|kernels]   ROUNDS=n: how often the packed table is measured (3);
+LIMIT=s: seconds that a solver has for a problem (5); NILAS_FCLIB_DIR: a folder of further problems for solvers" ;;
 esac

@@ -1,0 +1,128 @@
+/// Every solver on stored contact problems, each down a ladder of tolerances: accuracy against time, all in one run.
+/// usage: bench_solvers LIMIT_S PROBLEM.hdf5 ...   prints CSV rows without a header (tests/bench/run.sh has it)
+///
+/// Each run is a process of its own, ended after LIMIT_S seconds, so that a peer that hangs or crashes costs no more.
+/// The time is that of the solve alone, the least of up to five where it is short. The residual is `measure`'s.
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "contact/fclib_io.h"
+#include "contact/peers/siconos.h"
+#include "contact/registry.h"
+
+namespace {
+
+using namespace nilas;
+
+constexpr double k_short_run = 0.05;  // [s]
+constexpr int k_repeats = 5;
+/// Below this a further rung tells nothing that the table asks for [m/s].
+constexpr double k_enough = 1e-10;
+constexpr int k_iterations = 1000000;
+
+struct Run {
+  double seconds = 0, natural_map = 0;
+  int iterations = 0;
+  SolveStatus status = SolveStatus::numerical_error;
+};
+
+struct Subject {
+  std::string name;
+  std::vector<double> rungs;
+  std::function<std::unique_ptr<ContactSolver>(double rung)> make;
+};
+
+std::vector<Subject> subjects() {
+  const std::vector<double> ours{1e-2, 1e-4, 1e-6, 1e-8, 1e-10}, theirs{1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14, 1e-16};
+  std::vector<Subject> all;
+  for (const char* name : {"auto", "newton", "ipm", "admm", "nsgs", "apgd", "eg", "pgs"})
+    all.push_back({name, ours, [name](double rung) {
+                     return find_solver(name).make({.tolerance = rung, .max_iterations = k_iterations});
+                   }});
+  for (const SiconosMethod method :
+       {SiconosMethod::nsgs, SiconosMethod::nsn_ac, SiconosMethod::prox, SiconosMethod::admm}) {
+    const SiconosSettings settings{.shared = {.max_iterations = k_iterations}, .method = method};
+    all.push_back({SiconosSolver(settings).name(), theirs, [settings](double rung) {
+                     SiconosSettings own = settings;
+                     own.relative_tolerance = rung;
+                     return std::make_unique<SiconosSolver>(own);
+                   }});
+  }
+  return all;
+}
+
+Run time_solver(const FclibProblem& file, const ContactSolver& solver) {
+  using Clock = std::chrono::steady_clock;
+  Run run;
+  for (int repeat = 0; repeat < k_repeats; ++repeat) {
+    ContactSolution solution;
+    const auto start = Clock::now();
+    std::visit([&](const auto& problem) { solution = solver.solve(problem, VecX()); }, file.problem);
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    if (repeat == 0) {
+      run = {seconds, 0, solution.iterations, solution.status};
+      std::visit([&](const auto& problem) { run.natural_map = measure(problem, solution.r).natural_map_m_s; },
+                 file.problem);
+    }
+    run.seconds = std::min(run.seconds, seconds);
+    if (seconds > k_short_run) break;
+  }
+  return run;
+}
+
+/// In a child process; false when it did not end in time or not well.
+bool run_apart(const FclibProblem& file, const Subject& subject, double rung, double limit, Run& run) {
+  std::array<int, 2> ends{};
+  if (pipe(ends.data()) != 0) return false;
+  const pid_t child = fork();
+  if (child == 0) {
+    std::freopen("/dev/null", "w", stdout);
+    alarm(static_cast<unsigned>(std::ceil(limit * (1 + k_repeats * k_short_run))));
+    const Run mine = time_solver(file, *subject.make(rung));
+    const bool written = write(ends[1], &mine, sizeof mine) == static_cast<ssize_t>(sizeof mine);
+    _exit(written ? 0 : 1);
+  }
+  close(ends[1]);
+  const bool done = read(ends[0], &run, sizeof run) == static_cast<ssize_t>(sizeof run);
+  close(ends[0]);
+  waitpid(child, nullptr, 0);
+  return done && run.seconds <= limit;
+}
+
+void climb(const std::string& name, const FclibProblem& file, const Subject& subject, double limit) {
+  for (const double rung : subject.rungs) {
+    Run run;
+    const bool done = run_apart(file, subject, rung, limit, run);
+    std::printf("%s,%d,%d,%s,%.0e,%s,%d,%.6g,%.4g\n", name.c_str(), file.num_contacts(), file.num_velocities(),
+                subject.name.c_str(), rung, done ? to_string(run.status) : "time_limit", run.iterations,
+                done ? run.seconds : limit, done ? run.natural_map : HUGE_VAL);
+    std::fflush(stdout);
+    if (!done || run.natural_map <= k_enough) return;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 3) {
+    std::fprintf(stderr, "usage: bench_solvers LIMIT_S PROBLEM.hdf5 ...\n");
+    return 2;
+  }
+  const double limit = std::atof(argv[1]);
+  for (int k = 2; k < argc; ++k) {
+    const std::filesystem::path path = argv[k];
+    const FclibProblem file = read_fclib(path);
+    for (const Subject& subject : subjects()) climb(path.stem().string(), file, subject, limit);
+    std::fprintf(stderr, "%s: done\n", path.stem().c_str());
+  }
+  return 0;
+}
