@@ -13,15 +13,20 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+std::string law_name(Law law, int facets) {
+  return law == Law::pyramid_k ? "pyramid-" + std::to_string(facets) : to_string(law);
+}
+
 struct Labels {
   std::string title, description;
 };
 
-void add_info(Hdf5Writer& file, const std::string& root, const Labels& labels) {
+template <class Problem>
+void add_info(Hdf5Writer& file, const std::string& root, const Labels& labels, const Problem& problem) {
   file.add_group(root + "/info");
   file.add(root + "/info/title", labels.title);
   file.add(root + "/info/description", labels.description);
-  file.add(root + "/info/math_info", std::string("3D Coulomb friction"));
+  file.add(root + "/info/math_info", "3D contact, law " + law_name(problem.law, problem.facets));
   file.add(root + "/spacedim", std::vector<int>{3});
 }
 
@@ -90,7 +95,7 @@ void add_problem(Hdf5Writer& file, const LocalProblem& problem, const std::vecto
   const std::string root = "fclib_local";
   const int rows = 3 * problem.num_contacts();
   file.add_group(root);
-  add_info(file, root, labels);
+  add_info(file, root, labels, problem);
   add_matrix(file, root + "/W", rows, rows, delassus_entries(problem));
   file.add_group(root + "/vectors");
   file.add(root + "/vectors/q", problem.q);
@@ -101,7 +106,7 @@ void add_problem(Hdf5Writer& file, const ContactProblem& problem, const std::vec
                  const Labels& labels) {
   const std::string root = "fclib_global";
   file.add_group(root);
-  add_info(file, root, labels);
+  add_info(file, root, labels, problem);
   add_matrix(file, root + "/M", problem.num_velocities(), problem.num_velocities(), mass_entries(problem, row_of));
   add_matrix(file, root + "/H", problem.num_velocities(), 3 * problem.num_contacts(),
              jacobian_entries(problem, row_of));

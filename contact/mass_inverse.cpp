@@ -21,7 +21,7 @@ static bool is_rigid_body(const ContactProblem::ConstMatrix& mass) {
       if (i >= 3 && j >= 3) continue;
       if (mass(i, j) != (i == j ? m : 0.0)) return false;
     }
-  return true;
+  return is_symmetric(mass);
 }
 
 /// Sylvester's criterion; false for NaN.

@@ -7,8 +7,8 @@
 
 namespace nilas {
 
-/// M_k^-1 per block. A 6x6 block of the form diag(m I, I_G) is kept as 1/m and I_G^-1 with their roots, any other by
-/// its Cholesky factor, and one that is asymmetric beyond rounding (masses of files) by its LU factors beside.
+/// M_k^-1 per block. A symmetric 6x6 block of the form diag(m I, I_G) is kept as 1/m and I_G^-1 with their roots, any
+/// other by its Cholesky factor, and one that is asymmetric beyond rounding (masses of files) by its LU factors beside.
 class MassInverse {
  public:
   explicit MassInverse(const ContactProblem& problem);

@@ -40,8 +40,9 @@ std::vector<std::vector<int>> groups_to_correct(const ContactProblem& graph, con
 
 double least_speed(const ContactPoint& point, const CorrectionSettings& settings) {
   const double depth = -point.gap;
-  if (depth > settings.slop) return std::min(settings.erp * (depth - settings.slop) / settings.h, settings.max_speed);
-  return depth < 0 ? depth / settings.h : 0;
+  if (depth < 0) return depth / settings.h;
+  if (depth <= settings.slop) return 0;
+  return std::min(settings.erp * (depth - settings.slop) / settings.h, settings.max_speed);  // NaN for a NaN
 }
 
 constexpr int k_size = 6;  ///< of a rigid body's block
@@ -82,7 +83,7 @@ class GroupCorrection {
       row.r += change;
       z_a += change * row.a;
       z_b += change * row.b;
-      largest = std::max(largest, std::abs(change) * row.w);
+      if (!(std::abs(change) * row.w <= largest)) largest = std::abs(change) * row.w;  // a NaN stays
     }
     return largest;
   }
@@ -93,7 +94,8 @@ class GroupCorrection {
     for (const NormalRow& row : rows_) {
       const double excess =
           row.a.dot(z_.segment<k_size>(row.first_a)) + row.b.dot(z_.segment<k_size>(row.first_b)) - row.least;
-      worst = std::max(worst, std::abs(std::min(row.w * row.r, excess)));
+      const double map = std::abs(std::min(row.w * row.r, excess));
+      if (!(map <= worst)) worst = map;
     }
     return worst;
   }

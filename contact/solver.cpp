@@ -1,7 +1,10 @@
 #include "contact/solver.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "contact/islands.h"
+#include "contact/operators.h"
 #include "core/base/error.h"
 
 namespace nilas {
@@ -52,9 +55,58 @@ ContactSolution nothing_solved(int num_contacts) {
   return whole;
 }
 
+/// What makes a problem unfit for any solver; empty: nothing.
+std::string unfit(const LocalProblem& problem, const VecX& guess) {
+  double sum = problem.q.sum() + guess.sum();
+  for (const Mat3& block : problem.block) sum += block.sum();
+  for (std::size_t a = 0; a < problem.mu.size(); ++a) {
+    sum += problem.mu[a] + problem.compliance[a];
+    if (std::isnan(problem.force_limit[a])) return "a force limit is not a number";
+  }
+  if (!std::isfinite(sum)) return "the problem or the guess holds numbers that are not finite";
+  for (int a = 0; a < problem.num_contacts(); ++a)
+    if (problem.diagonal(a).trace() < 0)
+      return "contact " + std::to_string(problem.key[static_cast<std::size_t>(a)]) + " has a negative inverse mass";
+  return "";
+}
+
+ContactSolution failed(int num_contacts, const std::string& message) {
+  ContactSolution whole = nothing_solved(num_contacts);
+  whole.status = SolveStatus::numerical_error;
+  whole.message = message;
+  return whole;
+}
+
+/// Demotes a claim that does not hold on the problem itself: W r + q and M^-1 (f + H r) differ by rounding.
+template <class Problem>
+void confirm(const Problem& problem, double tolerance, ContactSolution& solution) {
+  if (solution.status == SolveStatus::converged && !(measure(problem, solution.r).law_map_m_s <= tolerance))
+    solution.status = SolveStatus::stalled;
+}
+
 }  // namespace
 
+SolverSettings with_margin(SolverSettings shared) {
+  constexpr double k_margin = 1e-3;
+  shared.tolerance *= 1 - k_margin;
+  return shared;
+}
+
+SolverSettings SolverSettings::started() const {
+  SolverSettings running = *this;
+  if (!deadline && max_seconds > 0)
+    running.deadline =
+        Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(max_seconds));
+  return running;
+}
+
 ContactSolution solve_islands(const LocalProblem& problem, const VecX& guess, const IslandSolve& solve) {
+  NILAS_DEMAND(guess.size() == 0 || guess.size() == problem.q.size());
+  if (const std::string reason = unfit(problem, guess); !reason.empty()) {
+    ContactSolution whole = failed(problem.num_contacts(), reason);
+    whole.u = contact_velocities(problem, whole.r);
+    return whole;
+  }
   ContactSolution whole = nothing_solved(problem.num_contacts());
   const auto islands = find_islands(problem);
   if (islands.size() == 1)
@@ -65,9 +117,22 @@ ContactSolution solve_islands(const LocalProblem& problem, const VecX& guess, co
   return whole;
 }
 
-ContactSolution solve_islands(const ContactProblem& problem, const VecX& guess, const IslandSolve& solve) {
-  ContactSolution whole = solve_islands(reduce(problem), guess, solve);
-  whole.v = velocities(problem, whole.r);
+ContactSolution solve_islands(const ContactProblem& problem, const std::vector<std::vector<int>>& islands,
+                              const VecX& guess, const IslandSolve& solve) {
+  NILAS_DEMAND(guess.size() == 0 || guess.size() == 3 * problem.num_contacts());
+  const MassInverse masses(problem);
+  ContactSolution whole = nothing_solved(problem.num_contacts());
+  if (masses.first_bad_block() >= 0) {
+    whole = failed(problem.num_contacts(),
+                   "mass block " + std::to_string(masses.first_bad_block()) + " is not positive definite");
+  } else if (!problem.f.allFinite()) {
+    whole = failed(problem.num_contacts(), "the momenta hold numbers that are not finite");
+  } else {
+    if (guess.size() > 0) whole.r = guess;
+    for (const auto& island : islands)
+      take_over(solve_islands(reduce(select(problem, island)), part_of(guess, island), solve), island, whole);
+  }
+  whole.v = velocities(problem, masses, whole.r);
   whole.u = contact_velocities(problem, whole.v);
   return whole;
 }
@@ -80,17 +145,23 @@ void demand_known(const char* solver, std::initializer_list<Law> known, Law law)
 }
 
 ContactSolution IslandSolver::solve(const LocalProblem& problem, const VecX& guess) const {
-  NILAS_DEMAND(guess.size() == 0 || guess.size() == problem.q.size());
   demand_law(problem.law);
-  return solve_islands(problem, guess,
-                       [this](const LocalProblem& island, const VecX& start) { return solve_island(island, start); });
+  const SolverSettings shared = shared_.started();
+  ContactSolution solution = solve_islands(problem, guess, [&](const LocalProblem& island, const VecX& start) {
+    return solve_island(island, start, shared);
+  });
+  confirm(problem, shared_.tolerance, solution);
+  return solution;
 }
 
 ContactSolution IslandSolver::solve(const ContactProblem& problem, const VecX& guess) const {
-  NILAS_DEMAND(guess.size() == 0 || guess.size() == 3 * problem.num_contacts());
   demand_law(problem.law);
-  return solve_islands(problem, guess,
-                       [this](const LocalProblem& island, const VecX& start) { return solve_island(island, start); });
+  const SolverSettings shared = with_margin(shared_.started());
+  ContactSolution solution =
+      solve_islands(problem, find_islands(problem), guess,
+                    [&](const LocalProblem& island, const VecX& start) { return solve_island(island, start, shared); });
+  confirm(problem, shared_.tolerance, solution);
+  return solution;
 }
 
 }  // namespace nilas

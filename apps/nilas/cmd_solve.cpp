@@ -71,6 +71,7 @@ Outcome solve_form(const Problem& problem, const ContactSolver& solver, double t
 
 ordered_json report(const SolveOptions& options, const FclibProblem& problem, const Outcome& outcome) {
   const auto& solution = outcome.solution;
+  const bool failed = solution.status == SolveStatus::numerical_error;
   ordered_json table{{"problem", std::filesystem::path(options.problem).stem().string()},
                      {"title", problem.title},
                      {"form", problem.num_velocities() > 0 ? "global" : "local"},
@@ -78,7 +79,8 @@ ordered_json report(const SolveOptions& options, const FclibProblem& problem, co
                      {"ndof", problem.num_velocities()},
                      {"asymmetry", problem.asymmetry},
                      {"solver", options.solver},
-                     {"used", solution.message.empty() ? options.solver : solution.message},
+                     {"used", failed || solution.message.empty() ? options.solver : solution.message},
+                     {"message", failed ? solution.message : ""},
                      {"law", options.law},
                      {"tolerance", options.tolerance},
                      {"status", to_string(solution.status)},

@@ -40,7 +40,7 @@ class Reach {
     const double m = bodies_.mass[index(from)];
     const double share = bodies_.is_free(from) ? m / (m + bodies_.mass[index(to)]) : 1;
     const double pushed = share * (pushed_[index(from)] - gap);
-    if (pushed <= pushed_[index(to)]) return false;
+    if (!(pushed > pushed_[index(to)])) return false;
     pushed_[index(to)] = pushed;
     return true;
   }

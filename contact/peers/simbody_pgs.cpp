@@ -1,11 +1,11 @@
 #include "contact/peers/simbody_pgs.h"
 
+#include <simbody/internal/PGSImpulseSolver.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "core/vessel/simbody.h"
-
-#include <simbody/internal/PGSImpulseSolver.h>
 
 namespace nilas {
 
@@ -87,7 +87,7 @@ ContactSolution SimbodyPgsSolver::solve_island(const LocalProblem& island, const
   for (int i = 0; i < rows; ++i) out.r[i] = -pi[i];
   if (!out.r.allFinite()) return refused(island, "simbody-pgs returned impulses that are not finite");
   out.status = measure(island, out.r).law_map_m_s <= settings_.shared.tolerance ? SolveStatus::converged
-                                                                               : SolveStatus::iteration_limit;
+                                                                                : SolveStatus::iteration_limit;
   return out;
 }
 

@@ -55,6 +55,7 @@ class Alternation {
   ContactSolution run(const VecX& guess) {
     y_ = guess.size() > 0 ? project(problem_.scaled_impulses(guess)) : VecX(VecX::Zero(problem_.q.size()));
     out_.status = SolveStatus::iteration_limit;
+    best_ = y_;
     offer(y_);
     if (out_.status == SolveStatus::iteration_limit) iterate();
     if (!std::isfinite(best_map_)) {
@@ -137,7 +138,8 @@ class Alternation {
     double least = std::numeric_limits<double>::infinity();
     VecX least_state;
     int plain_until = 0, pause = k_first_pause;
-    while (out_.iterations < settings_.shared.max_iterations && out_.status == SolveStatus::iteration_limit) {
+    while (out_.iterations < settings_.shared.max_iterations && out_.status == SolveStatus::iteration_limit &&
+           !settings_.shared.out_of_time()) {
       const VecX before = state();
       step();
       ++out_.iterations;
@@ -186,9 +188,12 @@ class Alternation {
 
 void AdmmSolver::demand_law(Law law) const { demand_known("admm", {Law::coulomb, Law::ccp, Law::frictionless}, law); }
 
-ContactSolution AdmmSolver::solve_island(const LocalProblem& island, const VecX& guess) const {
+ContactSolution AdmmSolver::solve_island(const LocalProblem& island, const VecX& guess,
+                                         const SolverSettings& shared) const {
   if (const auto still = solve_immovable(island)) return *still;
-  return Alternation(island, settings_).run(guess);
+  AdmmSettings own = settings_;
+  own.shared = shared;
+  return Alternation(island, own).run(guess);
 }
 
 }  // namespace nilas

@@ -26,12 +26,13 @@ struct AdmmSettings {
 
 class AdmmSolver final : public IslandSolver {
  public:
-  explicit AdmmSolver(const AdmmSettings& settings) : settings_(settings) {}
+  explicit AdmmSolver(const AdmmSettings& settings) : IslandSolver(settings.shared), settings_(settings) {}
   std::string name() const override { return "admm"; }
   /// converged: law_map_m_s as `measure` finds it is at most the tolerance in every island. The best impulses measured
   /// are returned whatever the status. Throws InputError for laws other than coulomb, ccp and frictionless.
   void demand_law(Law law) const override;
-  ContactSolution solve_island(const LocalProblem& island, const VecX& guess) const override;
+  ContactSolution solve_island(const LocalProblem& island, const VecX& guess,
+                               const SolverSettings& shared) const override;
 
  private:
   AdmmSettings settings_;

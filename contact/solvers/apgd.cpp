@@ -153,16 +153,18 @@ ContactSolution iterate(IslandOperator& island, const VecX& guess, const ApgdSet
 
 ContactSolution ApgdSolver::solve(const ContactProblem& problem, const VecX& guess) const {
   demand_known("apgd", k_laws, problem.law);
-  return solve_by_operator(problem, guess, settings_.shared, [&](IslandOperator& island, const VecX& start) {
-    return iterate(island, start, settings_);
-  });
+  ApgdSettings running = settings_;
+  running.shared = settings_.shared.started();
+  return solve_by_operator(problem, guess, running.shared,
+                           [&](IslandOperator& island, const VecX& start) { return iterate(island, start, running); });
 }
 
 ContactSolution ApgdSolver::solve(const LocalProblem& problem, const VecX& guess) const {
   demand_known("apgd", k_laws, problem.law);
-  return solve_by_operator(problem, guess, settings_.shared, [&](IslandOperator& island, const VecX& start) {
-    return iterate(island, start, settings_);
-  });
+  ApgdSettings running = settings_;
+  running.shared = settings_.shared.started();
+  return solve_by_operator(problem, guess, running.shared,
+                           [&](IslandOperator& island, const VecX& start) { return iterate(island, start, running); });
 }
 
 }  // namespace nilas

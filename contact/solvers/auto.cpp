@@ -1,9 +1,12 @@
 #include "contact/solvers/auto.h"
 
 #include <algorithm>
-#include <chrono>
+#include <limits>
 #include <utility>
 
+#include "contact/islands.h"
+#include "contact/law_map.h"
+#include "contact/operators.h"
 #include "contact/solvers/continuation.h"
 #include "contact/solvers/ipm.h"
 #include "contact/solvers/newton.h"
@@ -47,28 +50,13 @@ class Log {
   std::vector<Use> uses_;
 };
 
-/// Wall time left of what the settings allow.
-class Clock {
- public:
-  explicit Clock(double max_seconds) : max_seconds_(max_seconds), start_(Steady::now()) {}
-  double used() const { return std::chrono::duration<double>(Steady::now() - start_).count(); }
-  bool over() const { return max_seconds_ > 0 && used() >= max_seconds_; }
-  /// For SolverSettings::max_seconds, where 0 means no limit.
-  double left() const { return max_seconds_ > 0 ? std::max(max_seconds_ - used(), 1e-9) : 0; }
-
- private:
-  using Steady = std::chrono::steady_clock;
-  double max_seconds_;
-  Steady::time_point start_;
-};
-
 bool ipm_knows(Law law) { return law == Law::coulomb || law == Law::ccp || law == Law::frictionless; }
 
 /// One island on its way up.
 class Climb {
  public:
-  Climb(const LocalProblem& island, const AutoSettings& settings, const Clock& clock, Log& log)
-      : island_(island), settings_(settings), clock_(clock), log_(log) {}
+  Climb(const LocalProblem& island, const AutoSettings& settings, Log& log)
+      : island_(island), settings_(settings), log_(log) {}
 
   ContactSolution run(const VecX& guess, bool swept) {
     best_.r = guess.size() > 0 ? guess : VecX(VecX::Zero(island_.q.size()));
@@ -91,13 +79,12 @@ class Climb {
  private:
   bool goes_on() const {
     return best_.status != SolveStatus::converged && best_.status != SolveStatus::numerical_error &&
-           best_.iterations < settings_.shared.max_iterations && !clock_.over();
+           best_.iterations < settings_.shared.max_iterations && !settings_.shared.out_of_time();
   }
 
   SolverSettings stage(int most_iterations) const {
     SolverSettings shared = settings_.shared;
     shared.max_iterations = std::min(most_iterations, shared.max_iterations - best_.iterations);
-    shared.max_seconds = clock_.left();
     return shared;
   }
 
@@ -136,7 +123,6 @@ class Climb {
 
   const LocalProblem& island_;
   const AutoSettings& settings_;
-  const Clock& clock_;
   Log& log_;
   ContactSolution best_;
   double best_map_ = 0;
@@ -153,6 +139,24 @@ ContactSolution accepted(const ContactProblem& problem, const VecX& guess) {
   return solution;
 }
 
+/// The islands whose law_map is above the tolerance, or that nothing can move.
+std::vector<std::vector<int>> unsolved(const ContactProblem& problem, const VecX& r, double tolerance) {
+  const MassInverse masses(problem);
+  const VecX v = velocities(problem, masses, r);
+  std::vector<double> response(largest_response(problem));
+  const auto is_solved = [&](int c) {
+    const double d = inverse_mass_scale(problem, masses, c, response.data());
+    const Vec3 r_c = r.segment<3>(3 * static_cast<Eigen::Index>(c));
+    const Vec3 u = compliant_velocity(problem.compliance[static_cast<std::size_t>(c)], r_c,
+                                      contact_velocity(problem, c, v.data()));
+    return law_map(problem.law, problem.facets, contact_scale(problem, c, d), r_c, u) <= tolerance;
+  };
+  auto islands = find_islands(problem);
+  std::erase_if(islands,
+                [&](const std::vector<int>& island) { return std::all_of(island.begin(), island.end(), is_solved); });
+  return islands;
+}
+
 /// What was used, after what failed.
 void describe(const Log& log, ContactSolution& solution) {
   const std::string failure = solution.status == SolveStatus::numerical_error ? solution.message + "; " : "";
@@ -162,11 +166,11 @@ void describe(const Log& log, ContactSolution& solution) {
 }  // namespace
 
 ContactSolution AutoSolver::solve(const LocalProblem& problem, const VecX& guess) const {
-  NILAS_DEMAND(guess.size() == 0 || guess.size() == problem.q.size());
-  const Clock clock(settings_.shared.max_seconds);
+  AutoSettings running = settings_;
+  running.shared = settings_.shared.started();
   Log log;
   ContactSolution solution = solve_islands(problem, guess, [&](const LocalProblem& island, const VecX& start) {
-    return Climb(island, settings_, clock, log).run(start, false);
+    return Climb(island, running, log).run(start, false);
   });
   describe(log, solution);
   return solution;
@@ -174,25 +178,30 @@ ContactSolution AutoSolver::solve(const LocalProblem& problem, const VecX& guess
 
 ContactSolution AutoSolver::solve(const ContactProblem& problem, const VecX& guess) const {
   NILAS_DEMAND(guess.size() == 0 || guess.size() == 3 * problem.num_contacts());
-  if (guess.size() > 0 && measure(problem, guess).law_map_m_s <= settings_.shared.tolerance)
-    return accepted(problem, guess);
-  const Clock clock(settings_.shared.max_seconds);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double tolerance = settings_.shared.tolerance;
+  const double guess_map = guess.size() > 0 ? measure(problem, guess).law_map_m_s : infinity;
+  if (guess_map <= tolerance) return accepted(problem, guess);
+  AutoSettings running = settings_;
+  running.shared = with_margin(settings_.shared.started());
   Log log;
-  SolverSettings sweeps = settings_.shared;
+  SolverSettings sweeps = running.shared;
   sweeps.max_iterations = std::min(settings_.first_sweeps, sweeps.max_iterations);
   ContactSolution swept = NsgsSolver({.shared = sweeps}).solve(problem, guess);
   log.add("nsgs", "sweeps", swept.iterations);
-  if (swept.status == SolveStatus::converged || swept.status == SolveStatus::numerical_error) {
+  if (swept.status == SolveStatus::converged) {
     describe(log, swept);
     return swept;
   }
-  AutoSettings rest = settings_;
-  rest.shared.max_iterations -= swept.iterations;
-  ContactSolution solution = solve_islands(problem, swept.r, [&](const LocalProblem& island, const VecX& start) {
-    return Climb(island, rest, clock, log).run(start, true);
-  });
+  if (guess_map < measure(problem, swept.r).law_map_m_s) swept.r = guess;
+  running.shared.max_iterations -= swept.iterations;
+  ContactSolution solution = solve_islands(
+      problem, unsolved(problem, swept.r, running.shared.tolerance), swept.r,
+      [&](const LocalProblem& island, const VecX& start) { return Climb(island, running, log).run(start, true); });
   solution.iterations += swept.iterations;
   solution.history.insert(solution.history.begin(), swept.history.begin(), swept.history.end());
+  if (solution.status == SolveStatus::converged && !(measure(problem, solution.r).law_map_m_s <= tolerance))
+    solution.status = SolveStatus::stalled;
   describe(log, solution);
   return solution;
 }

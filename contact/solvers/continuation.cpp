@@ -1,7 +1,6 @@
 #include "contact/solvers/continuation.h"
 
 #include <algorithm>
-#include <chrono>
 
 #include "contact/solvers/nsgs.h"
 
@@ -15,40 +14,25 @@ constexpr double k_least_step = 1e-3;  ///< below it the path counts as lost
 constexpr double k_longer = 1.5, k_shorter = 0.4;
 constexpr int k_sweeps = 200;
 
-using Clock = std::chrono::steady_clock;
-
 LocalProblem with_friction(const LocalProblem& island, double share) {
   LocalProblem out = island;
   for (double& mu : out.mu) mu *= share;
   return out;
 }
 
-/// The settings with what is left of iterations and time.
-NewtonSettings left_of(const NewtonSettings& settings, int iterations, Clock::time_point start) {
-  NewtonSettings left = settings;
-  left.shared.max_iterations -= iterations;
-  if (left.shared.max_seconds > 0)
-    left.shared.max_seconds =
-        std::max(left.shared.max_seconds - std::chrono::duration<double>(Clock::now() - start).count(), 1e-9);
-  return left;
-}
-
-bool exhausted(const NewtonSettings& left) {
-  return left.shared.max_iterations <= 0 || left.shared.max_seconds == 1e-9;
-}
-
 }  // namespace
 
 ContactSolution continue_in_friction(const LocalProblem& island, const NewtonSettings& settings) {
-  const Clock::time_point start = Clock::now();
-  SolverSettings sweeps = settings.shared;
+  NewtonSettings left = settings;
+  left.shared = settings.shared.started();
+  SolverSettings sweeps = left.shared;
   sweeps.max_iterations = std::min(sweeps.max_iterations, k_sweeps);
   ContactSolution out = NsgsSolver({.shared = sweeps}).solve(with_friction(island, k_first_share), {});
   double solved = 0, share = k_first_share, step = k_first_step;
   while (solved < 1 && step >= k_least_step) {
-    const NewtonSettings left = left_of(settings, out.iterations, start);
+    left.shared.max_iterations = settings.shared.max_iterations - out.iterations;
     out.status = SolveStatus::iteration_limit;
-    if (exhausted(left)) return out;
+    if (left.shared.max_iterations <= 0 || left.shared.out_of_time()) return out;
     ContactSolution next = newton_island(with_friction(island, share), out.r, left);
     out.iterations += next.iterations;
     const bool success = next.status == SolveStatus::converged;

@@ -94,16 +94,18 @@ ContactSolution iterate(IslandOperator& island, const VecX& guess, const EgSetti
 
 ContactSolution EgSolver::solve(const ContactProblem& problem, const VecX& guess) const {
   demand_known("eg", k_laws, problem.law);
-  return solve_by_operator(problem, guess, settings_.shared, [&](IslandOperator& island, const VecX& start) {
-    return iterate(island, start, settings_);
-  });
+  EgSettings running = settings_;
+  running.shared = settings_.shared.started();
+  return solve_by_operator(problem, guess, running.shared,
+                           [&](IslandOperator& island, const VecX& start) { return iterate(island, start, running); });
 }
 
 ContactSolution EgSolver::solve(const LocalProblem& problem, const VecX& guess) const {
   demand_known("eg", k_laws, problem.law);
-  return solve_by_operator(problem, guess, settings_.shared, [&](IslandOperator& island, const VecX& start) {
-    return iterate(island, start, settings_);
-  });
+  EgSettings running = settings_;
+  running.shared = settings_.shared.started();
+  return solve_by_operator(problem, guess, running.shared,
+                           [&](IslandOperator& island, const VecX& start) { return iterate(island, start, running); });
 }
 
 }  // namespace nilas

@@ -205,8 +205,9 @@ void EnumerateSolver::demand_law(Law law) const {
   demand_known("enumerate", {Law::coulomb, Law::ccp, Law::frictionless}, law);
 }
 
-ContactSolution EnumerateSolver::solve_island(const LocalProblem& island, const VecX&) const {
-  return try_all(island, settings_.shared.tolerance);
+ContactSolution EnumerateSolver::solve_island(const LocalProblem& island, const VecX&,
+                                              const SolverSettings& shared) const {
+  return try_all(island, shared.tolerance);
 }
 
 }  // namespace nilas

@@ -24,13 +24,14 @@ struct EnumerateSettings {
 
 class EnumerateSolver final : public IslandSolver {
  public:
-  explicit EnumerateSolver(const EnumerateSettings& settings) : settings_(settings) {}
+  explicit EnumerateSolver(const EnumerateSettings& settings) : IslandSolver(settings.shared), settings_(settings) {}
   std::string name() const override { return "enumerate"; }
   /// iterations: combinations tried, whatever max_iterations says. stalled: none within the tolerance, the best is
   /// returned. numerical_error: an island of more than 8 contacts, or one that cannot yield. `guess` is not used.
   /// Throws InputError for the pyramid laws.
   void demand_law(Law law) const override;
-  ContactSolution solve_island(const LocalProblem& island, const VecX& guess) const override;
+  ContactSolution solve_island(const LocalProblem& island, const VecX& guess,
+                               const SolverSettings& shared) const override;
 
  private:
   EnumerateSettings settings_;

@@ -192,7 +192,7 @@ InteriorIterate InteriorPoint::moved(const InteriorIterate& at, const Direction&
 }
 
 InteriorPoint::Outcome InteriorPoint::minimise(const VecX& b, double tolerance, int max_iterations,
-                                               InteriorIterate& iterate) {
+                                               const SolverSettings& clock, InteriorIterate& iterate) {
   const VecX scaled_b = slope_.cwiseProduct(b);
   const auto map_of = [&](const InteriorIterate& point) {
     const VecX r = impulses(point);
@@ -203,7 +203,8 @@ InteriorPoint::Outcome InteriorPoint::minimise(const VecX& b, double tolerance, 
   out.map_m_s = std::numeric_limits<double>::infinity();
   double least_gap = gap(now);
   int since_fall = 0;
-  while (out.iterations < max_iterations && out.map_m_s > tolerance && since_fall < k_patience) {
+  while (out.iterations < max_iterations && out.map_m_s > tolerance && since_fall < k_patience &&
+         !clock.out_of_time()) {
     if (!factor(now)) break;
     const Direction affine = direction(now, scaled_b, predictor(now));
     const double before = gap(now);

@@ -41,7 +41,8 @@ class InteriorPoint {
   InteriorIterate shifted(const InteriorIterate& iterate, double distance) const;
   /// Runs until the map is at most `tolerance` [m/s], it stops falling, or the iterations are used up. Leaves the best
   /// iterate there.
-  Outcome minimise(const VecX& b, double tolerance, int max_iterations, InteriorIterate& iterate);
+  Outcome minimise(const VecX& b, double tolerance, int max_iterations, const SolverSettings& clock,
+                   InteriorIterate& iterate);
   /// r' of an iterate.
   VecX impulses(const InteriorIterate& iterate) const;
 

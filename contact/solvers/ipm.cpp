@@ -32,7 +32,8 @@ class Rounds {
       : island_(island), settings_(settings), problem_(mass_scaled(island)), inner_(problem_) {}
 
   ContactSolution run(const VecX& guess) {
-    offer(VecX::Zero(problem_.q.size()));
+    best_ = VecX::Zero(problem_.q.size());
+    offer(best_);
     if (guess.size() > 0) {
       offer(problem_.scaled_impulses(guess));
       if (!done()) finish(best_);
@@ -64,7 +65,7 @@ class Rounds {
 
   void finish(const VecX& scaled) {
     const int most = std::min(settings_.finish_iterations, left());
-    const FinishOutcome end = newton_finish(problem_, scaled, 0.1 * shared().tolerance, most);
+    const FinishOutcome end = newton_finish(problem_, scaled, 0.1 * shared().tolerance, most, shared());
     out_.iterations += end.iterations;
     offer(end.r);
   }
@@ -85,10 +86,11 @@ class Rounds {
     Anderson mixer(k_anderson_depth);
     double halved_map = best_map_, change = size;
     int halved_round = 0;
-    for (int round = 0; round < settings_.max_rounds && !done() && left() > 0; ++round) {
+    for (int round = 0; round < settings_.max_rounds && !done() && left() > 0 && !shared().out_of_time(); ++round) {
       if (round > 0) point = inner_.shifted(point, std::min(k_warm_share * size, change));
       const double tolerance = std::max(k_inner_share * change, 0.1 * shared().tolerance);
-      const auto inner = inner_.minimise(problem_.q + added, tolerance, std::min(k_inner_limit, left()), point);
+      const auto inner =
+          inner_.minimise(problem_.q + added, tolerance, std::min(k_inner_limit, left()), shared(), point);
       out_.iterations += inner.iterations;
       const VecX r = inner_.impulses(point);
       offer(r);
@@ -126,9 +128,12 @@ class Rounds {
 
 void IpmSolver::demand_law(Law law) const { demand_known("ipm", {Law::coulomb, Law::ccp, Law::frictionless}, law); }
 
-ContactSolution IpmSolver::solve_island(const LocalProblem& island, const VecX& guess) const {
+ContactSolution IpmSolver::solve_island(const LocalProblem& island, const VecX& guess,
+                                        const SolverSettings& shared) const {
   if (const auto still = solve_immovable(island)) return *still;
-  return Rounds(island, settings_).run(guess);
+  IpmSettings own = settings_;
+  own.shared = shared;
+  return Rounds(island, own).run(guess);
 }
 
 }  // namespace nilas

@@ -29,12 +29,13 @@ struct IpmSettings {
 
 class IpmSolver final : public IslandSolver {
  public:
-  explicit IpmSolver(const IpmSettings& settings) : settings_(settings) {}
+  explicit IpmSolver(const IpmSettings& settings) : IslandSolver(settings.shared), settings_(settings) {}
   std::string name() const override { return "ipm"; }
   /// converged: law_map_m_s as `measure` finds it is at most the tolerance in every island. The best impulses seen are
   /// returned whatever the status. Throws InputError for laws other than coulomb, ccp and frictionless.
   void demand_law(Law law) const override;
-  ContactSolution solve_island(const LocalProblem& island, const VecX& guess) const override;
+  ContactSolution solve_island(const LocalProblem& island, const VecX& guess,
+                               const SolverSettings& shared) const override;
 
  private:
   IpmSettings settings_;

@@ -1,7 +1,6 @@
 #include "contact/solvers/newton.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "contact/solvers/mass_scaled.h"
@@ -37,7 +36,7 @@ struct Iterate {
 class Island {
  public:
   Island(const LocalProblem& problem, const NewtonSettings& settings)
-      : problem_(problem), settings_(settings), system_(problem), start_(Clock::now()) {}
+      : problem_(problem), settings_(settings), system_(problem) {}
 
   ContactSolution solve(const VecX& guess) {
     r_ = guess.size() > 0 ? system_.scaled(guess) : VecX(VecX::Zero(problem_.q.size()));
@@ -49,8 +48,6 @@ class Island {
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   /// Measures, keeps the best.
   void judge(const VecX& scaled_r) {
     const VecX r = system_.impulses(scaled_r);
@@ -65,8 +62,7 @@ class Island {
   bool out_of_budget() const {
     const int most = std::min(settings_.shared.max_iterations, settings_.max_factorisations);
     if (out_.iterations >= most) return true;
-    const double limit = settings_.shared.max_seconds;
-    return limit > 0 && std::chrono::duration<double>(Clock::now() - start_).count() > limit;
+    return settings_.shared.out_of_time();
   }
 
   void outer_step() {
@@ -78,6 +74,10 @@ class Island {
     const double after = inner_solve(free_velocity, target, r);
     judge(r);
     if (out_.status != SolveStatus::iteration_limit) return;
+    if (out_.iterations == steps_before) {  // |F| is rounding already
+      out_.status = SolveStatus::stalled;
+      return;
+    }
     if (after <= std::max(10 * target, k_good * before)) {
       r_ = r;
       if (out_.iterations - steps_before <= k_quick_steps) weight_ = std::max(k_fall * weight_, k_least_weight);
@@ -144,7 +144,6 @@ class Island {
   const LocalProblem& problem_;
   const NewtonSettings& settings_;
   NewtonSystem system_;
-  Clock::time_point start_;
   ContactSolution out_;
   VecX r_;
   double best_ = 0;
@@ -152,30 +151,18 @@ class Island {
   int retreats_ = 0;
 };
 
-ContactSolution refused(const LocalProblem& problem, const char* message) {
-  ContactSolution out;
-  out.r = VecX::Zero(problem.q.size());
-  out.message = message;
-  return out;
-}
-
-bool is_finite(const LocalProblem& problem, const VecX& guess) {
-  double sum = problem.q.sum() + guess.sum();
-  for (const Mat3& block : problem.block) sum += block.sum();
-  for (std::size_t a = 0; a < problem.mu.size(); ++a) sum += problem.mu[a] + problem.compliance[a];
-  return std::isfinite(sum);
-}
-
 }  // namespace
 
 ContactSolution newton_island(const LocalProblem& island, const VecX& guess, const NewtonSettings& settings) {
-  if (!is_finite(island, guess)) return refused(island, "the problem or the guess holds numbers that are not finite");
   if (const auto immovable = solve_immovable(island)) return *immovable;
   return Island(island, settings).solve(guess);
 }
 
-ContactSolution NewtonSolver::solve_island(const LocalProblem& island, const VecX& guess) const {
-  return newton_island(island, guess, settings_);
+ContactSolution NewtonSolver::solve_island(const LocalProblem& island, const VecX& guess,
+                                           const SolverSettings& shared) const {
+  NewtonSettings own = settings_;
+  own.shared = shared;
+  return newton_island(island, guess, own);
 }
 
 }  // namespace nilas

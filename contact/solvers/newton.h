@@ -31,12 +31,13 @@ struct NewtonSettings {
 
 class NewtonSolver final : public IslandSolver {
  public:
-  explicit NewtonSolver(const NewtonSettings& settings) : settings_(settings) {}
+  explicit NewtonSolver(const NewtonSettings& settings) : IslandSolver(settings.shared), settings_(settings) {}
   std::string name() const override { return "newton"; }
   /// converged: every island's law_map_m_s is at most the tolerance, as `measure` finds it on the impulses returned.
   /// iterations: factorisations of the island that took most. stalled, iteration_limit: the impulses are the best
   /// found. numerical_error: input that is not finite, or a contact that closes, cannot move and has no force limit.
-  ContactSolution solve_island(const LocalProblem& island, const VecX& guess) const override;
+  ContactSolution solve_island(const LocalProblem& island, const VecX& guess,
+                               const SolverSettings& shared) const override;
 
  private:
   NewtonSettings settings_;

@@ -177,12 +177,14 @@ class Finish {
 
 }  // namespace
 
-FinishOutcome newton_finish(const MassScaled& problem, const VecX& scaled, double tolerance, int max_iterations) {
+FinishOutcome newton_finish(const MassScaled& problem, const VecX& scaled, double tolerance, int max_iterations,
+                            const SolverSettings& clock) {
   Finish finish(problem);
   FinishOutcome out{scaled, 0};
   Size size = finish.evaluate(out.r);
   double damping = k_first_damping;
-  while (size.worst_m_s > tolerance && out.iterations < max_iterations && damping <= k_largest_damping) {
+  while (size.worst_m_s > tolerance && out.iterations < max_iterations && damping <= k_largest_damping &&
+         !clock.out_of_time()) {
     ++out.iterations;
     const VecX dr = finish.step(damping);
     double t = dr.size() > 0 ? 1 : 0;

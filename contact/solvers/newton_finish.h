@@ -18,6 +18,7 @@ struct FinishOutcome {
 };
 
 /// Steps from r' until the largest map is at most `tolerance` [m/s], |F| stops falling, or the iterations are used up.
-FinishOutcome newton_finish(const MassScaled& problem, const VecX& scaled, double tolerance, int max_iterations);
+FinishOutcome newton_finish(const MassScaled& problem, const VecX& scaled, double tolerance, int max_iterations,
+                            const SolverSettings& clock);
 
 }  // namespace nilas

@@ -1,7 +1,6 @@
 #include "contact/solvers/nsgs.h"
 
 #include "contact/solvers/nsgs_sweep.h"
-#include "core/base/error.h"
 
 namespace nilas {
 
@@ -57,14 +56,15 @@ class LocalIsland : public LocalSweeps {
 }  // namespace
 
 ContactSolution NsgsSolver::solve(const ContactProblem& problem, const VecX& guess) const {
-  return solve_row_islands(problem, guess, settings_.shared, [&](const RowIsland& island) {
+  SweepSettings running = settings_;
+  running.shared = settings_.shared.started();
+  return solve_row_islands(problem, guess, running.shared, [&](const RowIsland& island) {
     BodiesIsland sweeps(island);
-    return sweep_to_tolerance(sweeps, island.island.last - island.island.first, settings_);
+    return sweep_to_tolerance(sweeps, island.island.last - island.island.first, running);
   });
 }
 
 ContactSolution NsgsSolver::solve(const LocalProblem& problem, const VecX& guess) const {
-  NILAS_DEMAND(guess.size() == 0 || guess.size() == 3 * problem.num_contacts());
   return solve_by_sweeps<LocalIsland>(problem, guess, settings_);
 }
 

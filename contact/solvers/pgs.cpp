@@ -4,14 +4,10 @@
 #include <cmath>
 
 #include "contact/solvers/pgs_sweep.h"
-#include "core/base/error.h"
 
 namespace nilas {
 
 namespace {
-
-/// Rows held by less than this share of the contact's mean inverse mass cannot move.
-constexpr double k_immovable_share = 1e-20;
 
 class BodiesIsland : public RowSweeps {
  public:
@@ -27,62 +23,72 @@ class BodiesIsland : public RowSweeps {
 class LocalIsland : public LocalSweeps {
  public:
   LocalIsland(const LocalProblem& problem, const VecX& guess) : LocalSweeps(problem, guess) {
-    for (int c = 0; c < problem.num_contacts(); ++c) visit(c, Vec3::Zero(), 0);  // makes the guess admissible
+    for (int c = 0; c < problem.num_contacts(); ++c) {
+      const auto i = static_cast<std::size_t>(c);
+      weights_.push_back(row_weights(problem.diagonal(c), problem.law, problem.compliance[i], problem.force_limit[i]));
+      step(c, impulse(c));  // makes the guess admissible
+    }
   }
 
   double sweep(bool backward) {
     double largest = 0;
     const int count = problem_.num_contacts();
-    for (int k = 0; k < count; ++k) {
-      const int c = backward ? count - 1 - k : k;
-      largest = std::max(largest, visit(c, velocity(c), 1));
-    }
+    for (int k = 0; k < count; ++k) largest = std::max(largest, visit(backward ? count - 1 - k : k));
     return largest;
   }
 
  private:
-  /// One step of the contact's rows from velocity u, `share` of it; the largest |dr_i| W_ii.
-  double visit(int c, const Vec3& u, double share) {
+  Vec3 impulse(int c) const { return r_.segment<3>(3 * static_cast<Eigen::Index>(c)); }
+
+  /// Sets the contact's impulse to what the law's bounds leave of `wanted`, T2 seeing T1's change of velocity.
+  void step(int c, const Vec3& wanted, double coupling = 0) {
+    const auto i = static_cast<std::size_t>(c);
+    const double normal = weights_[i].unanswerable ? 0 : std::clamp(wanted[0], 0.0, problem_.force_limit[i]);
+    const double bound = problem_.mu[i] * normal;
+    Vec2 t = wanted.tail<2>();
+    if (problem_.law == Law::pyramid) {
+      const double before = impulse(c)[1];
+      t[0] = std::clamp(t[0], -bound, bound);
+      t[1] = std::clamp(t[1] - coupling * (t[0] - before), -bound, bound);
+    } else if (problem_.law == Law::coulomb) {
+      if (t.norm() > bound) t *= bound / t.norm();
+    } else {
+      t.setZero();
+    }
+    r_.segment<3>(3 * static_cast<Eigen::Index>(c)) = Vec3(normal, t[0], t[1]);
+  }
+
+  /// The largest |dr_i| W_ii.
+  double visit(int c) {
     const auto i = static_cast<std::size_t>(c);
     const Mat3& w = problem_.diagonal(c);
-    const double smallest = k_immovable_share * w.trace();
-    const auto step = [&](double velocity, double inverse_mass) {
-      return inverse_mass > smallest ? share * velocity / inverse_mass : 0.0;
-    };
-    auto r = r_.segment<3>(3 * static_cast<Eigen::Index>(c));
-    const double compliance = problem_.compliance[i];
-    const double normal =
-        std::min(std::max(r[0] - step(u[0] + compliance * r[0], w(0, 0) + compliance), 0.0), problem_.force_limit[i]);
-    const Vec2 u_t = u.tail<2>() + w.block<2, 1>(1, 0) * (normal - r[0]);
-    Vec2 t = Vec2::Zero();
-    const double bound = problem_.mu[i] * normal;
-    if (problem_.law == Law::pyramid) {
-      t[0] = std::clamp(r[1] - step(u_t[0], w(1, 1)), -bound, bound);
-      t[1] = std::clamp(r[2] - step(u_t[1] + w(2, 1) * (t[0] - r[1]), w(2, 2)), -bound, bound);
-    } else if (problem_.law == Law::coulomb) {
-      const double larger = std::max(w(1, 1), w(2, 2));
-      t = Vec2(r[1] - step(u_t[0], larger), r[2] - step(u_t[1], larger));
-      if (t.norm() > bound) t *= bound / t.norm();
-    }
-    const Vec3 change = (Vec3(normal, t[0], t[1]) - r).cwiseAbs().cwiseProduct(w.diagonal());
-    r = Vec3(normal, t[0], t[1]);
-    return change.maxCoeff();
+    const double* const weight = weights_[i].weight;
+    const Vec3 r = impulse(c), u = velocity(c);
+    Vec3 wanted = r;
+    wanted[0] -= weight[0] * (u[0] + problem_.compliance[i] * r[0]);
+    const double change = weights_[i].unanswerable ? 0 : std::clamp(wanted[0], 0.0, problem_.force_limit[i]) - r[0];
+    for (int k = 1; k < 3; ++k) wanted[k] -= weight[k] * (u[k] + w(k, 0) * change);
+    step(c, wanted, weight[2] * w(2, 1));
+    return (impulse(c) - r).cwiseAbs().cwiseProduct(w.diagonal()).maxCoeff();
   }
+
+  std::vector<RowWeights> weights_;
 };
 
 }  // namespace
 
 ContactSolution PgsSolver::solve(const ContactProblem& problem, const VecX& guess) const {
   demand_known("pgs", {Law::pyramid, Law::coulomb, Law::frictionless}, problem.law);
-  return solve_row_islands(problem, guess, settings_.shared, [&](const RowIsland& island) {
-    BodiesIsland sweeps(island, settings_);
-    return sweep_to_tolerance(sweeps, island.island.last - island.island.first, settings_);
+  SweepSettings running = settings_;
+  running.shared = settings_.shared.started();
+  return solve_row_islands(problem, guess, running.shared, [&](const RowIsland& island) {
+    BodiesIsland sweeps(island, running);
+    return sweep_to_tolerance(sweeps, island.island.last - island.island.first, running);
   });
 }
 
 ContactSolution PgsSolver::solve(const LocalProblem& problem, const VecX& guess) const {
   demand_known("pgs", {Law::pyramid, Law::coulomb, Law::frictionless}, problem.law);
-  NILAS_DEMAND(guess.size() == 0 || guess.size() == 3 * problem.num_contacts());
   return solve_by_sweeps<LocalIsland>(problem, guess, settings_);
 }
 

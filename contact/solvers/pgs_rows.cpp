@@ -78,21 +78,29 @@ static void place_islands(const ContactProblem& problem, const MassInverse& mass
   rows.scales.resize(rows.contacts.size());
 }
 
-static void set_weights(const Mat3& w, Law law, double d, PgsContact& contact) {
-  const double smallest = k_immovable_share * d;
+RowWeights row_weights(const Mat3& w, Law law, double compliance, double force_limit) {
+  const double smallest = k_immovable_share * inverse_mass_scale(w);
   const auto weight = [&](double inverse_mass) {
     return inverse_mass > smallest ? 1 / inverse_mass : k_immovable_mass;
   };
+  RowWeights rows;
+  rows.weight[0] = compliance > 0 ? 1 / (w(0, 0) + compliance) : weight(w(0, 0));
+  rows.unanswerable = rows.weight[0] == k_immovable_mass && std::isinf(force_limit);
+  if (rows.unanswerable) rows.weight[0] = 0;
+  const double larger = std::max(w(1, 1), w(2, 2));
+  rows.weight[1] = weight(law == Law::coulomb ? larger : w(1, 1));
+  rows.weight[2] = weight(law == Law::coulomb ? larger : w(2, 2));
+  return rows;
+}
+
+static void set_weights(const Mat3& w, Law law, PgsContact& contact) {
   for (int i = 0; i < 3; ++i) contact.diagonal[i] = w(i, i);
   contact.coupling[0] = w(1, 0);
   contact.coupling[1] = w(2, 0);
   contact.coupling[2] = w(2, 1);
-  contact.weight[0] = contact.compliance > 0 ? 1 / (w(0, 0) + contact.compliance) : weight(w(0, 0));
-  contact.unanswerable = contact.weight[0] == k_immovable_mass && std::isinf(contact.force_limit);
-  if (contact.unanswerable) contact.weight[0] = 0;
-  const double larger = std::max(w(1, 1), w(2, 2));
-  contact.weight[1] = weight(law == Law::coulomb ? larger : w(1, 1));
-  contact.weight[2] = weight(law == Law::coulomb ? larger : w(2, 2));
+  const RowWeights rows = row_weights(w, law, contact.compliance, contact.force_limit);
+  std::copy_n(rows.weight, 3, contact.weight);
+  contact.unanswerable = rows.unanswerable;
 }
 
 /// Row i of one side and its response, written to their places.
@@ -177,7 +185,7 @@ static void fill_contact(const ContactProblem& problem, const MassInverse& masse
   contact.force_limit = problem.force_limit[i];
   contact.compliance = problem.compliance[i];
   Eigen::Map<Vec3>{contact.w} = problem.w.segment<3>(first);
-  set_weights(w, rows.law, d, contact);
+  set_weights(w, rows.law, contact);
   if (guess.size() > 0) set_impulse(guess.segment<3>(first), rows.law, contact);
 }
 

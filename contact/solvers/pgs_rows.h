@@ -33,6 +33,14 @@ struct PgsContact {
   int stride() const { return size_a + size_b; }
 };
 
+/// Impulse per velocity of the step of rows N, T1, T2 of a contact.
+struct RowWeights {
+  double weight[3] = {0, 0, 0};
+  bool unanswerable = false;  ///< as in PgsContact; then the normal's weight is 0
+};
+/// `w`: W_cc, its diagonal is read. A row that cannot move gets a weight that drives its impulse to its bound at once.
+RowWeights row_weights(const Mat3& w, Law law, double compliance, double force_limit);
+
 struct PgsIsland {
   int first = 0, last = 0;  ///< contacts [first, last)
   std::vector<int> blocks;  ///< that they touch

@@ -1,7 +1,6 @@
 #pragma once
 /// When an iteration is worth measuring, and when it goes on in vain.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -13,7 +12,7 @@ class Progress {
  public:
   /// `patience`: iterations without a fall of the residual by 0.1 % that count as stalled.
   Progress(const SolverSettings& shared, int patience)
-      : shared_(shared), patience_(patience), enough_(shared.tolerance), start_(Clock::now()) {}
+      : shared_(shared.started()), patience_(patience), enough_(shared.tolerance) {}
 
   /// An iteration's largest change in m/s predicts the residual; those that change much are measured now and then.
   bool measurement_due(int iteration, double change) const {
@@ -38,24 +37,18 @@ class Progress {
     return fixed || iteration - mark_iteration_ >= patience_ ? SolveStatus::stalled : SolveStatus::iteration_limit;
   }
 
-  bool out_of_budget(int iteration) const {
-    if (iteration >= shared_.max_iterations) return true;
-    if (shared_.max_seconds <= 0) return false;
-    return std::chrono::duration<double>(Clock::now() - start_).count() > shared_.max_seconds;
-  }
+  bool out_of_budget(int iteration) const { return iteration >= shared_.max_iterations || shared_.out_of_time(); }
 
   bool improved() const { return improved_; }  ///< the last one judged is the best so far
   double best() const { return best_; }
 
  private:
-  using Clock = std::chrono::steady_clock;
   static constexpr int k_first = 20;      ///< iterations before the first measurement that no small change called for
   static constexpr double k_fall = 1e-3;  ///< the least that counts as progress
 
   SolverSettings shared_;
   int patience_;
   double enough_;
-  Clock::time_point start_;
   int next_ = k_first;
   double last_change_ = 1;
   double best_ = std::numeric_limits<double>::infinity();

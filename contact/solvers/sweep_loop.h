@@ -87,9 +87,11 @@ ContactSolution sweep_to_tolerance(Sweeps& sweeps, int contacts, const SweepSett
 /// Solves a local problem with sweeps made by Sweeps(island, guess).
 template <class Sweeps>
 ContactSolution solve_by_sweeps(const LocalProblem& problem, const VecX& guess, const SweepSettings& settings) {
+  SweepSettings running = settings;
+  running.shared = settings.shared.started();
   return solve_islands(problem, guess, [&](const LocalProblem& island, const VecX& start) {
     Sweeps sweeps(island, start);
-    ContactSolution solution = sweep_to_tolerance(sweeps, island.num_contacts(), settings);
+    ContactSolution solution = sweep_to_tolerance(sweeps, island.num_contacts(), running);
     solution.r = sweeps.impulses();
     const std::string culprit = find_culprit(island, solution.r, settings.shared.tolerance);
     if (!culprit.empty()) {

@@ -1,5 +1,6 @@
 #include "core/output/problem_files.h"
 
+#include <cmath>
 #include <cstdio>
 
 #include "contact/fclib_io.h"
@@ -14,7 +15,7 @@ void ProblemFiles::step(const StepRecord& record, const SolvedProblem& solved) {
   if (which_ == "never" || solved.problem.num_contacts() == 0) return;
   if (which_ == "failed" && record.status == SolveStatus::converged) return;
   if (which_ == "worst") {
-    if (!(record.residuals.law_map_m_s > worst_)) return;
+    if (record.residuals.law_map_m_s <= worst_ || std::isnan(worst_)) return;  // the first NaN stays the worst
     worst_ = record.residuals.law_map_m_s;
     return write("worst.hdf5", solved);
   }

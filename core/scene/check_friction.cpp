@@ -19,14 +19,10 @@ static void check_coefficients(const SceneElement& friction, std::vector<Fault>&
   if (!is_named(friction, "static") && !is_named(friction, "kinetic"))
     faults.push_back(fault_of(friction, "static", "the attribute is missing; allowed: static, kinetic or both"));
   const auto mu_s = number_of(friction, "static"), mu_k = number_of(friction, "kinetic");
-  if (!mu_s || !mu_k || *mu_s == *mu_k) return;
-  const std::string found = "found " + format_number(*mu_s) + " with kinetic " + format_number(*mu_k) + "; ";
-  if (*mu_s < *mu_k)
-    faults.push_back(fault_of(friction, "static", found + "allowed: not below the kinetic coefficient"));
-  else
+  if (mu_s && mu_k && *mu_s < *mu_k)
     faults.push_back(fault_of(friction, "static",
-                              found + "static friction above kinetic is not built in this version; give both the same "
-                                      "value"));
+                              "found " + format_number(*mu_s) + " with kinetic " + format_number(*mu_k) +
+                                  "; allowed: not below the kinetic coefficient"));
 }
 
 void check_friction(const SceneElement& root, const SceneElement& contact, std::vector<Fault>& faults) {

@@ -68,14 +68,14 @@ std::vector<std::string> attribute_names(const ElementSpec& element) {
 }
 
 std::string matching_choice(const std::vector<std::string>& choices, const std::string& value) {
-  constexpr std::int64_t k_fewest_facets = 3;
+  constexpr std::int64_t k_fewest_facets = 3, k_most_facets = 1000;
   for (const auto& choice : choices) {
-    if (choice == value) return choice;
     const bool counted = choice.size() > 2 && choice.compare(choice.size() - 2, 2, "-k") == 0;
+    if (choice == value && !counted) return choice;
     const std::string stem = choice.substr(0, choice.size() - 1);
     if (!counted || value.rfind(stem, 0) != 0) continue;
     const auto k = parse_integer(value.substr(stem.size()));
-    if (k && *k >= k_fewest_facets) return choice;
+    if (k && *k >= k_fewest_facets && *k <= k_most_facets) return choice;
   }
   return "";
 }

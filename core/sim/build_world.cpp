@@ -2,6 +2,7 @@
 
 #include "contact/detect/detector.h"
 #include "core/base/error.h"
+#include "core/sim/contact_model.h"
 #include "core/sim/world.h"
 #include "hydro/modules.h"
 
@@ -76,6 +77,7 @@ void refuse_overlaps(const Scene& scene, const Bodies& bodies) {
 }
 
 WorldParts build_world(const Scene& scene, int threads, WarningCounts& warnings) {
+  demand_contact_choices(scene);
   WorldParts parts;
   parts.info.scene_name = scene.name;
   if (scene.fracture) throw InputError(scene.file.string() + ": <fracture>: breaking ice is not built in this version");

@@ -7,11 +7,10 @@
 #include "contact/detect/detector.h"
 #include "contact/detect/reach.h"
 #include "contact/islands.h"
-#include "contact/position_correction.h"
-#include "contact/registry.h"
 #include "core/base/error.h"
 #include "core/base/hash.h"
 #include "core/sim/advance.h"
+#include "core/sim/contact_model.h"
 #include "core/sim/ledger.h"
 #include "core/sim/stopwatch.h"
 #include "core/sim/warm_start.h"
@@ -25,15 +24,6 @@ namespace {
 /// points of a floe faster than what hit it.
 constexpr double k_reach_share = 1.5;
 
-struct ContactModel {
-  AssemblySettings assembly;
-  CorrectionSettings correction;
-  bool split_impulse = false;
-  bool warm_start = true;
-  bool stop_on_failure = false;
-  double margin = 0;  ///< [m]; 0: from the speeds
-};
-
 }  // namespace
 
 struct Simulation::World {
@@ -46,8 +36,12 @@ struct Simulation::World {
         gravity(scene.gravity),
         gyroscopic(scene.contact.gyroscopic),
         detector(thread_count),
+        model(build_contact_model(scene.contact, scene.time.step, thread_count)),
         energy(parts.info.work_names, 0, 0) {
-    build_contact_model(scene.contact);
+    parts.info.modules.emplace_back(
+        "contact", "law " + scene.contact.law + ", solver " + scene.contact.solver + ", stabilisation " +
+                       scene.contact.stabilisation + ", detection " + scene.contact.detection + ", integrator " +
+                       scene.contact.integrator + (model.static_friction ? ", static friction above kinetic" : ""));
     module_loads.resize(parts.modules.size(), Wrenches(size()));
     weight.resize(size());
     for (std::size_t b = 0; b < size(); ++b) weight[b].force = parts.bodies.mass[b] * gravity;
@@ -56,14 +50,12 @@ struct Simulation::World {
 
   std::size_t size() const { return static_cast<std::size_t>(parts.bodies.size()); }
 
-  void build_contact_model(const ContactScene& contact);
   double potential();
   double time() const { return start + static_cast<double>(steps) * h; }
 
   const Wrenches& evaluate_loads();
   std::vector<ArticulatedBlock> begin_vessel(const Wrenches& free);
   std::vector<ContactPoint> find_contacts();
-  ContactSolution solve(const ContactProblem& problem, const VecX& guess) const;
   StepMotion velocity_step(const AssembledContacts& contacts, const ContactSolution& solution, const Wrenches& free,
                            std::vector<ContactPoint> points);
   void advance_poses(StepMotion& motion);
@@ -84,8 +76,6 @@ struct Simulation::World {
   Vec3 gravity;
   bool gyroscopic;
   ContactDetector detector;
-  std::unique_ptr<ContactSolver> solver;
-  std::unique_ptr<ContactSolver> retry;  ///< for on_failure="retry"
   ContactModel model;
   WarmStart warm;
   Wrenches weight, free_loads;
@@ -94,38 +84,6 @@ struct Simulation::World {
   SolvedProblem last;
   std::size_t pairs_named = 0;  ///< of the pairs without friction, already told
 };
-
-void Simulation::World::build_contact_model(const ContactScene& contact) {
-  const ParsedLaw law = parse_law(contact.law);
-  model.assembly.h = h;
-  model.assembly.law = law.law;
-  model.assembly.facets = law.facets;
-  model.assembly.axes = contact.axes_deg * k_deg;
-  model.correction.h = h;
-  model.correction.erp = contact.erp;
-  model.correction.slop = contact.slop;
-  model.correction.max_speed = contact.max_speed;
-  // a hundredth of a millimetre per step at 0.01 s: far below what the split impulse is to remove
-  constexpr double k_correction_tolerance = 1e-3;  // [m/s]
-  model.correction.tolerance = k_correction_tolerance;
-  // a scene that fixes its sweeps means these too
-  if (contact.tolerance == 0)
-    model.correction.max_sweeps = std::min(model.correction.max_sweeps, contact.max_iterations);
-  model.split_impulse = contact.stabilisation == "split-impulse";
-  model.warm_start = contact.warm_start;
-  model.stop_on_failure = contact.on_failure == "stop" && contact.tolerance > 0;  // fixed sweeps promise nothing
-  model.margin = contact.margin;
-  SolverSettings settings;
-  settings.tolerance = contact.tolerance;
-  settings.max_iterations = contact.max_iterations;
-  settings.threads = threads;
-  demand_law(find_solver(contact.solver), law.law);
-  solver = find_solver(contact.solver).make(settings);
-  if (contact.on_failure == "retry" && contact.tolerance > 0) retry = find_solver("auto").make(settings);
-  parts.info.modules.emplace_back("contact", "law " + contact.law + ", solver " + contact.solver + ", stabilisation " +
-                                                 contact.stabilisation + ", detection " + contact.detection +
-                                                 ", integrator " + contact.integrator);
-}
 
 double Simulation::World::potential() {
   double sum = weight_energy(parts.bodies, gravity);
@@ -141,6 +99,10 @@ const Wrenches& Simulation::World::evaluate_loads() {
     parts.modules[k]->add_forces(parts.bodies, time(), module_loads[k]);
     for (std::size_t b = 0; b < size(); ++b) free_loads[b] += module_loads[k][b];
   }
+  for (std::size_t b = 0; b < size(); ++b)
+    if (!(free_loads[b].force.allFinite() && free_loads[b].torque.allFinite()))
+      throw SimulationError("at " + std::to_string(time()) + " s the loads on body '" + parts.bodies.name[b] +
+                            "' left finite numbers; try a smaller <time step>");
   return free_loads;
 }
 
@@ -153,15 +115,6 @@ std::vector<ArticulatedBlock> Simulation::World::begin_vessel(const Wrenches& fr
 std::vector<ContactPoint> Simulation::World::find_contacts() {
   if (model.margin > 0) return detector.detect(parts.bodies, model.margin);
   return detector.detect(parts.bodies, own_reach(parts.bodies, free_loads, h, k_reach_share));
-}
-
-/// On failure, `retry` climbs the ladder of auto from the impulses that the chosen solver left.
-ContactSolution Simulation::World::solve(const ContactProblem& problem, const VecX& guess) const {
-  ContactSolution solution = solver->solve(problem, guess);
-  if (!retry || solution.status == SolveStatus::converged) return solution;
-  ContactSolution again = retry->solve(problem, solution.r.allFinite() ? solution.r : VecX());
-  again.iterations += solution.iterations;
-  return again;
 }
 
 StepMotion Simulation::World::velocity_step(const AssembledContacts& contacts, const ContactSolution& solution,
@@ -329,11 +282,13 @@ StepRecord Simulation::step() {
 
   // impulses, judged by the one yardstick
   const VecX guess = world.model.warm_start ? world.warm.guess(contacts.problem.key) : VecX();
-  const ContactSolution solution = world.solve(contacts.problem, guess);
+  const ContactSolution solution = world.model.solve(contacts.problem, guess);
   world.warm.keep(contacts.problem.key, solution.r);
   record.residuals = measure(contacts.problem, solution.r, solution.v);
   record.status = solution.status;
   record.iterations = solution.iterations;
+  if (solution.status == SolveStatus::numerical_error)
+    world.warnings.warn("contact solver", "at " + std::to_string(world.time()) + " s: " + solution.message);
   watch.lap(Phase::solver);
 
   // new velocities, then new poses, then the position correction that the scene chose
@@ -370,7 +325,8 @@ StepRecord Simulation::step() {
   if (world.parts.vessel) record.vessel = world.vessel_record(motion);
   if (world.model.stop_on_failure && solution.status != SolveStatus::converged && record.contacts > 0)
     throw SimulationError("at " + std::to_string(record.t) + " s the solver stopped with status " +
-                          to_string(solution.status) + ", law_map_m_s " + std::to_string(record.residuals.law_map_m_s));
+                          to_string(solution.status) + ", law_map_m_s " + std::to_string(record.residuals.law_map_m_s) +
+                          (solution.message.empty() ? "" : ": " + solution.message));
   return record;
 }
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Times one step of the packed scene on Nilas, Bullet and ODE in turn and prints the table with ratios and growth exponents.
 # `solvers` times every contact solver and Siconos' on stored problems and draws what it finds.
-# usage: tests/bench/run.sh [packed|solvers|kernels|help]      (through ./dev bench)
+# usage: tests/bench/run.sh [packed|solvers|scaling|kernels|help]      (through ./dev bench)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 bin=build/bench
@@ -13,10 +13,11 @@ packed() {
     [ -f "$out/packed-$floes.txt" ] || "$bin/bench_packed" write "$floes" "$out"
   done
   local rows=$out/rows.csv
-  echo "engine,floes,sweeps,detect_ms,solve_ms,water_ms,total_ms,contacts,penetration_max_over_thickness" >"$rows"
+  echo "engine,floes,sweeps,detect_ms,solve_ms,water_ms,total_ms,contacts,penetration_max_over_thickness,total_ms_95,natural_map_m_s" >"$rows"
   # In turn, so that a change in the machine's speed meets all three.
   for round in $(seq "$rounds"); do
     for floes in 200 1000 4000; do
+      "$bin/bench_packed" run "$out" "$floes" 0 >>"$rows"
       for sweeps in 10 50 200; do
         "$bin/bench_packed" run "$out" "$floes" "$sweeps" >>"$rows"
         "$bin/peer_bullet" "$out/packed-$floes.txt" "$sweeps" >>"$rows"
@@ -49,7 +50,8 @@ solvers() {
 case "${1:-packed}" in
   solvers) solvers ;;
   packed) packed ;;
+  scaling) "$bin/bench_scaling" "${LIMIT:-60}" "${TOLERANCE:-1e-6}" ${SIZES:-100 1000 10000 100000} ;;
   kernels) shift; "$bin/bench_kernels" "$@" ;;
-  *) echo "usage: ./dev bench [packed|solvers|kernels]   ROUNDS=n: how often the packed table is measured (3);
-LIMIT=s: seconds that a solver has for a problem (5); NILAS_FCLIB_DIR: a folder of further problems for solvers" ;;
+  *) echo "usage: ./dev bench [packed|solvers|scaling|kernels]   ROUNDS=n: how often the packed table is measured (3);
+LIMIT=s: seconds that a solver has for a problem (5, scaling 60); NILAS_FCLIB_DIR: a folder of further problems for solvers" ;;
 esac

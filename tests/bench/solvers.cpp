@@ -3,13 +3,8 @@
 ///
 /// Each run is a process of its own, ended after LIMIT_S seconds, so that a peer that hangs or crashes costs no more.
 /// The time is that of the solve alone, the least of up to five where it is short. The residual is `measure`'s.
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <array>
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
@@ -18,6 +13,7 @@
 #include "contact/fclib_io.h"
 #include "contact/peers/siconos.h"
 #include "contact/registry.h"
+#include "tests/bench/run_apart.h"
 
 namespace {
 
@@ -79,29 +75,11 @@ Run time_solver(const FclibProblem& file, const ContactSolver& solver) {
   return run;
 }
 
-/// In a child process; false when it did not end in time or not well.
-bool run_apart(const FclibProblem& file, const Subject& subject, double rung, double limit, Run& run) {
-  std::array<int, 2> ends{};
-  if (pipe(ends.data()) != 0) return false;
-  const pid_t child = fork();
-  if (child == 0) {
-    std::freopen("/dev/null", "w", stdout);
-    alarm(static_cast<unsigned>(std::ceil(limit * (1 + k_repeats * k_short_run))));
-    const Run mine = time_solver(file, *subject.make(rung));
-    const bool written = write(ends[1], &mine, sizeof mine) == static_cast<ssize_t>(sizeof mine);
-    _exit(written ? 0 : 1);
-  }
-  close(ends[1]);
-  const bool done = read(ends[0], &run, sizeof run) == static_cast<ssize_t>(sizeof run);
-  close(ends[0]);
-  waitpid(child, nullptr, 0);
-  return done && run.seconds <= limit;
-}
-
 void climb(const std::string& name, const FclibProblem& file, const Subject& subject, double limit) {
   for (const double rung : subject.rungs) {
     Run run;
-    const bool done = run_apart(file, subject, rung, limit, run);
+    const auto solve = [&] { return time_solver(file, *subject.make(rung)); };
+    const bool done = bench::run_apart(limit * (1 + k_repeats * k_short_run), solve, run) && run.seconds <= limit;
     std::printf("%s,%d,%d,%s,%.0e,%s,%d,%.6g,%.4g\n", name.c_str(), file.num_contacts(), file.num_velocities(),
                 subject.name.c_str(), rung, done ? to_string(run.status) : "time_limit", run.iterations,
                 done ? run.seconds : limit, done ? run.natural_map : HUGE_VAL);

@@ -72,6 +72,18 @@ TEST(PositionCorrection, IsCappedAtItsLargestSpeed) {
   EXPECT_NEAR(row.speeds()[1], 1, 1e-12);
 }
 
+TEST(PositionCorrection, SaysWhenItsSweepsDidNotDoOrItsInputIsNoNumber) {
+  PositionCorrection result;
+  Row row({0.006, 0.011, 0.004, 0.02});
+  row.settings.max_sweeps = 2;
+  row.speeds(&result);
+  EXPECT_FALSE(result.converged);
+  row.settings.max_sweeps = 1000;
+  row.points[1].gap = std::numeric_limits<double>::quiet_NaN();
+  std::vector<Vec3> v(row.bodies.id.size(), Vec3::Zero()), w = v;
+  EXPECT_FALSE(correction_velocities(row.contacts, row.points, row.settings, v, w).converged);
+}
+
 TEST(PositionCorrection, LeavesTheSlopAlone) {
   PositionCorrection result;
   EXPECT_EQ(Row({0.0009, -0.001}).speeds(&result), (std::vector<double>{0, 0, 0}));

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "tests/bench/peers/floe_scene.h"
+#include "tests/bench/peers/yardstick.h"
 
 namespace {
 
@@ -83,6 +83,20 @@ peers::BodyState state(const btRigidBody& body) {
   return q;
 }
 
+peers::Touching touching(const btManifoldPoint& point, int body0, int body1, double erp, double h) {
+  const auto vec = [](const btVector3& x) { return nilas::Vec3(x[0], x[1], x[2]); };
+  peers::Touching t;
+  t.a = body1;  // the normal points towards the first body
+  t.b = body0;
+  t.p = 0.5 * (vec(point.getPositionWorldOnA()) + vec(point.getPositionWorldOnB()));
+  t.n = vec(point.m_normalWorldOnB);
+  t.impulse = point.m_appliedImpulse * t.n + point.m_appliedImpulseLateral1 * vec(point.m_lateralFrictionDir1) +
+              point.m_appliedImpulseLateral2 * vec(point.m_lateralFrictionDir2);
+  const double gap = point.getDistance();
+  t.speed_asked = gap > 0 ? -gap / h : -erp * gap / h;  // depths below 4 cm are no matter of its split impulse
+  return t;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -95,20 +109,30 @@ int main(int argc, char** argv) {
     const btTransform pose(btQuaternion(btVector3(0, 0, 1), f.yaw), btVector3(f.centre.x, f.centre.y, s.mid_plane()));
     floes.push_back(w.add(prism(f.outline, -s.thickness / 2, s.thickness / 2), f.mass,
                           btVector3(f.inertia[0], f.inertia[1], f.inertia[2]), pose, s.friction));
+    floes.back()->setUserIndex(static_cast<int>(floes.size()) - 1);
   }
   const auto at = [&](double x) { return btTransform(btQuaternion::getIdentity(), btVector3(x, 0, 0)); };
   btRigidBody* hull =
       w.add(prism(s.hull_outline(), s.hull_bottom, s.hull_top), 0, btVector3(0, 0, 0), at(s.hull_x), s.friction);
   hull->setCollisionFlags(hull->getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+  hull->setUserIndex(peers::k_hull);
   const double walls[4][3] = {{1, 0, s.x0}, {-1, 0, -s.x1}, {0, 1, s.y0}, {0, -1, -s.y1}};
   for (const auto& wall : walls)
     w.add(std::make_unique<btStaticPlaneShape>(btVector3(wall[0], wall[1], 0), wall[2]), 0, btVector3(0, 0, 0),
-          btTransform::getIdentity(), s.friction);
+          btTransform::getIdentity(), s.friction)
+        ->setUserIndex(peers::k_wall);
+  const auto states = [&] {
+    std::vector<peers::BodyState> all;
+    for (const btRigidBody* body : floes) all.push_back(state(*body));
+    return all;
+  };
 
   std::vector<peers::Parts> window;
+  std::vector<double> natural_maps;
   double contacts = 0, penetration = 0;
   for (int n = 0; n < peers::k_last_measured; ++n) {
     w.world.detect_ms = w.world.solve_ms = 0;
+    const std::vector<peers::BodyState> before = states();
     const double t0 = peers::now_ms();
     for (std::size_t i = 0; i < floes.size(); ++i) {
       const peers::Load load = peers::water_load(s, s.floes[i], state(*floes[i]));
@@ -123,15 +147,19 @@ int main(int argc, char** argv) {
     const double t2 = peers::now_ms();
     if (n < peers::k_first_measured) continue;
     window.push_back({w.world.detect_ms, w.world.solve_ms, t1 - t0, t2 - t0});
+    std::vector<peers::Touching> touches;
     for (int k = 0; k < w.dispatcher.getNumManifolds(); ++k) {
       const auto* manifold = w.dispatcher.getManifoldByIndexInternal(k);
       for (int j = 0; j < manifold->getNumContacts(); ++j) {
         const double depth = -manifold->getContactPoint(j).getDistance();
         contacts += depth > 0 ? 1 : 0;
         penetration = std::max(penetration, depth);
+        touches.push_back(touching(manifold->getContactPoint(j), manifold->getBody0()->getUserIndex(),
+                                   manifold->getBody1()->getUserIndex(), w.world.getSolverInfo().m_erp2, s.step));
       }
     }
+    natural_maps.push_back(peers::natural_map(s, before, states(), touches));
   }
   peers::print_row("bullet", s.floes.size(), sweeps, window, contacts / static_cast<double>(window.size()),
-                   penetration / s.thickness);
+                   penetration / s.thickness, natural_maps);
 }

@@ -146,9 +146,15 @@ inline double median(std::vector<double> x) {
   return x[x.size() / 2];
 }
 
-/// One CSV row: engine,floes,sweeps,detect_ms,solve_ms,water_ms,total_ms,contacts,penetration_max_over_thickness
+inline double percentile_95(std::vector<double> x) {
+  std::sort(x.begin(), x.end());
+  return x[x.size() * 95 / 100];
+}
+
+/// One CSV row: engine,floes,sweeps,detect_ms,solve_ms,water_ms,total_ms,contacts,penetration_max_over_thickness,
+/// total_ms_95,natural_map_m_s (medians of the window but where the name says otherwise).
 inline void print_row(const char* engine, std::size_t floes, int sweeps, const std::vector<Parts>& window,
-                      double contacts, double penetration) {
+                      double contacts, double penetration, const std::vector<double>& natural_maps) {
   std::vector<double> d, s, w, t;
   for (const auto& p : window) {
     d.push_back(p.detect);
@@ -156,8 +162,8 @@ inline void print_row(const char* engine, std::size_t floes, int sweeps, const s
     w.push_back(p.water);
     t.push_back(p.total);
   }
-  std::printf("%s,%zu,%d,%.4f,%.4f,%.4f,%.4f,%.1f,%.4f\n", engine, floes, sweeps, median(d), median(s), median(w),
-              median(t), contacts, penetration);
+  std::printf("%s,%zu,%d,%.4f,%.4f,%.4f,%.4f,%.1f,%.4f,%.4f,%.3g\n", engine, floes, sweeps, median(d), median(s),
+              median(w), median(t), contacts, penetration, percentile_95(t), median(natural_maps));
 }
 
 constexpr int k_first_measured = 140, k_last_measured = 240;

@@ -2,9 +2,10 @@
 /// usage: peer_ode SCENE SWEEPS
 #include <ode/ode.h>
 
+#include <cstdint>
 #include <memory>
 
-#include "tests/bench/peers/floe_scene.h"
+#include "tests/bench/peers/yardstick.h"
 
 namespace {
 
@@ -109,6 +110,32 @@ peers::BodyState state(dBodyID body) {
   return q;
 }
 
+/// ODE's share of the depth that a step's velocities are to remove.
+constexpr double k_erp = 0.2;
+
+/// Which floe, or hull or wall, a body is.
+int index_of(dBodyID body) {
+  if (!body) return peers::k_wall;
+  if (dBodyIsKinematic(body)) return peers::k_hull;
+  return static_cast<int>(reinterpret_cast<std::intptr_t>(dBodyGetData(body)));
+}
+
+peers::Touching touching(const Touch& touch, const dJointFeedback& feedback, double h) {
+  const dContactGeom& geom = touch.contact.geom;
+  peers::Touching t;
+  t.p = peers::vec(geom.pos);
+  t.n = peers::vec(geom.normal);
+  t.impulse = h * peers::vec(feedback.f1);
+  t.speed_asked = k_erp * geom.depth / h;
+  // the normal points into the first geometry; a joint whose first body is the world tells of its second
+  t.b = index_of(touch.a);
+  t.a = index_of(touch.b);
+  if (touch.a) return t;
+  std::swap(t.a, t.b);
+  t.n = -t.n;
+  return t;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -121,7 +148,16 @@ int main(int argc, char** argv) {
   dWorldSetGravity(w.world, 0, 0, -s.gravity);
   dWorldSetQuickStepNumIterations(w.world, sweeps);
   std::vector<dBodyID> floes;
-  for (const auto& f : s.floes) floes.push_back(add_floe(w, s, f));
+  for (const auto& f : s.floes) {
+    floes.push_back(add_floe(w, s, f));
+    dBodySetData(floes.back(), reinterpret_cast<void*>(static_cast<std::intptr_t>(floes.size() - 1)));
+  }
+  dWorldSetERP(w.world, k_erp);
+  const auto states = [&] {
+    std::vector<peers::BodyState> all;
+    for (const dBodyID body : floes) all.push_back(state(body));
+    return all;
+  };
   const dBodyID hull = dBodyCreate(w.world);
   dBodySetKinematic(hull);
   dGeomSetBody(prism(w, s.hull_outline(), s.hull_bottom, s.hull_top), hull);
@@ -131,6 +167,8 @@ int main(int argc, char** argv) {
   dCreatePlane(w.space, 0, -1, 0, -s.y1);
 
   std::vector<peers::Parts> window;
+  std::vector<double> natural_maps;
+  std::vector<dJointFeedback> feedback;
   double contacts = 0, penetration = 0;
   for (int n = 0; n < peers::k_last_measured; ++n) {
     const double t0 = peers::now_ms();
@@ -145,19 +183,29 @@ int main(int argc, char** argv) {
     w.touches.clear();
     dSpaceCollide(w.space, &w, &collide);
     const double t2 = peers::now_ms();
-    for (auto& touch : w.touches)
-      dJointAttach(dJointCreateContact(w.world, w.joints, &touch.contact), touch.a, touch.b);
+    const bool measured = n >= peers::k_first_measured;
+    const std::vector<peers::BodyState> before = measured ? states() : std::vector<peers::BodyState>();
+    feedback.assign(w.touches.size(), dJointFeedback{});
+    const double t3 = peers::now_ms();
+    for (std::size_t k = 0; k < w.touches.size(); ++k) {
+      const dJointID joint = dJointCreateContact(w.world, w.joints, &w.touches[k].contact);
+      dJointAttach(joint, w.touches[k].a, w.touches[k].b);
+      if (measured) dJointSetFeedback(joint, &feedback[k]);
+    }
     dWorldQuickStep(w.world, s.step);
     dJointGroupEmpty(w.joints);
-    const double t3 = peers::now_ms();
-    if (n < peers::k_first_measured) continue;
-    window.push_back({t2 - t1, t3 - t2, t1 - t0, t3 - t0});
+    const double t4 = peers::now_ms();
+    if (!measured) continue;
+    window.push_back({t2 - t1, t4 - t3, t1 - t0, t4 - t3 + t2 - t0});
+    std::vector<peers::Touching> touches;
+    for (std::size_t k = 0; k < w.touches.size(); ++k) touches.push_back(touching(w.touches[k], feedback[k], s.step));
+    natural_maps.push_back(peers::natural_map(s, before, states(), touches));
     for (const auto& touch : w.touches) {
       contacts += 1;
       penetration = std::max(penetration, static_cast<double>(touch.contact.geom.depth));
     }
   }
   peers::print_row("ode", s.floes.size(), sweeps, window, contacts / static_cast<double>(window.size()),
-                   penetration / s.thickness);
+                   penetration / s.thickness, natural_maps);
   dCloseODE();
 }

@@ -40,6 +40,19 @@ TEST(Reach, OfAFreeBodyIsItsWayRelativeToTheMeanOfAll) {
   EXPECT_NEAR(reach[2], 1.5 * k_step * 0.2, 1e-15);
 }
 
+TEST(Reach, LoadsOfFreeBodiesCountAndFixedOnesReachNothing) {
+  Bodies bodies = row_of_cubes({1});
+  add_body(bodies, *bodies.shape[0], Vec3(9, 0, 0), Quat::Identity(), Motion::fixed);
+  Wrenches loads(3);
+  loads[0].force = Vec3(0, 0, 5);
+  loads[1].torque = Vec3(0, 0, 7);
+  const auto reach = own_reach(bodies, loads, k_step, 1.5);
+  const double spin = k_step * 7 * bodies.inertia_inverse_B[1](2, 2);
+  EXPECT_NEAR(reach[0], 1.5 * k_step * k_step * 5 / bodies.mass[0], 1e-15);
+  EXPECT_NEAR(reach[1], 1.5 * k_step * spin * bodies.shape[1]->bounding_radius, 1e-12);
+  EXPECT_EQ(reach[2], 0);
+}
+
 TEST(Reach, IsHandedAlongAChainWithTheCommonSpeedLessTheGaps) {
   const Bodies bodies = row_of_cubes({1e-3, 1e-3, 1e-3});
   // 8 mm by itself; then (8 - 1)/2 = 3.5 mm and (3.5 - 1)/2 = 1.25 mm, so the third gap still closes

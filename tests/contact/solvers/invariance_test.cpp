@@ -2,9 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "contact/registry.h"
+#include "core/base/error.h"
 #include "tests/support/problem_changes.h"
 #include "tests/support/problem_factory.h"
 
@@ -184,6 +188,111 @@ TEST_P(Invariance, FrictionOfAParticleInEveryDirection) {
     EXPECT_GE(ratio, low - 1e-9) << phi;
     EXPECT_LE(ratio, high + 1e-9) << phi;
   }
+}
+
+TEST_P(Invariance, InputThatIsNotFiniteIsANumericalError) {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
+  const auto solver = find_solver(GetParam().solver).make({.tolerance = k_tolerance, .max_iterations = 100});
+  const auto expect_refused = [&](const auto& problem, const VecX& guess) {
+    const ContactSolution solution = solver->solve(problem, guess);
+    EXPECT_EQ(solution.status, SolveStatus::numerical_error);
+    EXPECT_FALSE(solution.message.empty());
+    EXPECT_EQ(solution.r, VecX::Zero(solution.r.size()));
+  };
+  for (const double bad : {nan, infinite}) {
+    std::vector<ContactProblem> spoilt(5, heap_of(0));
+    spoilt[0].w[4] = bad;
+    spoilt[1].f[2] = bad;
+    spoilt[2].jacobian_data[7] = bad;
+    spoilt[3].mass_data[35] = bad;
+    spoilt[4].compliance[1] = bad;
+    for (std::size_t k = 0; k < spoilt.size(); ++k) {
+      SCOPED_TRACE(k);
+      expect_refused(spoilt[k], {});
+    }
+    LocalProblem local = reduce(heap_of(0));
+    local.q[1] = bad;
+    expect_refused(local, {});
+  }
+  ContactProblem indefinite = heap_of(0);
+  indefinite.mass_data[0] = -1;
+  expect_refused(indefinite, {});
+  LocalProblem negative = reduce(heap_of(0));
+  for (Mat3& block : negative.block) block = -block;
+  expect_refused(negative, {});
+}
+
+TEST_P(Invariance, GuessesOfTheWrongSizeAreRefused) {
+  const auto solver = find_solver(GetParam().solver).make({});
+  EXPECT_THROW(solver->solve(heap_of(0), VecX::Zero(4)), ContractError);
+  EXPECT_THROW(solver->solve(reduce(heap_of(0)), VecX::Zero(4)), ContractError);
+}
+
+TEST_P(Invariance, NoContactsAreNothingToDo) {
+  ContactProblem problem = test::without_contacts(heap_of(0));
+  const ContactSolution solution = solve(problem);
+  EXPECT_EQ(solution.r.size(), 0);
+  EXPECT_LT((solution.v - velocities(problem, VecX())).cwiseAbs().maxCoeff(), 1e-15);
+}
+
+/// Neither side can move: the force limit says what happens, without one it is named. Other contacts are solved.
+TEST_P(Invariance, ImmovableContactsTakeTheirLimitOrAreNamed) {
+  ContactProblem problem = test::with_order(heap_of(0), {0, 1, 2});
+  problem.add_contact(-1, MatX(3, 0), -1, MatX(3, 0), 987);
+  problem.w.tail<3>() << -0.3, 0, 0;
+  problem.force_limit.back() = 8;
+  EXPECT_NEAR(solve(problem).r[9], 8, 1e-12);
+  EXPECT_NEAR(solve(reduce(problem)).r[9], 8, 1e-12);
+  problem.force_limit.back() = std::numeric_limits<double>::infinity();
+  const auto solver = find_solver(GetParam().solver).make({.tolerance = k_tolerance, .max_iterations = 100000});
+  const ContactSolution global = solver->solve(problem, {}), local = solver->solve(reduce(problem), {});
+  for (const ContactSolution& solution : {global, local}) {
+    EXPECT_EQ(solution.status, SolveStatus::numerical_error);
+    EXPECT_NE(solution.message.find("987"), std::string::npos) << solution.message;
+    EXPECT_EQ(solution.r[9], 0);
+    EXPECT_LE(measure(test::with_order(problem, {0, 1, 2}), solution.r.head(9)).law_map_m_s, k_tolerance);
+  }
+}
+
+/// The mass of a file may be a little asymmetric, and is meant as it stands.
+TEST_P(Invariance, AsymmetricMassesAreSolvedAsStored) {
+  ContactProblem problem = heap_of(1);
+  const double inertia = problem.mass_data[21];
+  problem.mass_data[22] += 1e-3 * inertia;  // (4, 3) of block 0, not (3, 4)
+  const ContactSolution solution = solve(problem);
+  EXPECT_GT((solution.v - solve(heap_of(1)).v).norm(), 1e-6);
+}
+
+TEST_P(Invariance, ToleranceZeroEnds) {
+  const auto solver = find_solver(GetParam().solver).make({.tolerance = 0, .max_iterations = 200});
+  const ContactSolution solution = solver->solve(heap_of(2), {});
+  EXPECT_NE(solution.status, SolveStatus::numerical_error) << solution.message;
+  EXPECT_TRUE(solution.r.allFinite());
+}
+
+/// The budget is of the whole solve, not of each island.
+TEST_P(Invariance, ManyIslandsShareTheWallTime) {
+  const ContactProblem one = heap_of(0);
+  ContactProblem many = test::without_contacts(one);
+  for (int copy = 1; copy < 200; ++copy)
+    for (int k = 0; k < one.num_blocks(); ++k) many.add_block(one.mass(k));
+  for (int copy = 0; copy < 200; ++copy) {
+    const int first = copy * one.num_blocks();
+    many.f.segment(6 * first, one.f.size()) = one.f;
+    for (int c = 0; c < one.num_contacts(); ++c) {
+      const auto& pair = one.pairs[static_cast<std::size_t>(c)];
+      many.add_contact(pair.a < 0 ? -1 : first + pair.a, one.jacobian_a(c), pair.b < 0 ? -1 : first + pair.b,
+                       one.jacobian_b(c), static_cast<std::uint64_t>(many.pairs.size()) + 1);
+      many.mu.back() = many.mu_static.back() = one.mu[static_cast<std::size_t>(c)];
+    }
+  }
+  constexpr double k_budget = 0.02, k_enough = 1;  // [s]; without a shared clock some would take 200 budgets
+  const auto solver =
+      find_solver(GetParam().solver).make({.tolerance = 1e-30, .max_iterations = 100000000, .max_seconds = k_budget});
+  const auto start = std::chrono::steady_clock::now();
+  solver->solve(many, {});
+  const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  EXPECT_LT(took, GetParam().solver == "enumerate" ? HUGE_VAL : k_enough);  // it tries what there is
 }
 
 INSTANTIATE_TEST_SUITE_P(AllSolvers, Invariance, testing::ValuesIn(subjects()), name_of);

@@ -28,7 +28,6 @@ TEST(NotBuilt, EachIsRefusedWithItsPlace) {
       {"<contact detection='continuous'/>", "<contact detection>"},
       {"<contact><friction between='ice ice' static='0.1' rolling='0.01'/></contact>", "<contact><friction rolling>"},
       {"<contact><friction between='ice ice' static='0.1' spinning='1e-9'/></contact>", "<contact><friction spinning>"},
-      {"<contact><friction between='ice ice' static='0.2' kinetic='0.1'/></contact>", "<contact><friction static>"},
       {"<water><current profile='file'/></water>", "<water><current profile>"},
       {"<water><waves kind='regular' height='0.1' period='2'/></water>", "<water><waves>"},
       {"<hydro><added_mass model='strip'/></hydro>", "<hydro><added_mass>"},

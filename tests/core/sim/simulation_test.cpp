@@ -85,6 +85,24 @@ TEST(Simulation, ASlopeHoldsBelowTheFrictionAngle) {
   }
 }
 
+/// On a 20 degree slope with mu_s 0.4 and mu_k 0.3 a box at rest stays, and one that slides goes on and faster.
+TEST(Simulation, ASlopeBetweenTheTwoCoefficientsHoldsWhatRestsAndNotWhatSlides) {
+  for (const double start : {0.0, 0.02}) {
+    Rig rig(
+        "<time step='0.01' end='5'/>"
+        "<contact law='coulomb' solver='auto' tolerance='1e-10'>"
+        "<friction between='structure structure' static='0.4' kinetic='0.3'/></contact>"
+        "<gravity value='3.355217606 0 -9.218384585'/>"
+        "<body name='ground' shape='plane' fixed='true'/>"
+        "<body name='box' shape='box' size='1 1 0.2' mass='2' position='0 0 0.1' velocity='" +
+        std::to_string(start) + " 0 0'/>");
+    const auto record = rig.run(50);
+    EXPECT_EQ(record.status, SolveStatus::converged);
+    const double expected = start > 0 ? start + 0.5 * (3.355217606 - 0.3 * 9.218384585) : 0;
+    EXPECT_NEAR(rig.simulation.bodies().v_GB[1].x(), expected, 1e-7) << "from " << start;
+  }
+}
+
 TEST(Simulation, TwoFloesCollideWithoutLossOfMomentum) {
   Rig rig(std::string("<time step='0.01' end='2'/><gravity value='0 0 0'/>") + k_contact +
           "<ice thickness='0.1'>"

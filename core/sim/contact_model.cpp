@@ -1,0 +1,60 @@
+#include "core/sim/contact_model.h"
+
+#include <algorithm>
+
+#include "contact/registry.h"
+#include "contact/solvers/with_retry.h"
+#include "core/base/error.h"
+
+namespace nilas {
+
+ContactSolution ContactModel::solve(ContactProblem& problem, const VecX& guess) {
+  return static_friction ? static_friction->solve(*solver, guess, problem) : solver->solve(problem, guess);
+}
+
+void demand_contact_choices(const Scene& scene) {
+  try {
+    demand_law(find_solver(scene.contact.solver), parse_law(scene.contact.law).law);
+  } catch (const InputError& error) {
+    throw InputError(scene.file.string() + ": <contact>: " + error.what());
+  }
+}
+
+ContactModel build_contact_model(const ContactScene& contact, double h, int threads) {
+  ContactModel model;
+  const ParsedLaw law = parse_law(contact.law);
+  model.assembly.h = h;
+  model.assembly.law = law.law;
+  model.assembly.facets = law.facets;
+  model.assembly.axes = contact.axes_deg * k_deg;
+  model.correction.h = h;
+  model.correction.erp = contact.erp;
+  model.correction.slop = contact.slop;
+  model.correction.max_speed = contact.max_speed;
+  // a hundredth of a millimetre per step at 0.01 s: far below what the split impulse is to remove
+  constexpr double k_correction_tolerance = 1e-3;  // [m/s]
+  model.correction.tolerance = k_correction_tolerance;
+  // a scene that fixes its sweeps means these too
+  if (contact.tolerance == 0)
+    model.correction.max_sweeps = std::min(model.correction.max_sweeps, contact.max_iterations);
+  model.split_impulse = contact.stabilisation == "split-impulse";
+  model.warm_start = contact.warm_start;
+  model.stop_on_failure = contact.on_failure == "stop" && contact.tolerance > 0;  // fixed sweeps promise nothing
+  model.margin = contact.margin;
+  SolverSettings settings;
+  settings.tolerance = contact.tolerance;
+  settings.max_iterations = contact.max_iterations;
+  settings.threads = threads;
+  model.solver = find_solver(contact.solver).make(settings);
+  if (contact.on_failure == "retry" && contact.tolerance > 0)
+    model.solver = std::make_unique<WithRetry>(std::move(model.solver), find_solver("auto").make(settings));
+  // slower than ten times what the solver may leave is rest
+  constexpr double k_least_slip = 1e-5;  // [m/s]
+  const bool two_coefficients = std::any_of(contact.friction.begin(), contact.friction.end(),
+                                            [](const FrictionScene& pair) { return pair.static_ > pair.kinetic; });
+  if (two_coefficients && law.law != Law::frictionless)
+    model.static_friction.emplace(std::max(k_least_slip, 10 * contact.tolerance));
+  return model;
+}
+
+}  // namespace nilas

@@ -1,0 +1,33 @@
+#pragma once
+/// How a scene wants its contacts assembled, solved and corrected.
+#include <memory>
+#include <optional>
+
+#include "contact/assemble.h"
+#include "contact/position_correction.h"
+#include "contact/solver.h"
+#include "contact/static_friction.h"
+#include "core/scene/scene.h"
+
+namespace nilas {
+
+struct ContactModel {
+  AssemblySettings assembly;
+  CorrectionSettings correction;
+  std::unique_ptr<ContactSolver> solver;          ///< with on_failure="retry" followed by auto
+  std::optional<StaticFriction> static_friction;  ///< where some pair's static coefficient is above its kinetic one
+  bool split_impulse = false;
+  bool warm_start = true;
+  bool stop_on_failure = false;
+  double margin = 0;  ///< [m]; 0: from the speeds
+
+  /// Leaves in `problem.mu` the coefficient that each contact had.
+  ContactSolution solve(ContactProblem& problem, const VecX& guess);
+};
+
+/// Throws InputError naming file and element where the solver does not take the law.
+void demand_contact_choices(const Scene& scene);
+
+ContactModel build_contact_model(const ContactScene& contact, double h, int threads);
+
+}  // namespace nilas
