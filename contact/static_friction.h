@@ -3,9 +3,9 @@
 ///
 /// A contact at rest holds up to mu_s r_N; one that slips has |r_T| = mu_k r_N. With a coefficient per contact the
 /// problem is one of exact Coulomb (or of the law asked): contacts that slipped in the last step begin with mu_k, all
-/// others with mu_s; those that turn out to slip under mu_s get mu_k for the rest of the step, and the problem is solved
-/// again from the impulses at hand, until no further contact starts to slip. What rests under mu_k has mu_s in the next
-/// step. The set of slipping contacts only grows within a step, so this ends.
+/// others with mu_s; those that turn out to slip under mu_s get mu_k for the rest of the step, and the problem is
+/// solved again from the impulses at hand, until no further contact starts to slip. What rests under mu_k has mu_s in
+/// the next step. The set of slipping contacts only grows within a step, so this ends.
 #include <cstdint>
 #include <vector>
 

@@ -15,6 +15,8 @@
 #include <cmath>
 #include <memory>
 
+#include "core/base/error.h"
+
 namespace nilas {
 
 namespace {
@@ -165,6 +167,7 @@ ContactSolution SiconosSolver::solve(const ContactProblem& problem, const VecX& 
 
 ContactSolution SiconosSolver::solve(const LocalProblem& problem, const VecX& guess) const {
   demand_known(name().c_str(), {Law::coulomb}, problem.law);
+  NILAS_DEMAND(guess.size() == 0 || guess.size() == problem.q.size());
   ContactSolution solution = climb(problem, guess, settings_);
   solution.u = contact_velocities(problem, solution.r);
   return solution;

@@ -1,7 +1,5 @@
 #include "contact/peers/simbody_pgs.h"
 
-#include <simbody/internal/PGSImpulseSolver.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -44,7 +42,8 @@ ContactSolution refused(const LocalProblem& island, const std::string& why) {
 
 void SimbodyPgsSolver::demand_law(Law law) const { demand_known("simbody-pgs", {Law::coulomb}, law); }
 
-ContactSolution SimbodyPgsSolver::solve_island(const LocalProblem& island, const VecX&) const {
+ContactSolution SimbodyPgsSolver::solve_island(const LocalProblem& island, const VecX&,
+                                               const SolverSettings& shared) const {
   const int nc = island.num_contacts(), rows = 3 * nc;
   if (nc > k_most_contacts) return refused(island, "simbody-pgs takes at most 1000 contacts of one island");
   if (std::any_of(island.force_limit.begin(), island.force_limit.end(), [](double x) { return std::isfinite(x); }))
@@ -76,18 +75,18 @@ ContactSolution SimbodyPgsSolver::solve_island(const LocalProblem& island, const
   SimTK::Array_<SimTK::ImpulseSolver::ConstraintLtdFrictionRT> joint_friction;
   SimTK::Array_<SimTK::ImpulseSolver::StateLtdFrictionRT> state_friction;
   SimTK::PGSImpulseSolver solver(0);
-  solver.setConvergenceTol(std::max(1e-3 * settings_.shared.tolerance, k_least_change));
-  solver.setMaxIterations(settings_.shared.max_iterations);
+  solver.setConvergenceTol(std::max(1e-3 * shared.tolerance, k_least_change));
+  solver.setMaxIterations(shared.max_iterations);
   solver.solve(0, participating, A, D, expanding, expand, start, applied, pi, unconditional, contacts, speeds, bounded,
                joint_friction, state_friction);
 
   ContactSolution out;
-  out.iterations = settings_.shared.max_iterations;
+  out.iterations = shared.max_iterations;
   out.r.resize(rows);
   for (int i = 0; i < rows; ++i) out.r[i] = -pi[i];
   if (!out.r.allFinite()) return refused(island, "simbody-pgs returned impulses that are not finite");
-  out.status = measure(island, out.r).law_map_m_s <= settings_.shared.tolerance ? SolveStatus::converged
-                                                                                : SolveStatus::iteration_limit;
+  out.status =
+      measure(island, out.r).law_map_m_s <= shared.tolerance ? SolveStatus::converged : SolveStatus::iteration_limit;
   return out;
 }
 

@@ -114,7 +114,7 @@ int write(int floes, const fs::path& folder) {
 
 int run(const fs::path& folder, const std::string& floes, const std::string& sweeps) {
   const bool exact = sweeps == "0";
-  Overrides changes{{"contact/@max_iterations", exact ? "10000" : sweeps}};
+  Overrides changes{{"contact/@max_iterations", exact ? "500" : sweeps}};
   if (exact)
     changes.insert(changes.end(),
                    {{"contact/@solver", "auto"}, {"contact/@law", "coulomb"}, {"contact/@tolerance", "1e-6"}});

@@ -106,7 +106,8 @@ int main(int argc, char** argv) {
       Run run;
       double peak = 0;
       const int contacts = problem.num_contacts();
-      const bool done = bench::run_apart(limit, [&] { return solve(problem, name, tolerance); }, run, &peak);
+      const bool done = bench::run_apart(
+          limit, [&] { return solve(problem, name, tolerance); }, run, &peak);
       if (!done) {
         std::printf("%-10s %9d %10s\n", name, contacts, "time limit");
         std::fflush(stdout);

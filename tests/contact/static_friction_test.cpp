@@ -15,8 +15,8 @@ constexpr double k_gravity = 9.81, k_step = 1e-3, k_mass = 4, k_static = 0.5, k_
 
 /// One step of a block on a level plane, pushed by `force` [N] along t1.
 ContactProblem pushed(double speed, double force) {
-  ContactProblem problem = test::particle(
-      Law::coulomb, k_mass, k_kinetic, {-k_gravity * k_step, speed + force / k_mass * k_step, 0});
+  ContactProblem problem =
+      test::particle(Law::coulomb, k_mass, k_kinetic, {-k_gravity * k_step, speed + force / k_mass * k_step, 0});
   problem.mu_static[0] = k_static;
   return problem;
 }

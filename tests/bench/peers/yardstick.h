@@ -9,8 +9,8 @@ namespace peers {
 /// One contact of a step as the peer had it. Bodies: index of a floe, k_hull or k_wall.
 struct Touching {
   int a = 0, b = 0;
-  nilas::Vec3 p, n;       ///< at the step's start; n from a to b
-  nilas::Vec3 impulse;    ///< on b [N s]
+  nilas::Vec3 p, n;        ///< at the step's start; n from a to b
+  nilas::Vec3 impulse;     ///< on b [N s]
   double speed_asked = 0;  ///< of separation along n that its stabilisation asks for; negative: what a gap allows [m/s]
 };
 constexpr int k_hull = -1, k_wall = -2;
