@@ -101,6 +101,7 @@ void print(const ordered_json& table, bool json) {
     const std::string text = value.is_string()         ? value.template get<std::string>()
                              : value.is_number_float() ? fmt::format("{:.6g}", value.template get<double>())
                                                        : value.dump();
+    if (text.empty()) continue;
     std::cout << fmt::format("  {:<22}{}\n", name, text);
   }
 }

@@ -38,7 +38,8 @@ TEST(Solve, AParticleSlidesByExactCoulombFriction) {
   EXPECT_EQ(result["ndof"], 3);
   EXPECT_EQ(result["law"], "coulomb");
   EXPECT_EQ(result["status"], "converged");
-  for (const char* name : {"solver", "used", "iterations", "seconds", "asymmetry"}) EXPECT_TRUE(result.contains(name));
+  for (const char* name : {"solver", "used", "message", "iterations", "seconds", "asymmetry"})
+    EXPECT_TRUE(result.contains(name));
   const auto written = read_fclib(folder.path() / "out.hdf5");
   const auto& problem = std::get<ContactProblem>(written.problem);
   const VecX v = velocities(problem, written.solution.value());
