@@ -19,6 +19,7 @@ bool run_apart(double limit, const Work& work, Result& result, double* peak = nu
   static_assert(std::is_trivially_copyable_v<Result>);
   std::array<int, 2> ends{};
   if (pipe(ends.data()) != 0) return false;
+  std::fflush(stdout);  // or the child would print it again
   const pid_t child = fork();
   if (child == 0) {
     if (std::freopen("/dev/null", "w", stdout) == nullptr) _exit(1);  // some peers talk
