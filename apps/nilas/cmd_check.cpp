@@ -74,9 +74,9 @@ int check(const CheckOptions& options) {
   for (const auto& name : parts.info.not_built) std::cout << " " << name;
   std::cout << "\n";
   for (const auto& note : scene.notes) std::cout << "note: " << note << "\n";
-  std::cout << fmt::format("\n{} bodies ({} floes), about {} contacts, about {:.0f} MB, {:.0f} steps of {} s\n",
-                           e.bodies, parts.info.floes, e.contacts, std::ceil(e.memory_MB),
-                           std::round((scene.time.end - scene.time.start) / scene.time.step), scene.time.step);
+  std::cout << fmt::format("\n{} bodies ({} floes), about {} contacts, about {:.0f} MB, {} steps of {} s\n", e.bodies,
+                           parts.info.floes, e.contacts, std::ceil(e.memory_MB), number_of_steps(scene.time),
+                           scene.time.step);
   return exit_done;
 }
 

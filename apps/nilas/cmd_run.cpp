@@ -97,7 +97,7 @@ class Run {
   }
 
   Ending advance(Simulation& simulation, Console& console) {
-    const long steps = std::lround((scene_.time.end - scene_.time.start) / scene_.time.step);
+    const long steps = number_of_steps(scene_.time);
     stop_requested = 0;
     std::signal(SIGINT, request_stop);
     std::signal(SIGTERM, request_stop);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace nilas {
 
 void add_scene_flags(CLI::App& command, SceneFlags& flags) {
@@ -27,6 +29,11 @@ Scene read_flagged_scene(const SceneFlags& flags) {
   if (flags.law) overrides.emplace_back("contact/@law", *flags.law);
   if (flags.seed) overrides.emplace_back("seed/@value", fmt::format("{}", *flags.seed));
   return read_scene(flags.file, overrides);
+}
+
+long number_of_steps(const TimeScene& time) {
+  constexpr double k_rounding = 1e-9;  // of a step: 60 s are 6000 steps of 0.01 s, not 6001
+  return std::lround(std::ceil((time.end - time.start) / time.step - k_rounding));
 }
 
 }  // namespace nilas

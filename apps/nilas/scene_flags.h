@@ -22,4 +22,7 @@ void add_scene_flags(CLI::App& command, SceneFlags& flags);
 /// Reads the scene with the overrides applied. Throws InputError for a --set that is not PATH=VALUE.
 Scene read_flagged_scene(const SceneFlags& flags);
 
+/// Steps of equal length until one reaches the end of the run; the last may go past it.
+long number_of_steps(const TimeScene& time);
+
 }  // namespace nilas

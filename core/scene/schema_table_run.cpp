@@ -28,7 +28,7 @@ std::vector<ElementSpec> run_elements() {
             {.name = "end",
              .unit = "s",
              .default_value = "10",
-             .doc = "Time at which the run ends; after the start."}}},
+             .doc = "Time at which the run ends, after the start: with the first step that reaches it."}}},
       {.name = "gravity",
        .parent = "scene",
        .always = true,

@@ -40,6 +40,16 @@ TEST(Cli, UsageErrorsExitWithTwo) {
   EXPECT_EQ(run_nilas("run scene.xml --threads none", folder.path()).exit_code, 2);
 }
 
+TEST(Cli, ARunEndsWithTheFirstStepThatReachesItsEnd) {
+  const ScratchFolder folder;
+  folder.write("box.xml", k_box);
+  for (const auto& [step, steps] : std::vector<std::pair<const char*, int>>{{"0.01", 20}, {"0.03", 7}, {"5", 1}}) {
+    const auto result = run_nilas(std::string("run box.xml --out run --force --json --dt ") + step, folder.path());
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(nlohmann::json::parse(result.out)["steps"], steps) << step;
+  }
+}
+
 TEST(Cli, ADryBoxRunsAndStops) {
   const ScratchFolder folder;
   folder.write("box.xml", k_box);
