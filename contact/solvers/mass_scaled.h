@@ -1,8 +1,8 @@
 #pragma once
 /// One island of a local problem in units of sqrt(J), where every contact has about the same inverse mass.
 ///
-///   e_a = 1/sqrt(d_a),  r = e r',  u' = e u = W' r' + q',  W' = e (W + compliance) e,  q' = e q,  d_a = (trace(W_aa) +
-///   c_a)/3
+///   e_a = 1/sqrt(d_a),  r = e r',  u' = e u = W' r' + q',  W' = e (W + compliance) e,  q' = e q,
+///   d_a = (trace(W_aa) + c_a)/3
 ///
 /// Cones are unchanged, because e_a multiplies all three rows of a contact alike, and the natural map in m/s is
 /// sqrt(d_a) |r'_a - P(r'_a - u'_a)|.

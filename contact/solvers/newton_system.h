@@ -2,9 +2,10 @@
 /// The linear systems of Newton's method on one island, in units of sqrt(J) where every contact's inverse mass is
 /// about 1.
 ///
-///   e_a = 1/sqrt(d_a),  r = e r',  u' = e u = W' r' + q',  W' = e (W + compliance) e,  q' = e q,  d_a = (trace(W_aa) +
-///   c_a)/3 F(r', u') = 0 where the law holds (law_slopes.h), with U = dF/du', R = dF/dr' (U (W' + a I) + R) dr' = -F
-///   a: proximal weight
+///   e_a = 1/sqrt(d_a),  r = e r',  u' = e u = W' r' + q',  W' = e (W + compliance) e,  q' = e q,
+///   d_a = (trace(W_aa) + c_a)/3
+///   F(r', u') = 0 where the law holds (law_slopes.h), with U = dF/du', R = dF/dr'
+///   (U (W' + a I) + R) dr' = -F        a: proximal weight
 ///
 /// Rows of open contacts say dr' = -r' and are taken out, so the matrix has only contacts that carry something. W' is
 /// that of the problem as stored, asymmetric or not. The plan of the factors is kept while the contacts that are not
