@@ -13,7 +13,7 @@ int run_action(const nilas::Action& action) {
     return action();
   } catch (const nilas::SceneError& e) {
     std::cerr << e.what() << "\n" << e.faults().size() << (e.faults().size() == 1 ? " fault\n" : " faults\n");
-    return nilas::exit_bad_input;
+    return e.only_unreadable_files() ? nilas::exit_file : nilas::exit_bad_input;
   } catch (const nilas::InputError& e) {
     std::cerr << "error: " << e.what() << "\n";
     return nilas::exit_bad_input;

@@ -22,6 +22,10 @@ static std::string join(const std::vector<Fault>& faults) {
 
 SceneError::SceneError(std::vector<Fault> faults) : std::runtime_error(join(faults)), faults_(std::move(faults)) {}
 
+bool SceneError::only_unreadable_files() const {
+  return !faults_.empty() && std::all_of(faults_.begin(), faults_.end(), [](const Fault& f) { return f.unreadable; });
+}
+
 void contract_failed(const char* expression, const char* file, int line) {
   throw ContractError(std::string(file) + ":" + std::to_string(line) + ": broken contract: " + expression);
 }

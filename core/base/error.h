@@ -9,20 +9,23 @@ namespace nilas {
 /// One fault in a scene or input file.
 struct Fault {
   std::string file;
-  int line = 0;         ///< 1-based, 0 when the fault has no place
-  int column = 0;       ///< 1-based, 0 when unknown
-  std::string where;    ///< element or attribute path, e.g. "<vessel><mass value>"
-  std::string message;  ///< what was found, what is allowed, nearest name
+  int line = 0;             ///< 1-based, 0 when the fault has no place
+  int column = 0;           ///< 1-based, 0 when unknown
+  std::string where;        ///< element or attribute path, e.g. "<vessel><mass value>"
+  std::string message;      ///< what was found, what is allowed, nearest name
+  bool unreadable = false;  ///< a file named there cannot be opened
 
   /// "file:line:column: where: message"
   std::string text() const;
 };
 
-/// Wrong input: every fault found, thrown together. Exit code 2.
+/// Wrong input: every fault found, thrown together. Exit code 2, or 4 where all of them are files that cannot be
+/// opened.
 class SceneError : public std::runtime_error {
  public:
   explicit SceneError(std::vector<Fault> faults);
   const std::vector<Fault>& faults() const { return faults_; }
+  bool only_unreadable_files() const;
 
  private:
   std::vector<Fault> faults_;

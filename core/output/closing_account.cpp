@@ -33,6 +33,18 @@ std::string worst_line(const char* label, const RunStatistics& statistics, const
   return fmt::format("{:<22}{:.3g} {} at {:g} s\n", label, worst.value, unit, worst.time);
 }
 
+/// One line for each thing that fell short, none in a healthy run.
+std::string shortfall_lines(const Shortfalls& shortfalls, long steps) {
+  std::string text;
+  const auto line = [&](long count, const char* label, const std::string& rest) {
+    if (count > 0) text += fmt::format("{:<22}{} {}\n", label, count, rest);
+  };
+  line(shortfalls.unconverged_steps, "solver short", fmt::format("of {} steps above its tolerance", steps));
+  line(shortfalls.uncorrected_steps, "correction short", fmt::format("of {} steps above its tolerance", steps));
+  line(shortfalls.detection_fallbacks, "collision library", "queries without a usable answer; other axes decided");
+  return text;
+}
+
 }  // namespace
 
 std::string closing_account(const RunStatistics& statistics, double wall_s, const std::filesystem::path& outputs) {
@@ -46,6 +58,7 @@ std::string closing_account(const RunStatistics& statistics, double wall_s, cons
   const Worst& imbalance = statistics.worst("imbalance_J");
   text += fmt::format("{:<22}{:.3g} J at {:g} s, {:.2g} of the energy put in\n", "worst energy error", imbalance.value,
                       imbalance.time, statistics.relative_imbalance());
+  text += shortfall_lines(statistics.shortfalls(), statistics.steps());
   return text + fmt::format("{:<22}{}\n", "outputs", outputs.string());
 }
 

@@ -17,6 +17,13 @@ struct Worst {
   double time = 0;  ///< [s]
 };
 
+/// How often something that a run relies on fell short; each is 0 in a healthy run.
+struct Shortfalls {
+  long unconverged_steps = 0;    ///< the solver ended above its tolerance
+  long uncorrected_steps = 0;    ///< the split impulse ended above its tolerance
+  long detection_fallbacks = 0;  ///< pairs for which FCL gave no usable answer, so that face and edge axes decided
+};
+
 class RunStatistics {
  public:
   explicit RunStatistics(const RunInfo& info);
@@ -39,6 +46,7 @@ class RunStatistics {
   double relative_imbalance() const;
   const std::array<double, k_num_phases>& total_ms() const { return total_ms_; }
   double mean_ms(Phase phase) const;
+  const Shortfalls& shortfalls() const { return shortfalls_; }
 
   const std::vector<std::string>& load_names() const { return load_names_; }
   const std::vector<double>& load_series(std::size_t channel) const { return load_series_[channel]; }
@@ -54,6 +62,7 @@ class RunStatistics {
   double t_start_ = 0, t_end_ = 0;
   long steps_ = 0;
   std::array<double, k_num_phases> total_ms_{};
+  Shortfalls shortfalls_;
 };
 
 }  // namespace nilas

@@ -23,6 +23,12 @@ Json worst_json(const RunStatistics& statistics) {
   return worst;
 }
 
+Json shortfalls_json(const Shortfalls& shortfalls) {
+  return {{"unconverged_steps", shortfalls.unconverged_steps},
+          {"uncorrected_steps", shortfalls.uncorrected_steps},
+          {"detection_fallbacks", shortfalls.detection_fallbacks}};
+}
+
 Json loads_json(const RunStatistics& statistics) {
   Json loads = Json::object();
   for (std::size_t c = 0; c < statistics.load_names().size(); ++c) {
@@ -58,6 +64,7 @@ Json summary_json(const RunInfo& info, const RunStatistics& statistics, const Su
                     {"brash_kg", input.brash_mass},
                     {"concentration", info.concentration}};
   summary["worst"] = worst_json(statistics);
+  summary["shortfalls"] = shortfalls_json(statistics.shortfalls());
   summary["loads"] = loads_json(statistics);
   summary["modules"] = modules_json(info, statistics);
   summary["not_built"] = info.not_built;

@@ -59,21 +59,32 @@ static bool is_stl(const fs::path& path) {
   return ending == ".stl";
 }
 
-static std::string missing_text(const fs::path& path) { return "file not found: " + path.string(); }
+/// What is wrong with a file that a scene names; an empty message: nothing.
+struct FileProblem {
+  std::string message;
+  bool unreadable = false;
+};
 
-/// What is wrong with a hull folder or STL file; empty: nothing.
-static std::string hull_problem(const fs::path& path) {
+/// Whether it is there and can be opened.
+static FileProblem readable(const fs::path& path) {
   std::error_code ignored;
-  if (fs::is_directory(path, ignored))
-    return fs::is_regular_file(path / "fluid.stl", ignored) ? "" : missing_text(path / "fluid.stl");
-  if (!fs::is_regular_file(path, ignored)) return missing_text(path);
-  return is_stl(path) ? "" : "found " + path.string() + "; allowed: a hull folder or a file ending in .stl";
+  if (!fs::is_regular_file(path, ignored)) return {"file not found: " + path.string(), true};
+  if (!std::ifstream(path)) return {"file cannot be opened: " + path.string(), true};
+  return {};
 }
 
-static std::string file_problem(const fs::path& path) {
+static FileProblem hull_problem(const fs::path& path) {
   std::error_code ignored;
-  if (fs::is_directory(path, ignored)) return "found a folder: " + path.string() + "; allowed: a file";
-  return fs::is_regular_file(path, ignored) ? "" : missing_text(path);
+  if (fs::is_directory(path, ignored)) return readable(path / "fluid.stl");
+  const FileProblem problem = readable(path);
+  if (problem.unreadable || is_stl(path)) return problem;
+  return {"found " + path.string() + "; allowed: a hull folder or a file ending in .stl"};
+}
+
+static FileProblem file_problem(const fs::path& path) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) return {"found a folder: " + path.string() + "; allowed: a file"};
+  return readable(path);
 }
 
 static void check_unchanged(const SceneElement& input, std::vector<Fault>& faults) {
@@ -87,11 +98,13 @@ static void check_unchanged(const SceneElement& input, std::vector<Fault>& fault
 
 void check_files(const SceneElement& root, std::vector<Fault>& faults) {
   for_each_path(root, [&](const SceneElement& element, const SceneAttribute& attribute, ValueType type) {
-    const std::string problem = type == ValueType::hull ? hull_problem(attribute.value) : file_problem(attribute.value);
-    if (!problem.empty())
-      faults.push_back(fault_of(element, attribute.name, problem));
-    else if (element.name == "input")
+    const FileProblem problem = type == ValueType::hull ? hull_problem(attribute.value) : file_problem(attribute.value);
+    if (!problem.message.empty()) {
+      faults.push_back(fault_of(element, attribute.name, problem.message));
+      faults.back().unreadable = problem.unreadable;
+    } else if (element.name == "input") {
       check_unchanged(element, faults);
+    }
   });
 }
 

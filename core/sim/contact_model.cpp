@@ -35,18 +35,18 @@ ContactModel build_contact_model(const ContactScene& contact, double h, int thre
   constexpr double k_correction_tolerance = 1e-3;  // [m/s]
   model.correction.tolerance = k_correction_tolerance;
   // a scene that fixes its sweeps means these too
-  if (contact.tolerance == 0)
-    model.correction.max_sweeps = std::min(model.correction.max_sweeps, contact.max_iterations);
+  model.fixed_sweeps = contact.tolerance == 0;
+  if (model.fixed_sweeps) model.correction.max_sweeps = std::min(model.correction.max_sweeps, contact.max_iterations);
   model.split_impulse = contact.stabilisation == "split-impulse";
   model.warm_start = contact.warm_start;
-  model.stop_on_failure = contact.on_failure == "stop" && contact.tolerance > 0;  // fixed sweeps promise nothing
+  model.stop_on_failure = contact.on_failure == "stop" && !model.fixed_sweeps;  // they promise nothing
   model.margin = contact.margin;
   SolverSettings settings;
   settings.tolerance = contact.tolerance;
   settings.max_iterations = contact.max_iterations;
   settings.threads = threads;
   model.solver = find_solver(contact.solver).make(settings);
-  if (contact.on_failure == "retry" && contact.tolerance > 0)
+  if (contact.on_failure == "retry" && !model.fixed_sweeps)
     model.solver = std::make_unique<WithRetry>(std::move(model.solver), find_solver("auto").make(settings));
   // slower than ten times what the solver may leave is rest
   constexpr double k_least_slip = 1e-5;  // [m/s]

@@ -19,7 +19,8 @@ struct ContactModel {
   bool split_impulse = false;
   bool warm_start = true;
   bool stop_on_failure = false;
-  double margin = 0;  ///< [m]; 0: from the speeds
+  bool fixed_sweeps = false;  ///< tolerance 0: as many iterations as the scene says, whatever they reach
+  double margin = 0;          ///< [m]; 0: from the speeds
 
   /// Leaves in `problem.mu` the coefficient that each contact had.
   ContactSolution solve(ContactProblem& problem, const VecX& guess);

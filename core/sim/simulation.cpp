@@ -59,7 +59,8 @@ struct Simulation::World {
   StepMotion velocity_step(const AssembledContacts& contacts, const ContactSolution& solution, const Wrenches& free,
                            std::vector<ContactPoint> points);
   void advance_poses(StepMotion& motion);
-  Velocities correct_positions(const StepMotion& motion, const AssembledContacts& contacts);
+  Velocities correct_positions(const StepMotion& motion, const AssembledContacts& contacts, StepRecord& record);
+  void note_solution(const ContactSolution& solution, StepRecord& record) const;
   void copy_vessel_state();
   VesselAccount vessel_account(const Mat3& inertia_before) const;
   StepLoads step_loads() const;
@@ -160,15 +161,25 @@ void Simulation::World::advance_poses(StepMotion& motion) {
   copy_vessel_state();
 }
 
-Velocities Simulation::World::correct_positions(const StepMotion& motion, const AssembledContacts& contacts) {
+Velocities Simulation::World::correct_positions(const StepMotion& motion, const AssembledContacts& contacts,
+                                                StepRecord& record) {
   if (!model.split_impulse) return {};
-  const Velocities pseudo = [&] {
-    Velocities out{std::vector<Vec3>(size(), Vec3::Zero()), std::vector<Vec3>(size(), Vec3::Zero())};
-    correction_velocities(contacts, motion.points, model.correction, out.v, out.w);
-    return out;
-  }();
+  Velocities pseudo{std::vector<Vec3>(size(), Vec3::Zero()), std::vector<Vec3>(size(), Vec3::Zero())};
+  record.positions_corrected =
+      correction_velocities(contacts, motion.points, model.correction, pseudo.v, pseudo.w).converged;
   displace(parts.bodies, pseudo, h);
   return pseudo;
+}
+
+void Simulation::World::note_solution(const ContactSolution& solution, StepRecord& record) const {
+  record.status = solution.status;
+  record.iterations = solution.iterations;
+  record.solver_message = solution.message;
+  const bool as_asked = solution.status == SolveStatus::converged ||
+                        (model.fixed_sweeps && solution.status == SolveStatus::iteration_limit);
+  if (as_asked) return;
+  warnings.warn("contact solver", "at " + std::to_string(time()) + " s: " + to_string(solution.status) +
+                                      (solution.message.empty() ? "" : ", " + solution.message));
 }
 
 StepLoads Simulation::World::step_loads() const {
@@ -271,6 +282,7 @@ StepRecord Simulation::step() {
   // contacts that can close in this step
   std::vector<ContactPoint> points = world.find_contacts();
   note_penetration(points, record);
+  record.detection_fallbacks = world.detector.counts().fallbacks;
   watch.lap(Phase::detection);
 
   // one value holds the step's contact problem
@@ -285,16 +297,13 @@ StepRecord Simulation::step() {
   const ContactSolution solution = world.model.solve(contacts.problem, guess);
   world.warm.keep(contacts.problem.key, solution.r);
   record.residuals = measure(contacts.problem, solution.r, solution.v);
-  record.status = solution.status;
-  record.iterations = solution.iterations;
-  if (solution.status == SolveStatus::numerical_error)
-    world.warnings.warn("contact solver", "at " + std::to_string(world.time()) + " s: " + solution.message);
+  world.note_solution(solution, record);
   watch.lap(Phase::solver);
 
   // new velocities, then new poses, then the position correction that the scene chose
   StepMotion motion = world.velocity_step(contacts, solution, free, std::move(points));
   world.advance_poses(motion);
-  const Velocities pseudo = world.correct_positions(motion, contacts);
+  const Velocities pseudo = world.correct_positions(motion, contacts, record);
   ++world.steps;
   record.contacts = contacts.problem.num_contacts();
   record.islands = static_cast<int>(find_islands(contacts.problem).size());

@@ -41,6 +41,9 @@ struct StepRecord {
   double h = 0;   ///< [s]
   int floes = 0, contacts = 0, islands = 0, iterations = 0;
   SolveStatus status = SolveStatus::converged;
+  std::string solver_message;       ///< what the solver says where it did not converge
+  bool positions_corrected = true;  ///< the split impulse reached its tolerance
+  long detection_fallbacks = 0;     ///< pairs for which FCL gave no usable answer
   Residuals residuals;
   double penetration_max = 0, penetration_mean = 0;  ///< over contact points with gap < 0 at the step's start [m]
   Ledger ledger;

@@ -118,8 +118,14 @@ TEST(Cli, AMissingHullAndAnOpenHullAreNamed) {
   const ScratchFolder folder;
   folder.write("missing.xml", ship_with("nowhere"));
   const auto missing = run_nilas("check missing.xml", folder.path());
-  EXPECT_EQ(missing.exit_code, 2);
+  EXPECT_EQ(missing.exit_code, 4);
   EXPECT_TRUE(mentions(missing.err, "nowhere")) << missing.err;
+
+  // beside a fault in the scene itself it is one of several
+  folder.write("two.xml", ship_with("nowhere\" headin=\"3"));
+  const auto two = run_nilas("check two.xml", folder.path());
+  EXPECT_EQ(two.exit_code, 2);
+  EXPECT_TRUE(mentions(two.err, "nowhere") && mentions(two.err, "2 faults")) << two.err;
 
   // a tetrahedron without its fourth face
   folder.write("open.stl",

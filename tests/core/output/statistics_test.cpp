@@ -47,6 +47,23 @@ TEST(RunStatistics, KeepsTheWorstWithItsTime) {
   EXPECT_EQ(statistics.mean_ms(Phase::detection), 2);
 }
 
+TEST(RunStatistics, CountsWhatFellShort) {
+  RunStatistics statistics(full_run());
+  StepRecord record = full_record();
+  const std::vector<double> values(30, 1);
+  statistics.add(record, values);
+  EXPECT_EQ(statistics.shortfalls().unconverged_steps, record.status != SolveStatus::converged);
+  EXPECT_EQ(statistics.shortfalls().uncorrected_steps, 0);
+  record.status = SolveStatus::stalled;
+  record.positions_corrected = false;
+  record.detection_fallbacks = 3;
+  const long before = statistics.shortfalls().unconverged_steps;
+  for (int k = 0; k < 2; ++k) statistics.add(record, values);
+  EXPECT_EQ(statistics.shortfalls().unconverged_steps, before + 2);
+  EXPECT_EQ(statistics.shortfalls().uncorrected_steps, 2);
+  EXPECT_EQ(statistics.shortfalls().detection_fallbacks, 6);
+}
+
 TEST(RunStatistics, AValueThatIsNotANumberIsTheWorst) {
   RunStatistics statistics(full_run());
   StepRecord record = full_record();

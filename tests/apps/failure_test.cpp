@@ -1,0 +1,86 @@
+/// What a run does when its solver falls short, and the contact problems that it leaves.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/program.h"
+
+namespace {
+
+using namespace nilas_test;
+
+/// A heavy box on a light one: two sweeps of Gauss-Seidel do not reach the tolerance.
+std::string stack(const std::string& contact) {
+  return R"(<scene version="1" name="stack">
+  <time step="0.01" end="0.1"/>
+  <contact law="coulomb" solver="nsgs" tolerance="1e-12" max_iterations="2" )" +
+         contact + R"(>
+    <friction between="structure structure" static="0.5" kinetic="0.5"/>
+  </contact>
+  <body name="ground" shape="plane" fixed="true"/>
+  <body name="light" shape="box" size="1 1 1" mass="1" position="0 0 0.5"/>
+  <body name="heavy" shape="box" size="1 1 1" mass="1000" position="0 0 1.5" velocity="1 0 0"/>
+</scene>
+)";
+}
+
+std::vector<std::string> files_of(const fs::path& folder) {
+  std::vector<std::string> names;
+  if (fs::exists(folder))
+    for (const auto& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+TEST(Failure, StopEndsWithCodeThreeAndLeavesTheProblem) {
+  const ScratchFolder folder;
+  folder.write("stack.xml", stack("on_failure='stop'"));
+  const auto result = run_nilas("run stack.xml --out run --json", folder.path());
+  EXPECT_EQ(result.exit_code, 3) << result.err;
+  EXPECT_NE(result.err.find("law_map_m_s"), std::string::npos) << result.err;
+  const auto summary = nlohmann::json::parse(read_text(folder.path() / "run/summary.json"));
+  EXPECT_EQ(summary["status"], "failed");
+  EXPECT_EQ(summary["exit_code"], 3);
+  EXPECT_EQ(files_of(folder.path() / "run/problems"), std::vector<std::string>{"last.hdf5"});
+  const auto solved = run_nilas("solve run/problems/last.hdf5 --solver auto --json", folder.path());
+  EXPECT_EQ(solved.exit_code, 0) << solved.err;
+  EXPECT_LE(nlohmann::json::parse(solved.out)["law_map_m_s"].get<double>(), 1e-8);
+}
+
+TEST(Failure, RecordGoesOnAndCounts) {
+  const ScratchFolder folder;
+  folder.write("stack.xml", stack("on_failure='record'"));
+  const auto result = run_nilas("run stack.xml --out run --json --set output/@problems=failed", folder.path());
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto summary = nlohmann::json::parse(result.out);
+  const Table steps(folder.path() / "run/steps.csv");
+  const auto status = steps.text("status");
+  const auto short_steps = std::count_if(status.begin(), status.end(), [](auto& s) { return s != "converged"; });
+  EXPECT_GT(short_steps, 0);
+  EXPECT_EQ(summary["shortfalls"]["unconverged_steps"], short_steps);
+  EXPECT_EQ(files_of(folder.path() / "run/problems").size(), static_cast<std::size_t>(short_steps));
+  EXPECT_NE(result.err.find("iteration_limit"), std::string::npos) << result.err;
+}
+
+TEST(Failure, RetryClimbsToAutoAndConverges) {
+  const ScratchFolder folder;
+  folder.write("stack.xml", stack("on_failure='retry'"));
+  const auto result = run_nilas(
+      "run stack.xml --out run --json --set contact/@max_iterations=100 --set output/@problems=every "
+      "--set contact/@tolerance=1e-9",
+      folder.path());
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(nlohmann::json::parse(result.out)["shortfalls"]["unconverged_steps"], 0);
+  EXPECT_EQ(files_of(folder.path() / "run/problems").size(), 10u);
+}
+
+TEST(Failure, WorstKeepsOneProblem) {
+  const ScratchFolder folder;
+  folder.write("stack.xml", stack("on_failure='record'"));
+  const auto result = run_nilas("run stack.xml --out run --json --set output/@problems=worst", folder.path());
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(files_of(folder.path() / "run/problems"), std::vector<std::string>{"worst.hdf5"});
+}
+
+}  // namespace
