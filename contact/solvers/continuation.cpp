@@ -28,11 +28,12 @@ ContactSolution continue_in_friction(const LocalProblem& island, const NewtonSet
   SolverSettings sweeps = left.shared;
   sweeps.max_iterations = std::min(sweeps.max_iterations, k_sweeps);
   ContactSolution out = NsgsSolver({.shared = sweeps}).solve(with_friction(island, k_first_share), {});
+  const auto out_of_budget = [&] { return left.shared.max_iterations <= 0 || left.shared.out_of_time(); };
   double solved = 0, share = k_first_share, step = k_first_step;
   while (solved < 1 && step >= k_least_step) {
     left.shared.max_iterations = settings.shared.max_iterations - out.iterations;
     out.status = SolveStatus::iteration_limit;
-    if (left.shared.max_iterations <= 0 || left.shared.out_of_time()) return out;
+    if (out_of_budget()) return out;
     ContactSolution next = newton_island(with_friction(island, share), out.r, left);
     out.iterations += next.iterations;
     const bool success = next.status == SolveStatus::converged;
@@ -41,6 +42,8 @@ ContactSolution continue_in_friction(const LocalProblem& island, const NewtonSet
       out.r = next.r;
       solved = share;
     } else if (solved == 0) {
+      left.shared.max_iterations = settings.shared.max_iterations - out.iterations;
+      if (out_of_budget()) return out;
       break;
     }
     step *= success ? (share == k_first_share ? 1 : k_longer) : k_shorter;

@@ -13,7 +13,7 @@
 namespace nilas {
 
 /// One island. iterations: factorisations and sweeps of all solves, at most those of `settings.shared`. The impulses
-/// are those of the last solve at full friction, or of the largest s that was solved; converged only at s = 1.
+/// are those of the largest s that was solved; converged only at s = 1.
 ContactSolution continue_in_friction(const LocalProblem& island, const NewtonSettings& settings);
 
 }  // namespace nilas

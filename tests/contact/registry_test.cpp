@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/base/error.h"
+#include "tests/support/cone_problems.h"
 
 namespace nilas {
 namespace {
@@ -25,13 +28,34 @@ TEST(Registry, FindsSolversAndNamesTheNearest) {
   EXPECT_NE(message.find("did you mean 'pgs'"), std::string::npos) << message;
 }
 
-TEST(Registry, EveryEntryCanBeMade) {
+/// Velocity of a particle that has hit a floor at (-1, 3, 0) with friction 0.5.
+Vec3 after_oblique_impact(Law law) {
+  if (law == Law::frictionless) return {0, 3, 0};
+  if (law == Law::ccp) return {1, 2, 0};  // lifts off: u_N = mu |u_T|
+  return {0, 2.5, 0};                     // a corner of the polygon and a side of the box lie along the slip
+}
+
+TEST(Registry, EveryEntrySolvesEveryLawItNames) {
   for (const auto& entry : solver_registry()) {
-    EXPECT_FALSE(entry.summary.empty());
-    EXPECT_FALSE(entry.laws.empty());
-    const auto solution = entry.make({})->solve(ContactProblem{}, {});
-    EXPECT_EQ(solution.status, SolveStatus::converged);
+    EXPECT_FALSE(entry.summary.empty()) << entry.name;
+    EXPECT_FALSE(entry.laws.empty()) << entry.name;
+    const auto solver = entry.make({.tolerance = 1e-8, .max_iterations = 10000});
+    EXPECT_EQ(solver->name(), entry.name);
+    for (const Law law : entry.laws) {
+      const ContactSolution solution = solver->solve(test::particle(law, 2, 0.5, {-1, 3, 0}), {});
+      EXPECT_EQ(solution.status, SolveStatus::converged) << entry.name << " " << to_string(law);
+      EXPECT_LT((solution.v - after_oblique_impact(law)).norm(), 1e-7) << entry.name << " " << to_string(law);
+    }
   }
+}
+
+TEST(Registry, EntriesRefuseLawsTheyDoNotName) {
+  for (const auto& entry : solver_registry())
+    for (const Law law : {Law::coulomb, Law::ccp, Law::pyramid, Law::pyramid_k, Law::frictionless}) {
+      if (std::find(entry.laws.begin(), entry.laws.end(), law) != entry.laws.end()) continue;
+      EXPECT_THROW(entry.make({})->solve(test::particle(law, 2, 0.5, {-1, 3, 0}), {}), InputError)
+          << entry.name << " " << to_string(law);
+    }
 }
 
 TEST(Registry, ParsesLaws) {

@@ -3,15 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <limits>
 
 #include "core/base/error.h"
 #include "tests/support/cone_problems.h"
 
 namespace nilas {
 namespace {
-
-constexpr double k_gravity = 9.81;
 
 ContactSolution solve(const ContactProblem& problem, double tolerance = 1e-12, const VecX& guess = {}) {
   return PgsSolver({.shared = {.tolerance = tolerance, .max_iterations = 100000}}).solve(problem, guess);
@@ -97,50 +95,6 @@ TEST(Pgs, HeadOnImpactOfTwoBodies) {
     const ContactSolution s = solve(problem);
     EXPECT_NEAR(s.v[0], ((m1 - restitution * m2) * v1 + (1 + restitution) * m2 * v2) / (m1 + m2), 1e-14);
     EXPECT_NEAR(s.v[6], ((m2 - restitution * m1) * v2 + (1 + restitution) * m1 * v1) / (m1 + m2), 1e-14);
-  }
-}
-
-/// Slides a block on a level plane until it rests; semi-implicit Euler. Returns where it stops and when.
-Vec3 slide(Law law, double speed, double direction, double mu, double h) {
-  const double mass = 7;
-  Vec3 v(0, speed * std::cos(direction), speed * std::sin(direction));
-  Vec3 x = Vec3::Zero();
-  double t = 0;
-  while (v.norm() > 0 && t < 100) {
-    ContactProblem problem = test::particle(law, mass, mu, v - Vec3(h * k_gravity, 0, 0));
-    v = solve(problem, 1e-15).v;
-    if (v.norm() < 1e-13) v.setZero();  // rounding is all that is left of the motion
-    x += h * v;
-    t += h;
-  }
-  return {t, x[1], x[2]};
-}
-
-/// sum of h (v0 - k mu g h)+ : the distance of one row under its own friction.
-double row_distance(double v0, double mu, double h) {
-  double sum = 0;
-  for (int k = 1; v0 - k * mu * k_gravity * h > 0; ++k) sum += h * (v0 - k * mu * k_gravity * h);
-  return sum;
-}
-
-TEST(Pgs, BoxPyramidFollowsItsOwnTrajectory) {
-  const double v0 = 5, mu = 0.2, h = 1e-3, p = 30 * k_deg;
-  const Vec3 stop = slide(Law::pyramid, v0, p, mu, h);
-  EXPECT_NEAR(stop[1], row_distance(v0 * std::cos(p), mu, h), 1e-10);
-  EXPECT_NEAR(stop[2], row_distance(v0 * std::sin(p), mu, h), 1e-10);
-  EXPECT_NEAR(stop[1], 4.778, 4.778 * 1e-3);  // (v0 cos p)^2 / (2 mu g), to first order in h
-  EXPECT_NEAR(stop[2], 1.593, 1.593 * 1e-3);
-  EXPECT_NEAR(stop[0], 2.207, 2 * h);
-}
-
-TEST(Pgs, DiscStopsAtTheSameDistanceInEveryDirection) {
-  const double v0 = 5, mu = 0.2, h = 1e-3;
-  const double expected = row_distance(v0, mu, h);
-  for (int azimuth = 0; azimuth < 360; azimuth += 15) {
-    const Vec3 stop = slide(Law::coulomb, v0, azimuth * k_deg, mu, h);
-    const Vec2 along(std::cos(azimuth * k_deg), std::sin(azimuth * k_deg));
-    EXPECT_NEAR(stop.tail<2>().dot(along), expected, 1e-10) << azimuth;
-    EXPECT_NEAR(along.x() * stop[2] - along.y() * stop[1], 0, 1e-10) << azimuth;
   }
 }
 
