@@ -31,6 +31,10 @@ static std::unique_ptr<ContactSolver> make(const SolverSettings& shared) {
   return std::make_unique<Solver>(settings);
 }
 
+static std::unique_ptr<ContactSolver> make_order_free(const SolverSettings& shared) {
+  return std::make_unique<EgSolver>(EgSettings{.shared = shared, .order_free = true});
+}
+
 #ifdef NILAS_PEER_SOLVERS
 template <SiconosMethod method>
 static std::unique_ptr<ContactSolver> make_siconos(const SolverSettings& shared) {
@@ -56,6 +60,11 @@ const std::vector<SolverEntry>& solver_registry() {
        "Self-adaptive extragradient, two products with W per iteration, O(contacts); for sliding fields, slow for "
        "stacks and redundant contacts.",
        convex_sets, make<EgSolver, EgSettings>},
+      {"eg-order-free",
+       "eg with exact cuts of every sum: mirror images, permuted bodies and contacts and any number of threads give "
+       "the "
+       "same bits, at about twice the cost of eg; for studies of symmetry.",
+       convex_sets, make_order_free},
       {"apgd",
        "Accelerated projected gradient with De Saxce's outer loop, one product with W per iteration, O(contacts); 100 "
        "to 20000 iterations; for stacks, mass ratios and fields alike where 1e-8 m/s is enough.",

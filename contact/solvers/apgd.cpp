@@ -155,7 +155,7 @@ ContactSolution ApgdSolver::solve(const ContactProblem& problem, const VecX& gue
   demand_known("apgd", k_laws, problem.law);
   ApgdSettings running = settings_;
   running.shared = settings_.shared.started();
-  return solve_by_operator(problem, guess, running.shared,
+  return solve_by_operator(problem, guess, running.shared, false,
                            [&](IslandOperator& island, const VecX& start) { return iterate(island, start, running); });
 }
 

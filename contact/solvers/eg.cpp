@@ -5,7 +5,9 @@
 #include "contact/solvers/best_iterate.h"
 #include "contact/solvers/island_operator.h"
 #include "contact/solvers/law_cone.h"
+#include "contact/solvers/order_free_sum.h"
 #include "core/base/error.h"
+#include "core/base/parallel.h"
 
 namespace nilas {
 
@@ -19,8 +21,9 @@ constexpr double k_shrink = 2.0 / 3;
 
 class Extragradient {
  public:
-  Extragradient(IslandOperator& island, const VecX& guess) : island_(island), r_(guess) {
-    for (int c = 0; c < island.num_contacts(); ++c) set(c, r_, project(c, r_.segment<3>(3 * c)));
+  Extragradient(IslandOperator& island, const VecX& guess, bool order_free)
+      : island_(island), order_free_(order_free), r_(guess), forces_(island.num_contacts()), impulses_(forces_) {
+    for_each_contact([&](int c) { set(c, r_, project(c, r_.segment<3>(3 * c))); });
     island_.velocities(r_, u_);
   }
 
@@ -32,7 +35,7 @@ class Extragradient {
       rho_ *= k_shrink * std::min(1.0, 1 / ratio_);
       predict();
     }
-    for (int c = 0; c < island_.num_contacts(); ++c) set(c, r_, moved(c, r_, trial_u_));
+    for_each_contact([&](int c) { set(c, r_, moved(c, r_, trial_u_)); });
     island_.velocities(r_, u_);
   }
 
@@ -64,27 +67,41 @@ class Extragradient {
 
   void predict() {
     trial_.resize(r_.size());
-    for (int c = 0; c < island_.num_contacts(); ++c) set(c, trial_, moved(c, r_, u_));
+    for_each_contact([&](int c) { set(c, trial_, moved(c, r_, u_)); });
     island_.velocities(trial_, trial_u_);
-    double force = 0, impulse = 0;
-    for (int c = 0; c < island_.num_contacts(); ++c) {
+    for_each_contact([&](int c) {
       const double d = island_.scales()[static_cast<std::size_t>(c)].d;
-      if (d == 0) continue;
       const auto first = 3 * static_cast<Eigen::Index>(c);
-      force += (shifted(c, u_) - shifted(c, trial_u_)).squaredNorm() / d;
-      impulse += (r_.segment<3>(first) - trial_.segment<3>(first)).squaredNorm() * d;
-    }
+      forces_[c] = d > 0 ? (shifted(c, u_) - shifted(c, trial_u_)).squaredNorm() / d : 0;
+      impulses_[c] = d > 0 ? (r_.segment<3>(first) - trial_.segment<3>(first)).squaredNorm() * d : 0;
+    });
+    const double force = total(forces_), impulse = total(impulses_);
     ratio_ = impulse > 0 ? rho_ * std::sqrt(force / impulse) : k_accepted_ratio;
   }
 
+  template <class Work>
+  void for_each_contact(const Work& work) const {
+    parallel_for(island_.num_contacts(), island_.threads(), [&](std::ptrdiff_t c) { work(static_cast<int>(c)); });
+  }
+
+  /// Sum of terms >= 0.
+  double total(const VecX& terms) const {
+    if (!order_free_) return terms.sum();
+    OrderFreeSum sum(terms.maxCoeff<Eigen::PropagateNaN>(), terms.size());
+    for (const double term : terms) sum.add(term);
+    return sum.value();
+  }
+
   IslandOperator& island_;
+  bool order_free_;
   VecX r_, u_, trial_, trial_u_;
+  VecX forces_, impulses_;  ///< per contact: what the two sides of the acceptance test add up
   double rho_ = 1;
   double ratio_ = k_accepted_ratio;
 };
 
 ContactSolution iterate(IslandOperator& island, const VecX& guess, const EgSettings& settings) {
-  Extragradient method(island, guess);
+  Extragradient method(island, guess, settings.order_free);
   BestIterate best(island, settings.shared, settings.stall_iterations);
   while (best.go_on(method.impulses(), method.estimate())) method.step();
   return best.solution(method.impulses());
@@ -96,7 +113,9 @@ ContactSolution EgSolver::solve(const ContactProblem& problem, const VecX& guess
   demand_known("eg", k_laws, problem.law);
   EgSettings running = settings_;
   running.shared = settings_.shared.started();
-  return solve_by_operator(problem, guess, running.shared,
+  // its own residual is what an order-free solve may look at, and that differs from `measure` by rounding
+  if (running.order_free) running.shared = with_margin(running.shared);
+  return solve_by_operator(problem, guess, running.shared, running.order_free,
                            [&](IslandOperator& island, const VecX& start) { return iterate(island, start, running); });
 }
 

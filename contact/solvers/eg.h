@@ -10,6 +10,10 @@
 /// with the condition of W: for sliding ice and as a start for Newton's method, slow for stacks. W may be asymmetric.
 /// Sources: Korpelevich 1976; Khobotov 1987 (the step); Acary, Bremond, Huber 2018 (the constants in friction).
 ///
+/// Both products visit blocks and contacts independently, so large islands use all threads. With `order_free` every sum
+/// is an OrderFreeSum: on problems with bodies, permuted contacts or bodies, swapped sides, mirror images and any
+/// number of threads then give the same r, v and u to the last bit.
+///
 /// Laws: coulomb, ccp, pyramid-k, frictionless. Nominal tolerance 1e-8 m/s. Islands are solved apart.
 #include "contact/solver.h"
 
@@ -18,12 +22,13 @@ namespace nilas {
 struct EgSettings {
   SolverSettings shared;
   int stall_iterations = 2000;  ///< stalled: law_map fell by less than 0.1 % in this many iterations
+  bool order_free = false;
 };
 
 class EgSolver final : public ContactSolver {
  public:
   explicit EgSolver(const EgSettings& settings) : settings_(settings) {}
-  std::string name() const override { return "eg"; }
+  std::string name() const override { return settings_.order_free ? "eg-order-free" : "eg"; }
   /// converged: law_map_m_s is at most the tolerance as `measure` finds it; else the best impulses measured. With
   /// tolerance 0 nothing is measured. numerical_error: input that is not finite, or a contact that cannot yield.
   /// Throws InputError for the law pyramid, whose bounds depend on r_N.

@@ -2,7 +2,10 @@
 
 #include <cmath>
 
+#include "contact/solvers/block_sums.h"
 #include "contact/solvers/contact_sides.h"
+#include "contact/solvers/order_free_velocities.h"
+#include "core/base/parallel.h"
 
 namespace nilas {
 
@@ -36,48 +39,32 @@ class LocalOperator final : public IslandOperator {
 
 class RowsOperator final : public IslandOperator {
  public:
-  explicit RowsOperator(const RowIsland& island) : island_(island) {
+  RowsOperator(const RowIsland& island, bool order_free)
+      : island_(island), order_free_(order_free), sums_(island, order_free) {
     law_ = island.problem.law;
     facets_ = island.problem.facets;
+    threads_ = island.threads;
     const auto& scales = island.rows.scales;
     scales_.assign(scales.begin() + island.island.first, scales.begin() + island.island.last);
-    for (const int k : island.island.blocks) {
-      const auto i = static_cast<std::size_t>(k);
-      blocks_.push_back({island.rows.first_velocity[i], island.problem.block_size(k)});
-    }
-    for (int c = 0; c < num_contacts(); ++c) add<-1>(contact(c), contact(c).r);
-    for (const Block& block : blocks_) {
-      const auto part = island.rows.velocities.segment(block.first, block.size);
-      free_.insert(free_.end(), part.begin(), part.end());
-    }
   }
 
   void velocities(const VecX& r, VecX& u) override {
     u.resize(r.size());
-    set_free();
-    for (int c = 0; c < num_contacts(); ++c) add<1>(contact(c), r.data() + row_of(c));
-    for (int c = 0; c < num_contacts(); ++c) gather(contact(c), r.data() + row_of(c), u.data() + row_of(c));
+    sums_.set_velocities(r);
+    parallel_for(num_contacts(), threads_,
+                 [&](std::ptrdiff_t c) { gather(contact(static_cast<int>(c)), r.data() + 3 * c, u.data() + 3 * c); });
   }
 
   double law_map(const VecX& r) override {
     for (int c = 0; c < num_contacts(); ++c) std::copy_n(r.data() + row_of(c), 3, contact(c).r);
-    return island_.residual.law_map(island_.rows, island_.island);
+    if (!order_free_) return island_.residual.law_map(island_.rows, island_.island);
+    VecX u;
+    velocities(r, u);
+    return estimate(r, u);
   }
 
  private:
-  struct Block {
-    int first, size;
-  };
-
   PgsContact& contact(int c) { return island_.rows.contacts[static_cast<std::size_t>(island_.island.first + c)]; }
-
-  void set_free() {
-    const double* from = free_.data();
-    for (const Block& block : blocks_) {
-      std::copy_n(from, block.size, island_.rows.velocities.data() + block.first);
-      from += block.size;
-    }
-  }
 
   template <class Work>
   void with_sides(const PgsContact& c, const Work& work) {
@@ -93,18 +80,6 @@ class RowsOperator final : public IslandOperator {
       work(Sides<k_any, k_any>(c, rows, v));
   }
 
-  /// Velocities of the bodies with the impulse added (sign 1) or taken out (-1).
-  template <int sign>
-  void add(const PgsContact& c, const double* r) {
-    if (r[0] == 0 && r[1] == 0 && r[2] == 0) return;
-    with_sides(c, [&](const auto& sides) {
-      if (law_ == Law::frictionless)
-        sides.apply_normal(sign * r[0]);
-      else
-        sides.apply(sign * r[0], sign * r[1], sign * r[2]);
-    });
-  }
-
   void gather(const PgsContact& c, const double* r, double* u) {
     with_sides(c, [&](const auto& sides) {
       u[0] = sides.velocity(0) + c.w[0] + c.compliance * r[0];
@@ -113,20 +88,25 @@ class RowsOperator final : public IslandOperator {
   }
 
   RowIsland island_;
-  std::vector<Block> blocks_;
-  std::vector<double> free_;  ///< velocities without impulses, block by block
+  bool order_free_;
+  BlockSums sums_;
 };
 
 }  // namespace
 
 double IslandOperator::estimate(const VecX& r, const VecX& u) const {
+  std::vector<double> worst_of(static_cast<std::size_t>(num_chunks(num_contacts())), 0.0);
+  const auto keep = [](double map, double& worst) {
+    if (!(map <= worst) && !std::isnan(worst)) worst = map;
+  };
+  parallel_chunks(num_contacts(), k_chunk, threads_, [&](std::ptrdiff_t k, std::ptrdiff_t first, std::ptrdiff_t last) {
+    for (std::ptrdiff_t c = first; c < last; ++c)
+      keep(
+          nilas::law_map(law_, facets_, scales_[static_cast<std::size_t>(c)], r.segment<3>(3 * c), u.segment<3>(3 * c)),
+          worst_of[static_cast<std::size_t>(k)]);
+  });
   double worst = 0;
-  for (int c = 0; c < num_contacts(); ++c) {
-    const double map = nilas::law_map(law_, facets_, scales_[static_cast<std::size_t>(c)], r.segment<3>(row_of(c)),
-                                      u.segment<3>(row_of(c)));
-    if (!(map <= worst)) worst = map;
-    if (std::isnan(worst)) break;
-  }
+  for (const double map : worst_of) keep(map, worst);
   return worst;
 }
 
@@ -134,8 +114,8 @@ std::unique_ptr<IslandOperator> make_operator(const LocalProblem& island) {
   return std::make_unique<LocalOperator>(island);
 }
 
-std::unique_ptr<IslandOperator> make_operator(const RowIsland& island) {
-  return std::make_unique<RowsOperator>(island);
+std::unique_ptr<IslandOperator> make_operator(const RowIsland& island, bool order_free) {
+  return std::make_unique<RowsOperator>(island, order_free);
 }
 
 ContactSolution solve_by_operator(const LocalProblem& problem, const VecX& guess, const SolverSettings& shared,
@@ -153,19 +133,24 @@ ContactSolution solve_by_operator(const LocalProblem& problem, const VecX& guess
 }
 
 ContactSolution solve_by_operator(const ContactProblem& problem, const VecX& guess, const SolverSettings& shared,
-                                  const OperatorSolve& solve) {
-  return solve_row_islands(problem, guess, shared, [&](const RowIsland& island) {
+                                  bool order_free, const OperatorSolve& solve) {
+  ContactSolution out = solve_row_islands(problem, guess, shared, RowOrder::given, [&](const RowIsland& island) {
     VecX start(row_of(island.island.last - island.island.first));
     for (int k = island.island.first; k < island.island.last; ++k)
       start.segment<3>(row_of(k - island.island.first)) =
           Eigen::Map<const Vec3>(island.rows.contacts[static_cast<std::size_t>(k)].r);
-    const auto as_operator = make_operator(island);
+    const auto as_operator = make_operator(island, order_free);
     ContactSolution solution = solve(*as_operator, start);
     for (int k = island.island.first; k < island.island.last; ++k)
       std::copy_n(solution.r.data() + row_of(k - island.island.first), 3,
                   island.rows.contacts[static_cast<std::size_t>(k)].r);
     return solution;
   });
+  if (order_free) {
+    out.v = order_free_velocities(problem, out.r);
+    out.u = contact_velocities(problem, out.v);
+  }
+  return out;
 }
 
 }  // namespace nilas

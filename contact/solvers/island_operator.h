@@ -15,6 +15,8 @@ class IslandOperator {
   int facets() const { return facets_; }
   const std::vector<ContactScale>& scales() const { return scales_; }
 
+  int threads() const { return threads_; }  ///< for work on all contacts
+
   /// u: 3 nc compliant velocities of the impulses r. O(nc), or O(blocks of W) on a local problem.
   virtual void velocities(const VecX& r, VecX& u) = 0;
   /// The residual of r as `measure` finds it [m/s].
@@ -26,18 +28,21 @@ class IslandOperator {
  protected:
   Law law_ = Law::coulomb;
   int facets_ = 8;
+  int threads_ = 1;
   std::vector<ContactScale> scales_;
 };
 
 std::unique_ptr<IslandOperator> make_operator(const LocalProblem& island);
-std::unique_ptr<IslandOperator> make_operator(const RowIsland& island);
+/// `order_free`: as in BlockSums, the residual included.
+std::unique_ptr<IslandOperator> make_operator(const RowIsland& island, bool order_free);
 
 /// Solves one island from `guess` (3 nc, admissible or not); r of the solution is what was found.
 using OperatorSolve = std::function<ContactSolution(IslandOperator& island, const VecX& guess)>;
 
 ContactSolution solve_by_operator(const LocalProblem& problem, const VecX& guess, const SolverSettings& shared,
                                   const OperatorSolve& solve);
+/// `order_free`: r, v and u too have bits that do not depend on the order of contacts and bodies.
 ContactSolution solve_by_operator(const ContactProblem& problem, const VecX& guess, const SolverSettings& shared,
-                                  const OperatorSolve& solve);
+                                  bool order_free, const OperatorSolve& solve);
 
 }  // namespace nilas

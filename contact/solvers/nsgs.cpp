@@ -9,12 +9,16 @@ namespace {
 class BodiesIsland : public RowSweeps {
  public:
   explicit BodiesIsland(const RowIsland& whole)
-      : RowSweeps(whole), facets_(whole.problem.facets), blocks_(make_nsgs_contacts(rows_, island_)) {}
+      : RowSweeps(whole),
+        facets_(whole.problem.facets),
+        threads_(whole.threads),
+        blocks_(make_nsgs_contacts(rows_, island_)) {}
 
-  double sweep(bool backward) { return nsgs_sweep(rows_, island_, blocks_, facets_, backward); }
+  double sweep(bool backward) { return nsgs_sweep(rows_, island_, blocks_, facets_, backward, threads_); }
 
  private:
   int facets_;
+  int threads_;
   std::vector<NsgsContact> blocks_;
 };
 
@@ -58,7 +62,7 @@ class LocalIsland : public LocalSweeps {
 ContactSolution NsgsSolver::solve(const ContactProblem& problem, const VecX& guess) const {
   SweepSettings running = settings_;
   running.shared = settings_.shared.started();
-  return solve_row_islands(problem, guess, running.shared, [&](const RowIsland& island) {
+  return solve_row_islands(problem, guess, running.shared, RowOrder::coloured, [&](const RowIsland& island) {
     BodiesIsland sweeps(island);
     return sweep_to_tolerance(sweeps, island.island.last - island.island.first, running);
   });

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/solvers/contact_sides.h"
+#include "core/base/parallel.h"
 
 namespace nilas {
 
@@ -52,17 +53,58 @@ double visit_any(PgsContact& c, NsgsContact& own, const double* coefficients, do
   return 0;
 }
 
+/// Contacts [first, last) in turn; the largest (d |dr|)^2.
 template <Path path>
-double sweep(PgsRows& rows, const PgsIsland& island, std::vector<NsgsContact>& blocks, int facets, bool backward) {
+double visit_in_turn(PgsRows& rows, std::vector<NsgsContact>& blocks, int island_first, int first, int last, int facets,
+                     bool backward) {
   const double* const coefficients = rows.coefficients.data();
   double* const velocities = rows.velocities.data();
   double largest = 0;
-  for (int k = island.first; k < island.last; ++k) {
-    const auto i = static_cast<std::size_t>(backward ? island.first + island.last - 1 - k : k);
-    NsgsContact& own = blocks[i - static_cast<std::size_t>(island.first)];
+  for (int k = first; k < last; ++k) {
+    const auto i = static_cast<std::size_t>(backward ? first + last - 1 - k : k);
+    NsgsContact& own = blocks[i - static_cast<std::size_t>(island_first)];
     const double change = visit_any<path>(rows.contacts[i], own, coefficients, velocities, rows.law, facets);
     if (!(change <= largest)) largest = change;
   }
+  return largest;
+}
+
+/// Runs that one thread visits in one go: few, so that a colour can be shared out evenly.
+constexpr std::ptrdiff_t k_runs = 16;
+
+/// The runs of one colour at once; as above.
+template <Path path>
+double visit_colour(PgsRows& rows, const PgsIsland& island, std::vector<NsgsContact>& blocks, std::size_t colour,
+                    int facets, bool backward, int threads) {
+  const std::ptrdiff_t begin = island.colours[colour], count = island.colours[colour + 1] - begin;
+  std::vector<double> changes(static_cast<std::size_t>(num_chunks(count, k_runs)), 0.0);
+  parallel_chunks(count, k_runs, threads, [&](std::ptrdiff_t chunk, std::ptrdiff_t first, std::ptrdiff_t last) {
+    const auto from = static_cast<std::size_t>(begin + first), to = static_cast<std::size_t>(begin + last);
+    changes[static_cast<std::size_t>(chunk)] =
+        visit_in_turn<path>(rows, blocks, island.first, island.runs[from], island.runs[to], facets, backward);
+  });
+  double largest = 0;
+  for (const double change : changes)
+    if (!(change <= largest)) largest = change;
+  return largest;
+}
+
+template <Path path>
+double sweep(PgsRows& rows, const PgsIsland& island, std::vector<NsgsContact>& blocks, int facets, bool backward,
+             int threads) {
+  const int first_in_turn = island.runs.empty() ? island.first : island.runs.back();
+  const std::size_t colours = island.colours.empty() ? 0 : island.colours.size() - 1;
+  double largest = 0;
+  const auto keep = [&](double change) {
+    if (!(change <= largest)) largest = change;
+  };
+  const auto in_turn = [&] {
+    keep(visit_in_turn<path>(rows, blocks, island.first, first_in_turn, island.last, facets, backward));
+  };
+  if (backward) in_turn();
+  for (std::size_t k = 0; k < colours; ++k)
+    keep(visit_colour<path>(rows, island, blocks, backward ? colours - 1 - k : k, facets, backward, threads));
+  if (!backward) in_turn();
   return std::sqrt(largest);
 }
 
@@ -89,10 +131,11 @@ std::vector<NsgsContact> make_nsgs_contacts(const PgsRows& rows, const PgsIsland
   return blocks;
 }
 
-double nsgs_sweep(PgsRows& rows, const PgsIsland& island, std::vector<NsgsContact>& blocks, int facets, bool backward) {
-  if (rows.law == Law::coulomb) return sweep<Path::coulomb>(rows, island, blocks, facets, backward);
-  if (rows.law == Law::ccp) return sweep<Path::ccp>(rows, island, blocks, facets, backward);
-  return sweep<Path::other>(rows, island, blocks, facets, backward);
+double nsgs_sweep(PgsRows& rows, const PgsIsland& island, std::vector<NsgsContact>& blocks, int facets, bool backward,
+                  int threads) {
+  if (rows.law == Law::coulomb) return sweep<Path::coulomb>(rows, island, blocks, facets, backward, threads);
+  if (rows.law == Law::ccp) return sweep<Path::ccp>(rows, island, blocks, facets, backward, threads);
+  return sweep<Path::other>(rows, island, blocks, facets, backward, threads);
 }
 
 }  // namespace nilas

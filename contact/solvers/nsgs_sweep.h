@@ -15,7 +15,9 @@ struct NsgsContact {
 /// In the order of the island's contacts.
 std::vector<NsgsContact> make_nsgs_contacts(const PgsRows& rows, const PgsIsland& island);
 
-/// Visits the island's contacts in order (or backwards). Returns the largest d |dr| [m/s].
-double nsgs_sweep(PgsRows& rows, const PgsIsland& island, std::vector<NsgsContact>& blocks, int facets, bool backward);
+/// Visits the island's contacts in order (or backwards), those of one colour with `threads` at once. Returns the
+/// largest d |dr| [m/s].
+double nsgs_sweep(PgsRows& rows, const PgsIsland& island, std::vector<NsgsContact>& blocks, int facets, bool backward,
+                  int threads);
 
 }  // namespace nilas

@@ -81,7 +81,7 @@ ContactSolution PgsSolver::solve(const ContactProblem& problem, const VecX& gues
   demand_known("pgs", {Law::pyramid, Law::coulomb, Law::frictionless}, problem.law);
   SweepSettings running = settings_;
   running.shared = settings_.shared.started();
-  return solve_row_islands(problem, guess, running.shared, [&](const RowIsland& island) {
+  return solve_row_islands(problem, guess, running.shared, RowOrder::given, [&](const RowIsland& island) {
     BodiesIsland sweeps(island, running);
     return sweep_to_tolerance(sweeps, island.island.last - island.island.first, running);
   });

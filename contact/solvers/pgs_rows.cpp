@@ -5,6 +5,7 @@
 
 #include "contact/islands.h"
 #include "contact/operators.h"
+#include "contact/solvers/colouring.h"
 #include "contact/solvers/pgs_sweep.h"
 #include "core/base/parallel.h"
 
@@ -49,13 +50,15 @@ static bool has_roots(const MassInverse& masses, const ContactProblem::Pair& pai
   return (pair.a < 0 || masses.has_root(pair.a)) && (pair.b < 0 || masses.has_root(pair.b));
 }
 
-static void place_islands(const ContactProblem& problem, const MassInverse& masses, PgsRows& rows) {
+static void place_islands(const ContactProblem& problem, const MassInverse& masses, RowOrder order, PgsRows& rows) {
   const int rows_per_contact = rows.law == Law::frictionless ? 1 : 3;
   std::vector<char> listed(static_cast<std::size_t>(problem.num_blocks()), 0);
   Eigen::Index coefficients = 0;
-  for (const auto& members : find_islands(problem)) {
+  for (auto& members : find_islands(problem)) {
     PgsIsland island;
     island.first = static_cast<int>(rows.source.size());
+    if (order == RowOrder::coloured && members.size() >= k_fewest_coloured)
+      colour(problem, members, island.first, island.runs, island.colours);
     for (const int c : members) {
       for (const int k : {problem.pairs[static_cast<std::size_t>(c)].a, problem.pairs[static_cast<std::size_t>(c)].b}) {
         if (k < 0 || listed[static_cast<std::size_t>(k)] != 0) continue;
@@ -136,8 +139,10 @@ static Mat3 own_block(const double* rows, const double* responses, Eigen::Index 
   for (Eigen::Index i = 0; i < 3; ++i)
     for (Eigen::Index j = 0; j <= i; ++j) {
       const double *const row = rows + i * stride, *const response = responses + j * stride;
-      double sum = 0;
-      for (Eigen::Index k = 0; k < stride; ++k) sum += row[k] * response[k];
+      double side_a = 0, side_b = 0;  // apart, so that it does not matter which side is which
+      for (Eigen::Index k = 0; k < n_a; ++k) side_a += row[k] * response[k];
+      for (Eigen::Index k = n_a; k < stride; ++k) side_b += row[k] * response[k];
+      double sum = side_a + side_b;
       if (same_block)
         for (Eigen::Index k = 0; k < n_a; ++k) sum += row[k] * response[n_a + k] + row[n_a + k] * response[k];
       w(i, j) = sum;
@@ -216,18 +221,17 @@ static void set_velocities(const ContactProblem& problem, const MassInverse& mas
   for (const auto& contact : rows.contacts) apply_impulse(contact, rows);
 }
 
-PgsRows make_pgs_rows(const ContactProblem& problem, const MassInverse& masses, const VecX& guess, int threads) {
+PgsRows make_pgs_rows(const ContactProblem& problem, const MassInverse& masses, const VecX& guess, RowOrder order,
+                      int threads) {
   PgsRows rows;
   rows.law = problem.law;
   place_velocities(problem, rows);
-  place_islands(problem, masses, rows);
-  // one scratch area per chunk; the chunks do not depend on the number of threads
-  constexpr std::ptrdiff_t chunk = 256;
-  const auto count = static_cast<std::ptrdiff_t>(rows.contacts.size());
+  place_islands(problem, masses, order, rows);
   const std::size_t room = 2 * largest_response(problem);
-  parallel_for((count + chunk - 1) / chunk, threads, [&](std::ptrdiff_t k) {
+  const auto count = static_cast<std::ptrdiff_t>(rows.contacts.size());
+  parallel_chunks(count, k_chunk, threads, [&](std::ptrdiff_t, std::ptrdiff_t first, std::ptrdiff_t last) {
     std::vector<double> scratch(room);
-    for (std::ptrdiff_t place = k * chunk; place < std::min(count, (k + 1) * chunk); ++place)
+    for (std::ptrdiff_t place = first; place < last; ++place)
       fill_contact(problem, masses, guess, rows, static_cast<std::size_t>(place), scratch.data());
   });
   set_velocities(problem, masses, rows, threads);

@@ -41,9 +41,16 @@ struct RowWeights {
 /// `w`: W_cc, its diagonal is read. A row that cannot move gets a weight that drives its impulse to its bound at once.
 RowWeights row_weights(const Mat3& w, Law law, double compliance, double force_limit);
 
+/// How the contacts of a large island stand in the rows: in the problem's order, or grouped into colours of contacts
+/// that share no moving block (solvers/colouring.h).
+enum class RowOrder { given, coloured };
+
 struct PgsIsland {
   int first = 0, last = 0;  ///< contacts [first, last)
   std::vector<int> blocks;  ///< that they touch
+  /// Of a coloured island: contacts [runs[k], runs[k + 1]) join the same two blocks, runs [colours[i], colours[i + 1])
+  /// may be visited at once; contacts from runs.back() on are visited in turn. Both empty: all are.
+  std::vector<int> runs, colours;
 };
 
 struct PgsRows {
@@ -62,6 +69,7 @@ struct PgsRows {
 void set_block_velocities(const MassInverse& masses, int k, const double* momentum, PgsRows& rows);
 
 /// Sets all up for the impulses `guess` (3 nc, or empty for none), made admissible.
-PgsRows make_pgs_rows(const ContactProblem& problem, const MassInverse& masses, const VecX& guess, int threads);
+PgsRows make_pgs_rows(const ContactProblem& problem, const MassInverse& masses, const VecX& guess, RowOrder order,
+                      int threads);
 
 }  // namespace nilas

@@ -45,9 +45,15 @@ void solve_all(const ContactProblem& problem, const MassInverse& masses, PgsRows
                const RowSolve& solve, ContactSolution& out) {
   std::vector<ContactSolution> parts(rows.islands.size());
   RowResidual residual(problem, masses);
+  const auto is_large = [&](std::size_t i) { return rows.islands[i].last - rows.islands[i].first >= k_large_island; };
+  const auto solve_island = [&](std::size_t i, int threads) {
+    parts[i] = solve_one({problem, masses, rows, rows.islands[i], residual, threads}, shared, solve);
+  };
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (is_large(i)) solve_island(i, shared.threads);
   parallel_for(static_cast<std::ptrdiff_t>(parts.size()), shared.threads, [&](std::ptrdiff_t k) {
     const auto i = static_cast<std::size_t>(k);
-    parts[i] = solve_one({problem, rows, rows.islands[i], residual}, shared, solve);
+    if (!is_large(i)) solve_island(i, 1);
   });
   for (std::size_t k = 0; k < rows.source.size(); ++k)
     out.r.segment<3>(3 * static_cast<Eigen::Index>(rows.source[k])) = Eigen::Map<const Vec3>(rows.contacts[k].r);
@@ -65,11 +71,11 @@ void demand_sizes(const ContactProblem& problem) {
 }  // namespace
 
 ContactSolution solve_row_islands(const ContactProblem& problem, const VecX& guess, const SolverSettings& shared,
-                                  const RowSolve& solve) {
+                                  RowOrder order, const RowSolve& solve) {
   NILAS_DEMAND(guess.size() == 0 || guess.size() == 3 * problem.num_contacts());
   demand_sizes(problem);
   const MassInverse masses(problem);
-  PgsRows rows = make_pgs_rows(problem, masses, guess, shared.threads);
+  PgsRows rows = make_pgs_rows(problem, masses, guess, order, shared.threads);
   ContactSolution out;
   out.r = VecX::Zero(3 * static_cast<Eigen::Index>(problem.num_contacts()));
   if (masses.first_bad_block() >= 0)

@@ -1,5 +1,6 @@
 #pragma once
 /// Loop over independent items. Each item writes only its own result, so the bits do not depend on the thread count.
+#include <algorithm>
 #include <cstddef>
 
 namespace nilas {
@@ -8,6 +9,20 @@ template <class Body>
 void parallel_for(std::ptrdiff_t count, int threads, const Body& body) {
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
   for (std::ptrdiff_t i = 0; i < count; ++i) body(i);
+}
+
+/// Items per chunk of a loop whose chunks are summed apart.
+constexpr std::ptrdiff_t k_chunk = 256;
+
+inline std::ptrdiff_t num_chunks(std::ptrdiff_t count, std::ptrdiff_t chunk = k_chunk) {
+  return (count + chunk - 1) / chunk;
+}
+
+/// Calls body(k, first, last) for the chunks k of [0, count), whose number does not depend on the thread count.
+template <class Body>
+void parallel_chunks(std::ptrdiff_t count, std::ptrdiff_t chunk, int threads, const Body& body) {
+  parallel_for(num_chunks(count, chunk), threads,
+               [&](std::ptrdiff_t k) { body(k, k * chunk, std::min(count, (k + 1) * chunk)); });
 }
 
 }  // namespace nilas

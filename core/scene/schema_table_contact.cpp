@@ -18,7 +18,7 @@ static std::vector<AttributeSpec> law_and_solver() {
               "pyramid-k (k facets, as in pyramid-8), frictionless."},
       {.name = "solver",
        .type = ValueType::choice,
-       .choices = {"auto", "pgs", "nsgs", "eg", "apgd", "admm", "newton", "ipm", "enumerate"},
+       .choices = {"auto", "pgs", "nsgs", "eg", "eg-order-free", "apgd", "admm", "newton", "ipm", "enumerate"},
        .default_value = "auto",
        .doc = "auto, or a name that `nilas solvers` lists, with the laws that each takes."},
       {.name = "tolerance",

@@ -1,0 +1,210 @@
+/// eg-order-free: the same bits whatever the order of contacts and bodies, the thread count, and for mirror images.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "contact/registry.h"
+#include "contact/solvers/colouring.h"
+#include "contact/solvers/order_free_sum.h"
+#include "tests/support/problem_changes.h"
+#include "tests/support/problem_factory.h"
+
+namespace nilas {
+namespace {
+
+ContactSolution solve(const ContactProblem& problem, const std::string& name, int threads = 1) {
+  return find_solver(name).make({.tolerance = 1e-6, .max_iterations = 400, .threads = threads})->solve(problem, {});
+}
+
+ContactSolution solve(const ContactProblem& problem, int threads = 1) {
+  return solve(problem, "eg-order-free", threads);
+}
+
+std::vector<int> shuffled(int count, std::uint64_t seed) {
+  std::vector<int> order(static_cast<std::size_t>(count));
+  std::iota(order.begin(), order.end(), 0);
+  RandomStream random(seed, "shuffle");
+  for (int k = count - 1; k > 0; --k)
+    std::swap(order[static_cast<std::size_t>(k)],
+              order[static_cast<std::size_t>(random.bits() % static_cast<std::uint64_t>(k + 1))]);
+  return order;
+}
+
+/// Block k of the answer is block order[k] of `problem`.
+ContactProblem with_block_order(const ContactProblem& problem, const std::vector<int>& order) {
+  ContactProblem out;
+  out.h = problem.h;
+  out.law = problem.law;
+  out.facets = problem.facets;
+  std::vector<int> place(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const int old = order[k];
+    place[static_cast<std::size_t>(old)] = static_cast<int>(k);
+    out.add_block(problem.mass(old));
+    out.f.tail(problem.block_size(old)) =
+        problem.f.segment(problem.block_offset[static_cast<std::size_t>(old)], problem.block_size(old));
+  }
+  ContactProblem moved = problem;
+  for (auto& pair : moved.pairs)
+    for (int* k : {&pair.a, &pair.b})
+      if (*k >= 0) *k = place[static_cast<std::size_t>(*k)];
+  for (int c = 0; c < problem.num_contacts(); ++c)
+    test::copy_contact(moved, c, problem.key[static_cast<std::size_t>(c)], c % 3 == 0, out);
+  return out;
+}
+
+/// Signs of (vx, vy, vz, wx, wy, wz) in the mirror image in the plane y = 0.
+constexpr double k_signs[6] = {1, -1, 1, -1, 1, -1};
+
+/// The mirror image, with second tangents turned over.
+ContactProblem mirrored(const ContactProblem& problem) {
+  ContactProblem out = problem;
+  for (int k = 0; k < problem.num_blocks(); ++k)
+    for (int i = 0; i < 6; ++i) {
+      out.f[6 * k + i] *= k_signs[i];
+      for (int j = 0; j < 6; ++j)
+        out.mass_data[out.mass_offset[static_cast<std::size_t>(k)] + static_cast<std::size_t>(6 * j + i)] *=
+            k_signs[i] * k_signs[j];
+    }
+  for (int c = 0; c < problem.num_contacts(); ++c) {
+    for (const auto& rows : {out.jacobian_a(c), out.jacobian_b(c)}) {
+      double* const data = out.jacobian_data.data() + (rows.data() - out.jacobian_data.data());
+      for (Eigen::Index i = 0; i < 3; ++i)
+        for (Eigen::Index j = 0; j < rows.cols(); ++j) data[i * rows.cols() + j] *= (i == 2 ? -1 : 1) * k_signs[j];
+    }
+    out.w[3 * c + 2] *= -1;
+  }
+  return out;
+}
+
+/// Contacts and bodies enough for sums whose rounding would show.
+std::vector<ContactProblem> subjects() {
+  std::vector<ContactProblem> all{test::random_heap(7, 40, 200, 0.4), test::raft(12, 0.3, 0.6, 5)};
+  all.push_back(all.front());
+  all.back().law = Law::ccp;
+  all.push_back(all.front());
+  all.back().law = Law::pyramid_k;
+  return all;
+}
+
+TEST(OrderFreeSum, HasTheSameBitsInAnyOrderAndForTheNegative) {
+  RandomStream random(3, "sum");
+  std::vector<double> terms;
+  for (int k = 0; k < 1000; ++k)
+    terms.push_back(std::ldexp(random.normal(), static_cast<int>(random.bits() % 60) - 30));
+  double largest = 0;
+  for (const double x : terms) largest = std::max(largest, std::abs(x));
+  const auto sum_of = [&](double sign, std::ptrdiff_t room) {
+    OrderFreeSum sum(largest, room);
+    for (const double x : terms) sum.add(sign * x);
+    return sum.value();
+  };
+  long double exact = 0;
+  for (const double x : terms) exact += x;
+  const double first = sum_of(1, 1000);
+  EXPECT_NEAR(first, static_cast<double>(exact), 1e-15 * largest);
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const std::vector<double> before = terms;
+    const auto order = shuffled(1000, seed);
+    for (std::size_t k = 0; k < terms.size(); ++k) terms[k] = before[static_cast<std::size_t>(order[k])];
+    EXPECT_EQ(sum_of(1, 1000), first);
+    EXPECT_EQ(sum_of(-1, 1000), -first);
+  }
+}
+
+TEST(OrderFreeSum, OfNothingAndOfInfinity) {
+  OrderFreeSum nothing(0, 5);
+  nothing.add(0);
+  EXPECT_EQ(nothing.value(), 0);
+  OrderFreeSum infinite(std::numeric_limits<double>::infinity(), 5);
+  EXPECT_TRUE(std::isnan(infinite.value()));
+}
+
+TEST(OrderFree, PermutedContactsGiveTheSameBits) {
+  for (const ContactProblem& problem : subjects()) {
+    const ContactSolution one = solve(problem);
+    for (std::uint64_t seed = 0; seed < 5; ++seed) {
+      const auto order = shuffled(problem.num_contacts(), seed);
+      const ContactSolution two = solve(test::with_order(problem, order));
+      EXPECT_EQ(one.v, two.v);
+      EXPECT_EQ(one.iterations, two.iterations);
+      for (std::size_t k = 0; k < order.size(); ++k)
+        EXPECT_EQ(Vec3(one.r.segment<3>(3 * order[k])), Vec3(two.r.segment<3>(3 * static_cast<Eigen::Index>(k))));
+    }
+  }
+}
+
+TEST(OrderFree, PermutedBodiesAndSwappedSidesGiveTheSameBits) {
+  for (const ContactProblem& problem : subjects()) {
+    const ContactSolution one = solve(problem);
+    const auto order = shuffled(problem.num_blocks(), 9);
+    const ContactSolution two = solve(with_block_order(problem, order));
+    EXPECT_EQ(one.r, two.r);
+    for (std::size_t k = 0; k < order.size(); ++k)
+      EXPECT_EQ(Vec6(one.v.segment<6>(6 * order[k])), Vec6(two.v.segment<6>(6 * static_cast<Eigen::Index>(k))));
+  }
+}
+
+TEST(OrderFree, MirrorImagesGiveTheMirroredBits) {
+  for (const ContactProblem& problem : subjects()) {
+    if (problem.law == Law::pyramid_k) continue;  // its corners are not mirrored
+    const ContactSolution one = solve(problem), two = solve(mirrored(problem));
+    EXPECT_EQ(one.iterations, two.iterations);
+    for (int k = 0; k < problem.num_blocks(); ++k)
+      for (int i = 0; i < 6; ++i) EXPECT_EQ(two.v[6 * k + i], k_signs[i] * one.v[6 * k + i]);
+  }
+}
+
+TEST(OrderFree, ThePlainSolverDoesNotHaveThisProperty) {
+  const ContactProblem problem = test::random_heap(7, 40, 200, 0.4);
+  const auto order = shuffled(problem.num_contacts(), 1);
+  EXPECT_NE(solve(problem, "eg").v, solve(test::with_order(problem, order), "eg").v);
+}
+
+/// Large enough to be coloured and shared out.
+TEST(Threads, LargeIslandsGiveTheSameBitsOnAnyNumber) {
+  const ContactProblem problem = test::raft(24, 0.3, 1.0, 5);
+  ASSERT_GE(problem.num_contacts(), static_cast<int>(k_fewest_coloured));
+  for (const char* name : {"nsgs", "eg", "eg-order-free", "apgd", "pgs"}) {
+    ContactProblem asked = problem;
+    if (std::string(name) == "pgs") asked.law = Law::pyramid;
+    const ContactSolution one = solve(asked, name, 1);
+    for (const int threads : {2, 3}) EXPECT_EQ(one.r, solve(asked, name, threads).r) << name << " on " << threads;
+  }
+}
+
+TEST(Colouring, RunsOfOneColourShareNoBlock) {
+  ContactProblem problem = test::raft(24, 0.3, 1.0, 5);
+  std::vector<int> contacts(static_cast<std::size_t>(problem.num_contacts())), runs, colours;
+  std::iota(contacts.begin(), contacts.end(), 0);
+  // one body that touches many: its contacts come in turn
+  for (int c = 0; c < 200; c += 2) problem.pairs[static_cast<std::size_t>(c)].b = 0;
+  colour(problem, contacts, 10, runs, colours);
+  std::vector<int> sorted = contacts;
+  std::sort(sorted.begin(), sorted.end());
+  for (std::size_t c = 0; c < sorted.size(); ++c) EXPECT_EQ(sorted[c], static_cast<int>(c));
+  ASSERT_GE(colours.size(), 3u);
+  EXPECT_LT(runs.back() - 10, problem.num_contacts()) << "the crowded body's contacts are left out";
+  const auto pair_at = [&](int place) {
+    return problem.pairs[static_cast<std::size_t>(contacts[static_cast<std::size_t>(place - 10)])];
+  };
+  for (std::size_t k = 0; k + 1 < colours.size(); ++k) {
+    std::vector<int> seen;
+    for (int run = colours[k]; run < colours[k + 1]; ++run) {
+      const auto first = pair_at(runs[static_cast<std::size_t>(run)]);
+      for (int place = runs[static_cast<std::size_t>(run)]; place < runs[static_cast<std::size_t>(run) + 1]; ++place) {
+        EXPECT_EQ(pair_at(place).a, first.a);
+        EXPECT_EQ(pair_at(place).b, first.b);
+      }
+      for (const int block : {first.a, first.b}) {
+        if (block < 0) continue;
+        EXPECT_EQ(std::count(seen.begin(), seen.end(), block), 0);
+        seen.push_back(block);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace nilas
