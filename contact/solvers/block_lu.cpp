@@ -3,6 +3,7 @@
 #include <Eigen/OrderingMethods>
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <iterator>
 
 namespace nilas {
@@ -17,6 +18,33 @@ constexpr int k_smallest_tail = 8;
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 bool usable(const Mat3& inverse) { return inverse.allFinite(); }
+
+// The same operations in the same order in wider registers where the machine has them: the bits do not depend on it.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+#define NILAS_WIDE_CLONES __attribute__((target_clones("avx2", "default")))
+#else
+#define NILAS_WIDE_CLONES
+#endif
+
+/// row[columns[j]] -= factor * blocks[j] for `count` blocks: where the time goes.
+NILAS_WIDE_CLONES void subtract_products(const PaddedBlock& factor, const PaddedBlock* blocks, const int* columns,
+                                         std::size_t count, PaddedBlock* row) {
+  using Four = double __attribute__((vector_size(32)));
+  Four f[3];
+  std::memcpy(f, factor.column, sizeof f);
+  for (std::size_t j = 0; j < count; ++j) {
+    auto& target = row[columns[j]].column;
+    const auto& block = blocks[j].column;
+    for (int k = 0; k < 3; ++k) {
+      Four sum;
+      std::memcpy(&sum, target[k], sizeof sum);
+      sum -= f[0] * block[k][0] + f[1] * block[k][1] + f[2] * block[k][2];
+      std::memcpy(target[k], &sum, sizeof sum);
+    }
+  }
+}
+
+void add(const Mat3& m, PaddedBlock& to) { to = PaddedBlock(to.matrix() + m); }
 
 }  // namespace
 
@@ -35,7 +63,7 @@ void BlockLu::analyse(const std::vector<int>& row_start, const std::vector<int>&
     lower_block_[i].resize(lower_[i].size());
   }
   pivot_inverse_.resize(n);
-  row_.assign(n, Mat3::Zero());
+  row_.assign(n, {});
 }
 
 void BlockLu::order() {
@@ -107,31 +135,29 @@ bool BlockLu::factorise(const std::vector<Mat3>& block) {
   for (int i = 0; i < n; ++i) {
     const int source = source_[at(i)];
     for (int k = row_start_[at(source)]; k < row_start_[at(source) + 1]; ++k)
-      row_[at(place_[at(column_[at(k)])])] += block[at(k)];
+      add(block[at(k)], row_[at(place_[at(column_[at(k)])])]);
     for (std::size_t k = 0; k < lower_[at(i)].size(); ++k) {
       const std::size_t pivot = at(lower_[at(i)][k]);
-      const Mat3 factor = row_[pivot] * pivot_inverse_[pivot];
-      row_[pivot].setZero();
+      const PaddedBlock factor(row_[pivot].matrix() * pivot_inverse_[pivot]);
+      row_[pivot] = {};
       lower_block_[at(i)][k] = factor;
-      const auto& columns = upper_[pivot];
-      const auto& blocks = upper_block_[pivot];
-      for (std::size_t j = 0; j < columns.size(); ++j) row_[at(columns[j])].noalias() -= factor * blocks[j];
+      subtract_products(factor, upper_block_[pivot].data(), upper_[pivot].data(), upper_[pivot].size(), row_.data());
     }
     if (i < tail_) {
-      pivot_inverse_[at(i)] = row_[at(i)].inverse();
-      row_[at(i)].setZero();
+      pivot_inverse_[at(i)] = Mat3(row_[at(i)].matrix()).inverse();
+      row_[at(i)] = {};
       if (!usable(pivot_inverse_[at(i)])) {
-        for (auto& rest : row_) rest.setZero();
+        row_.assign(row_.size(), {});
         return false;
       }
       for (std::size_t j = 0; j < upper_[at(i)].size(); ++j) {
         upper_block_[at(i)][j] = row_[at(upper_[at(i)][j])];
-        row_[at(upper_[at(i)][j])].setZero();
+        row_[at(upper_[at(i)][j])] = {};
       }
     } else {
       for (int j = tail_; j < n; ++j) {
-        dense_.block<3, 3>(3 * (i - tail_), 3 * (j - tail_)) = row_[at(j)];
-        row_[at(j)].setZero();
+        dense_.block<3, 3>(3 * (i - tail_), 3 * (j - tail_)) = row_[at(j)].matrix();
+        row_[at(j)] = {};
       }
     }
   }
@@ -151,14 +177,14 @@ void BlockLu::solve(VecX& x) const {
   for (int i = 0; i < n; ++i) {
     Vec3 sum = x.segment<3>(3 * source_[at(i)]);
     for (std::size_t k = 0; k < lower_[at(i)].size(); ++k)
-      sum -= lower_block_[at(i)][k] * y.segment<3>(3 * lower_[at(i)][k]);
+      sum -= lower_block_[at(i)][k].matrix() * y.segment<3>(3 * lower_[at(i)][k]);
     y.segment<3>(3 * i) = sum;
   }
   if (tail_ < n) y.tail(3 * (n - tail_)) = dense_lu_.solve(y.tail(3 * (n - tail_))).eval();
   for (int i = tail_ - 1; i >= 0; --i) {
     Vec3 sum = y.segment<3>(3 * i);
     for (std::size_t k = 0; k < upper_[at(i)].size(); ++k)
-      sum -= upper_block_[at(i)][k] * y.segment<3>(3 * upper_[at(i)][k]);
+      sum -= upper_block_[at(i)][k].matrix() * y.segment<3>(3 * upper_[at(i)][k]);
     y.segment<3>(3 * i) = pivot_inverse_[at(i)] * sum;
   }
   for (int i = 0; i < n; ++i) x.segment<3>(3 * source_[at(i)]) = y.segment<3>(3 * i);
