@@ -1,6 +1,7 @@
 #include "contact/assemble.h"
 
 #include "contact/contact_frame.h"
+#include "contact/detect/contact_key.h"
 #include "core/base/error.h"
 
 namespace nilas {
@@ -28,6 +29,8 @@ class Assembly {
     add_blocks(points);
     reserve_contacts(points.size());
     for (const auto& point : points) add_contact(point, friction);
+    if (settings_.law != Law::frictionless)
+      for (std::size_t c = 0; c < points.size(); ++c) add_moment(static_cast<int>(c), points[c], friction);
     return std::move(out_);
   }
 
@@ -44,6 +47,8 @@ class Assembly {
   void fill_articulated_block(const ArticulatedBlock& articulated);
   void reserve_contacts(std::size_t count);
   void add_contact(const ContactPoint& point, FrictionTable& friction);
+  void add_moment(int c, const ContactPoint& point, FrictionTable& friction);
+  MatX moment_rows(int body, const Mat3& C, double sign, Vec3& w) const;
   Vec3 add_side(int body, const Mat3& C, const Vec3& p, double sign);
   Vec3 point_velocity(int body, const Vec3& p) const;
   double bounce_or_gap(const ContactPoint& point, double restitution) const;
@@ -179,6 +184,31 @@ void Assembly::add_contact(const ContactPoint& point, FrictionTable& friction) {
   problem.mu.push_back(pair.mu_kinetic);
   problem.mu_static.push_back(pair.mu_static);
   problem.key.push_back(point.key);
+  out_.C.push_back(C);
+}
+
+/// Rows of u = C^T w for one side, n columns; adds what its prescribed motion gives to `w`.
+MatX Assembly::moment_rows(int body, const Mat3& C, double sign, Vec3& w) const {
+  const auto i = static_cast<std::size_t>(body);
+  if (bodies_.motion[i] == Motion::fixed) return MatX(3, 0);
+  TwistRows rows = TwistRows::Zero();
+  rows.rightCols<3>() = sign * C.transpose();
+  if (bodies_.is_free(body)) return rows;
+  const ArticulatedBlock& block = *articulated_block(body);
+  w += rows * block.prescribed;
+  return rows * block.jacobian;
+}
+
+void Assembly::add_moment(int c, const ContactPoint& point, FrictionTable& friction) {
+  const auto a = static_cast<std::size_t>(point.a), b = static_cast<std::size_t>(point.b);
+  const FrictionPair pair = friction.find(bodies_.material[a], bodies_.material[b]);
+  if (pair.rolling == 0 && pair.spinning == 0) return;
+  const Mat3 C = out_.C[static_cast<std::size_t>(c)] * Vec3(pair.spinning, pair.rolling, pair.rolling).asDiagonal();
+  Vec3 w = Vec3::Zero();
+  const MatX rows_a = moment_rows(point.a, C, -1, w), rows_b = moment_rows(point.b, C, 1, w);
+  constexpr std::uint64_t k_moment = 0x6d6f6d656e74;  // apart from the names of features
+  out_.problem.add_moment(c, rows_a, rows_b, pair.rolling, mix(point.key, k_moment));
+  out_.problem.w.tail<3>() = w;
   out_.C.push_back(C);
 }
 

@@ -30,7 +30,8 @@ struct AssemblySettings {
 /// The problem and what is needed to go back from it to bodies.
 struct AssembledContacts {
   ContactProblem problem;
-  std::vector<Mat3> C;             ///< per contact: columns n, t1, t2 in G; impulse on body B = C r
+  std::vector<Mat3> C;             ///< per contact: columns n, t1, t2 in G; impulse on body B = C r. Of a moment: the
+                                   ///< same columns times its lengths; couple on body B = C r
   std::vector<int> block_of_body;  ///< -1: touched by no contact, or without a coordinate of its own
   int first_articulated_block =
       0;  ///< free bodies' blocks come first, in the order of the bodies; articulated ones last
@@ -45,6 +46,8 @@ struct AssembledContacts {
 /// Normal rows of w: gap/h for gap > 0, so that the gap may close but not be crossed; 0 for penetration. With
 /// restitution e > 0, for a point that is closed or would close within the step (u_N^- h < -gap) faster than the
 /// threshold, e u_N^- instead, u_N^- being the relative normal velocity before the step: then u_N^+ = -e u_N^-.
+/// Moments against rolling and spinning follow all points, in their order, for pairs that have them and laws with
+/// friction.
 /// All rows: what prescribed motion adds. Friction pairs come from `friction`, which remembers those it lacks.
 /// Throws ContractError for an articulated body without its block and for a point that names no body.
 AssembledContacts assemble(const Bodies& bodies, const Wrenches& free, const std::vector<ContactPoint>& points,

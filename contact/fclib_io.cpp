@@ -6,6 +6,7 @@
 
 #include "contact/fclib_blocks.h"
 #include "contact/fclib_matrix.h"
+#include "contact/fclib_rolling.h"
 #include "contact/hdf5_file.h"
 #include "contact/mass_inverse.h"
 #include "core/base/error.h"
@@ -171,6 +172,8 @@ void fill_jacobians(const std::vector<MatrixEntry>& entries, const DofPlaces& pl
   const auto size_of = [&problem](int block) { return block < 0 ? std::size_t{0} : at(problem.block_size(block)); };
   problem.pairs.assign(at(nc), {});
   for (const auto& entry : entries) add_block_to(problem.pairs[at(entry.column / 3)], places.block[at(entry.row)]);
+  for (std::size_t c = 0; c < problem.moments.size(); ++c)
+    if (problem.moments[c].contact >= 0) problem.pairs[c] = problem.pairs[at(problem.moments[c].contact)];
   for (const auto& pair : problem.pairs)
     problem.jacobian_offset.push_back(problem.jacobian_offset.back() + 3 * (size_of(pair.a) + size_of(pair.b)));
   problem.jacobian_data.assign(problem.jacobian_offset.back(), 0.0);
@@ -188,7 +191,7 @@ void refuse_unmovable(const Hdf5Reader& file, const std::string& root, const Con
   if (bad >= 0) file.refuse(root + "/M", "its block " + std::to_string(bad) + " is not positive definite");
   const auto diagonal = delassus_diagonal(problem);
   for (std::size_t c = 0; c < diagonal.size(); ++c)
-    if (!(diagonal[c].trace() > 0) || !diagonal[c].allFinite())
+    if (!problem.is_moment(static_cast<int>(c)) && (!(diagonal[c].trace() > 0) || !diagonal[c].allFinite()))
       file.refuse(root + "/H", "H^T M^-1 H of contact " + std::to_string(c) +
                                    " has no positive finite trace: nothing can move there");
 }
@@ -200,7 +203,49 @@ int read_num_velocities(const Hdf5Reader& file, const std::string& name) {
   return static_cast<int>(count);
 }
 
-/// Reads the global form into `out`.
+/// The rolling form's rows (N, T1, T2, R1, R2) as a contact (N, T1, T2) and, where mu_r > 0, a moment (0, R1, R2).
+RollingRows read_rolling_rows(const Hdf5Reader& file, const std::string& vectors, int nc) {
+  RollingRows rows;
+  rows.length = as_list(read_vector(file, vectors + "/mu_r", nc));
+  demand_at_least(file, vectors + "/mu_r", rows.length, std::vector<double>(at(nc), 0.0));
+  rows.number();
+  return rows;
+}
+
+/// Appends the moments' coefficients and links.
+void add_moments(const RollingRows& rows, ContactProblem& problem) {
+  const int nc = rows.num_points();
+  problem.moments.resize(at(rows.num_rows()));
+  for (int c = 0; c < nc; ++c) {
+    const int m = rows.moment[at(c)];
+    if (m < 0) continue;
+    problem.moments[at(c)].moment = m;
+    problem.moments[at(m)].contact = c;
+    problem.moments[at(m)].rolling = rows.length[at(c)];
+    problem.mu.push_back(1);
+    problem.mu_static.push_back(1);
+    problem.force_limit.push_back(std::numeric_limits<double>::infinity());
+    problem.compliance.push_back(0);
+    problem.key.push_back(static_cast<std::uint64_t>(m));
+  }
+}
+
+/// A moment acts between the two blocks of its contact.
+void demand_same_blocks(const Hdf5Reader& file, const std::string& root, const RollingRows& rows,
+                        const std::vector<MatrixEntry>& jacobian, const DofPlaces& places) {
+  std::vector<ContactProblem::Pair> pairs(at(rows.num_rows()));
+  for (const auto& entry : jacobian) add_block_to(pairs[at(entry.column / 3)], places.block[at(entry.row)]);
+  for (int c = 0; c < rows.num_points(); ++c) {
+    if (rows.moment[at(c)] < 0) continue;
+    const auto& own = pairs[at(c)];
+    const auto& moment = pairs[at(rows.moment[at(c)])];
+    for (const int block : {moment.a, moment.b})
+      if (block >= 0 && block != own.a && block != own.b)
+        file.refuse(root + "/H", "the moment of contact " + std::to_string(c) + " acts on another body than its force");
+  }
+}
+
+/// Reads the global form, with or without rolling friction, into `out`.
 void read_global(const Hdf5Reader& file, const std::string& root, FclibProblem& out) {
   refuse_bilateral(file, root, {"G"}, "b");
   ContactProblem problem;
@@ -208,14 +253,26 @@ void read_global(const Hdf5Reader& file, const std::string& root, FclibProblem& 
   const int ndof = read_num_velocities(file, root + "/vectors/f");
   read_coefficients(file, root + "/vectors", nc, problem);
   const VecX f = read_vector(file, root + "/vectors/f", ndof);
-  problem.w = read_vector(file, root + "/vectors/w", 3 * nc);
-  const auto mass = read_matrix(file, root + "/M", ndof, ndof), jacobian = read_matrix(file, root + "/H", ndof, 3 * nc);
-  const auto blocks = split_into_blocks(ndof, mass, jacobian, nc);
+  const auto mass = read_matrix(file, root + "/M", ndof, ndof);
+  std::vector<MatrixEntry> jacobian;
+  RollingRows rows;
+  if (root == k_rolling_root) {
+    rows = read_rolling_rows(file, root + "/vectors", nc);
+    problem.w = rows.velocities(read_vector(file, root + "/vectors/w", k_rolling_rows * nc));
+    jacobian = rows.jacobian(read_matrix(file, root + "/H", ndof, k_rolling_rows * nc));
+    add_moments(rows, problem);
+  } else {
+    problem.w = read_vector(file, root + "/vectors/w", 3 * nc);
+    jacobian = read_matrix(file, root + "/H", ndof, 3 * nc);
+  }
+  const int num_rows = static_cast<int>(problem.mu.size());
+  const auto blocks = split_into_blocks(ndof, mass, jacobian, num_rows);
   const DofPlaces places(ndof, blocks);
   set_blocks(file, root + "/M", blocks, mass.size(), problem);
   out.asymmetry = fill_masses(mass, places, problem);
   refuse_asymmetry(file, root + "/M", out.asymmetry);
-  fill_jacobians(jacobian, places, nc, problem);
+  if (problem.has_moments()) demand_same_blocks(file, root, rows, jacobian, places);
+  fill_jacobians(jacobian, places, num_rows, problem);
   for (const auto& block : blocks) out.dof_of_file.insert(out.dof_of_file.end(), block.begin(), block.end());
   problem.f = f(out.dof_of_file);
   refuse_unmovable(file, root, problem);
@@ -223,32 +280,38 @@ void read_global(const Hdf5Reader& file, const std::string& root, FclibProblem& 
 }
 
 /// Impulses of `name` unless absent, never written or all zero.
-std::optional<VecX> read_impulses(const Hdf5Reader& file, const std::string& name, int nc) {
+std::optional<VecX> read_impulses(const Hdf5Reader& file, const std::string& name, const FclibProblem& of) {
   if (!file.is_filled(name)) return {};
-  VecX r = read_vector(file, name, 3 * nc);
+  const auto* const global = std::get_if<ContactProblem>(&of.problem);
+  const bool rolling = global && global->has_moments();
+  VecX r = read_vector(file, name, (rolling ? k_rolling_rows : 3) * of.num_contacts());
   if (r.isZero(0)) return {};
-  return r;
+  if (!rolling) return r;
+  return RollingRows::of(*global).impulses(r);
 }
 
 /// The group of the problem; refuses forms that are not supported.
 std::string find_root(const Hdf5Reader& file) {
-  for (const char* rolling : {"fclib_global_rolling", "fclib_local_rolling"})
-    if (file.has(rolling)) file.refuse(rolling, "rolling friction is not supported");
-  const bool local = file.has("fclib_local"), global = file.has("fclib_global");
-  if (local && global) file.refuse("fclib_local", "stands beside /fclib_global; a file holds one problem");
-  if (!local && !global) file.refuse("fclib_local", "is missing, and so is /fclib_global: not an FCLIB file");
-  const std::string root = local ? "fclib_local" : "fclib_global";
-  const int dimensions = file.integer(root + "/spacedim");
-  if (dimensions != 3)
-    file.refuse(root + "/spacedim",
-                "is " + std::to_string(dimensions) + "; only problems of 3 dimensions are supported");
+  if (file.has("fclib_local_rolling"))
+    file.refuse("fclib_local_rolling", "rolling friction is supported in the global form only");
+  std::vector<std::string> found;
+  for (const char* root : {"fclib_local", "fclib_global", k_rolling_root})
+    if (file.has(root)) found.emplace_back(root);
+  if (found.size() > 1) file.refuse(found[0], "stands beside /" + found[1] + "; a file holds one problem");
+  if (found.empty()) file.refuse("fclib_local", "is missing, and so is /fclib_global: not an FCLIB file");
+  const std::string& root = found.front();
+  const int dimensions = file.integer(root + "/spacedim"), needed = root == k_rolling_root ? k_rolling_rows : 3;
+  if (dimensions != needed)
+    file.refuse(root + "/spacedim", "is " + std::to_string(dimensions) + "; only " + std::to_string(needed) +
+                                        " rows per contact, in three dimensions, are supported here");
   return root;
 }
 
 }  // namespace
 
 int FclibProblem::num_contacts() const {
-  return std::visit([](const auto& form) { return form.num_contacts(); }, problem);
+  if (const auto* const global = std::get_if<ContactProblem>(&problem)) return global->num_points();
+  return std::get<LocalProblem>(problem).num_contacts();
 }
 
 int FclibProblem::num_velocities() const { return static_cast<int>(dof_of_file.size()); }
@@ -257,7 +320,7 @@ FclibProblem read_fclib(const std::filesystem::path& path) {
   const Hdf5Reader file(path);
   const std::string root = find_root(file);
   FclibProblem out;
-  if (root == "fclib_global") {
+  if (root != "fclib_local") {
     read_global(file, root, out);
   } else {
     LocalProblem problem = read_local(file, root);
@@ -267,8 +330,8 @@ FclibProblem read_fclib(const std::filesystem::path& path) {
   }
   out.title = file.text(root + "/info/title");
   out.description = file.text(root + "/info/description");
-  out.solution = read_impulses(file, "solution/r", out.num_contacts());
-  out.guess = read_impulses(file, "guesses/1/r", out.num_contacts());
+  out.solution = read_impulses(file, "solution/r", out);
+  out.guess = read_impulses(file, "guesses/1/r", out);
   return out;
 }
 

@@ -3,6 +3,7 @@
 ///
 ///   /fclib_local   spacedim, W, vectors/{q,mu}        u = W r + q
 ///   /fclib_global  spacedim, M, H, vectors/{f,w,mu}   M v = f + H r,  u = H^T v + w
+///   /fclib_global_rolling   the same with five rows (N, T1, T2, R1, R2) per contact and vectors/mu_r [m]
 ///   info/{title,description,math_info}, /solution/{r,u,v}, /guesses/1/{r,u,v}
 ///
 /// What FCLIB has no place for lies in vectors/{mu_static,force_limit,compliance}, absent where it says nothing.
@@ -31,11 +32,12 @@ struct FclibProblem {
 };
 
 /// Throws FileError where the file cannot be opened, InputError naming file and dataset where its content is wrong or
-/// not supported: two dimensions, bilateral constraints, rolling friction, a contact where nothing can move, W or M
-/// with an asymmetry above 1e-2.
+/// not supported: two dimensions, bilateral constraints, rolling friction in the local form, a contact where nothing
+/// can move, W or M with an asymmetry above 1e-2.
 FclibProblem read_fclib(const std::filesystem::path& path);
 
-/// Writes a problem, and a solution where one is given. Throws FileError.
+/// Writes a problem, and a solution where one is given. Throws FileError, InputError for spinning friction, which FCLIB
+/// has no row for.
 void write_fclib(const std::filesystem::path& path, const FclibProblem& problem, const ContactSolution* solution);
 void write_fclib(const std::filesystem::path& path, const LocalProblem& problem, const ContactSolution* solution);
 void write_fclib(const std::filesystem::path& path, const ContactProblem& problem, const ContactSolution* solution);

@@ -4,6 +4,7 @@
 
 #include "contact/fclib_io.h"
 #include "contact/fclib_matrix.h"
+#include "contact/fclib_rolling.h"
 #include "contact/hdf5_file.h"
 #include "core/base/error.h"
 
@@ -22,12 +23,12 @@ struct Labels {
 };
 
 template <class Problem>
-void add_info(Hdf5Writer& file, const std::string& root, const Labels& labels, const Problem& problem) {
+void add_info(Hdf5Writer& file, const std::string& root, const Labels& labels, const Problem& problem, int rows = 3) {
   file.add_group(root + "/info");
   file.add(root + "/info/title", labels.title);
   file.add(root + "/info/description", labels.description);
   file.add(root + "/info/math_info", "3D contact, law " + law_name(problem.law, problem.facets));
-  file.add(root + "/spacedim", std::vector<int>{3});
+  file.add(root + "/spacedim", std::vector<int>{rows});
 }
 
 template <class Problem>
@@ -102,8 +103,38 @@ void add_problem(Hdf5Writer& file, const LocalProblem& problem, const std::vecto
   add_coefficients(file, root + "/vectors", problem);
 }
 
+/// Values of the contacts alone, without their moments.
+template <class Value>
+std::vector<Value> of_contacts(const RollingRows& rows, const std::vector<Value>& values) {
+  std::vector<Value> out;
+  for (const int c : rows.contact) out.push_back(values[at(c)]);
+  return out;
+}
+
+void add_rolling_problem(Hdf5Writer& file, const ContactProblem& problem, const std::vector<int>& row_of,
+                         const Labels& labels) {
+  const std::string root = k_rolling_root;
+  const RollingRows rows = RollingRows::of(problem);
+  file.add_group(root);
+  add_info(file, root, labels, problem, k_rolling_rows);
+  add_matrix(file, root + "/M", problem.num_velocities(), problem.num_velocities(), mass_entries(problem, row_of));
+  add_matrix(file, root + "/H", problem.num_velocities(), k_rolling_rows * rows.num_points(),
+             rows.jacobian_for_file(jacobian_entries(problem, row_of)));
+  file.add_group(root + "/vectors");
+  file.add(root + "/vectors/f", in_file_order(problem.f, row_of));
+  file.add(root + "/vectors/w", rows.velocities_for_file(problem.w));
+  file.add(root + "/vectors/mu_r", rows.length);
+  ContactProblem contacts;  // only what add_coefficients reads
+  contacts.mu = of_contacts(rows, problem.mu);
+  contacts.mu_static = of_contacts(rows, problem.mu_static);
+  contacts.force_limit = of_contacts(rows, problem.force_limit);
+  contacts.compliance = of_contacts(rows, problem.compliance);
+  add_coefficients(file, root + "/vectors", contacts);
+}
+
 void add_problem(Hdf5Writer& file, const ContactProblem& problem, const std::vector<int>& row_of,
                  const Labels& labels) {
+  if (problem.has_moments()) return add_rolling_problem(file, problem, row_of, labels);
   const std::string root = "fclib_global";
   file.add_group(root);
   add_info(file, root, labels, problem);
@@ -116,8 +147,19 @@ void add_problem(Hdf5Writer& file, const ContactProblem& problem, const std::vec
   add_coefficients(file, root + "/vectors", problem);
 }
 
-void add_solution(Hdf5Writer& file, const ContactSolution& solution, const std::vector<int>& row_of) {
+template <class Problem>
+void add_solution(Hdf5Writer& file, const Problem& problem, const ContactSolution& solution,
+                  const std::vector<int>& row_of) {
   file.add_group("solution");
+  if constexpr (std::is_same_v<Problem, ContactProblem>) {
+    if (problem.has_moments()) {
+      const RollingRows rows = RollingRows::of(problem);
+      file.add("solution/r", rows.impulses_for_file(solution.r));
+      file.add("solution/u", rows.velocities_for_file(solution.u));
+      file.add("solution/v", in_file_order(solution.v, row_of));
+      return;
+    }
+  }
   file.add("solution/r", solution.r);
   file.add("solution/u", solution.u);
   if (solution.v.size() > 0) file.add("solution/v", in_file_order(solution.v, row_of));
@@ -128,7 +170,7 @@ void write(const std::filesystem::path& path, const Problem& problem, const std:
            const Labels& labels, const ContactSolution* solution) {
   Hdf5Writer file;
   add_problem(file, problem, row_of, labels);
-  if (solution) add_solution(file, *solution, row_of);
+  if (solution) add_solution(file, problem, *solution, row_of);
   file.save(path);
 }
 

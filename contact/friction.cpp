@@ -16,7 +16,7 @@ constexpr const char* k_any_material = "*";
 }
 
 static void check(const std::string& a, const std::string& b, const FrictionPair& values) {
-  for (const double x : {values.mu_static, values.mu_kinetic, values.restitution})
+  for (const double x : {values.mu_static, values.mu_kinetic, values.restitution, values.rolling, values.spinning})
     if (!std::isfinite(x) || x < 0) refuse(a, b, "coefficients must be finite and not negative");
   if (values.mu_static < values.mu_kinetic)
     refuse(a, b,

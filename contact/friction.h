@@ -10,6 +10,8 @@ struct FrictionPair {
   double mu_static = 0;
   double mu_kinetic = 0;
   double restitution = 0;  ///< Newton's coefficient, 0..1
+  double rolling = 0;      ///< the moment against rolling is at most this times the normal force [m]
+  double spinning = 0;     ///< the same about the normal [m]
 };
 
 /// The pairs that a scene names. The order of the two materials never matters.

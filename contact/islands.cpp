@@ -1,5 +1,6 @@
 #include "contact/islands.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace nilas {
@@ -76,6 +77,15 @@ ContactProblem select(const ContactProblem& problem, const std::vector<int>& con
     part.force_limit.push_back(problem.force_limit[i]);
     part.compliance.push_back(problem.compliance[i]);
     part.key.push_back(problem.key[i]);
+  }
+  if (problem.has_moments()) {
+    const auto placed = [&](int c) {
+      return c < 0 ? -1 : static_cast<int>(std::lower_bound(contacts.begin(), contacts.end(), c) - contacts.begin());
+    };
+    for (const int c : contacts) {
+      const auto& moment = problem.moments[static_cast<std::size_t>(c)];
+      part.moments.push_back({placed(moment.contact), placed(moment.moment), moment.rolling});
+    }
   }
   return part;
 }

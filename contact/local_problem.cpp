@@ -102,6 +102,7 @@ VecX contact_velocities(const LocalProblem& problem, const VecX& r) {
 }
 
 LocalProblem reduce(const ContactProblem& problem) {
+  NILAS_DEMAND(!problem.has_moments());
   LocalProblem local;
   copy_scalars(problem, local);
   const MassInverse masses(problem);

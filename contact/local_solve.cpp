@@ -350,4 +350,26 @@ Vec3 solve_contact(Law law, int facets, const ContactBlock& block, const Vec3& b
   return r;
 }
 
+Vec2 solve_disc(const ContactBlock& block, const Vec2& free, double radius, ContactStart& start) {
+  if (radius <= 0) return Vec2::Zero();
+  const SlipLine line{block.tt, free[0], free[1], radius, 0, 0, 1, block.x_min};
+  const Slip slip = solve_slip(line, start.slip, k_nearly_root);
+  start.slip = slip.x;
+  return {slip.t1, slip.t2};
+}
+
+Vec3 solve_moment(const ContactBlock& block, const Vec3& b, double normal, const Vec3& old, bool boxes,
+                  ContactStart& start) {
+  const double n = std::max(normal, 0.0);
+  const double spin = std::clamp(-(b[0] + block.nt[0] * old[1] + block.nt[1] * old[2]) * block.inverse_nn, -n, n);
+  const Vec2 free(b[1] + block.tn[0] * spin, b[2] + block.tn[1] * spin);
+  if (!boxes) {
+    const Vec2 roll = solve_disc(block, free, n, start);
+    return {spin, roll[0], roll[1]};
+  }
+  const double first = std::clamp(-(free[0] + block.tt[1] * old[2]) / (block.tt[0] + block.x_min), -n, n);
+  const double second = std::clamp(-(free[1] + block.tt[2] * first) / (block.tt[3] + block.x_min), -n, n);
+  return {spin, first, second};
+}
+
 }  // namespace nilas

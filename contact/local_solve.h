@@ -56,6 +56,14 @@ Vec3 solve_contact(Law law, int facets, const ContactBlock& block, const Vec3& b
 /// The same for Coulomb.
 Vec3 solve_coulomb(const ContactBlock& block, const Vec3& b, ContactStart& start, double nearly_root = k_nearly_root);
 
+/// r_T of the disc |r_T| <= radius that answers the tangential velocities `free` that r_T = 0 leaves.
+Vec2 solve_disc(const ContactBlock& block, const Vec2& free, double radius, ContactStart& start);
+
+/// The moment (S, R1, R2) of a contact with normal impulse r_N that answers b: |r_S| <= r_N, and |r_R| <= r_N, or each
+/// |r_Ri| <= r_N with `boxes`. One pass over S, then R, from `old`: exact once repeated visits leave it unchanged.
+Vec3 solve_moment(const ContactBlock& block, const Vec3& b, double normal, const Vec3& old, bool boxes,
+                  ContactStart& start);
+
 /// As solve_contact, at the accuracy that sweeps need; exact where no last slip is known, so that a good guess is kept.
 inline Vec3 solve_in_sweep(Law law, int facets, const ContactBlock& block, const Vec3& b, ContactStart& start) {
   if (law == Law::coulomb && block.inverse_nn > 0)

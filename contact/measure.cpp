@@ -5,6 +5,7 @@
 #include "contact/cone.h"
 #include "contact/law_map.h"
 #include "contact/local_problem.h"
+#include "contact/moment_cone.h"
 #include "contact/operators.h"
 #include "core/base/error.h"
 
@@ -50,21 +51,36 @@ static double creep(const ContactScale& scale, const Vec3& r, double slip) {
   return slip * std::max(0.0, 1 - tangential_norm(r) / bound);
 }
 
-static void measure_contact(Law asked, int facets, const ContactScale& scale, const Vec3& r, const Vec3& u,
-                            Residuals& out) {
+/// How far one contact is from three laws.
+struct Maps {
+  double law = 0, natural = 0, ccp = 0;
+};
+
+static Maps maps_of(Law asked, int facets, const ContactScale& scale, const Vec3& r, const Vec3& u) {
+  const double natural = natural_map(scale, r, u), ccp = ccp_map(scale, r, u);
+  const double law = asked == Law::coulomb ? natural : asked == Law::ccp ? ccp : law_map(asked, facets, scale, r, u);
+  return {law, natural, ccp};
+}
+
+static void measure_contact(const Maps& maps, const ContactScale& scale, const Vec3& r, const Vec3& u, Residuals& out) {
   const double slip = tangential_norm(u);
-  const double natural = natural_map(scale, r, u);
-  const double law = asked == Law::coulomb ? natural : law_map(asked, facets, scale, r, u);
-  keep_worst(out.law_map_m_s, law);
-  keep_worst(out.natural_map_m_s, natural);
-  out.natural_map_rms_m_s += natural * natural;
-  keep_worst(out.ccp_map_m_s, asked == Law::ccp ? law : ccp_map(scale, r, u));
+  keep_worst(out.law_map_m_s, maps.law);
+  keep_worst(out.natural_map_m_s, maps.natural);
+  out.natural_map_rms_m_s += maps.natural * maps.natural;
+  keep_worst(out.ccp_map_m_s, maps.ccp);
   keep_worst(out.penetration_rate_m_s, forbidden_closing(scale, r[0], u[0]));
   keep_worst(out.complementarity_J, complementarity(scale, r[0], u[0]));
   keep_worst(out.cone_violation_m_s, scale.d * std::max(0.0, tangential_norm(r) - scale.mu * r[0]));
   keep_worst(out.slip_angle_deg, slip_angle_deg(r, u, slip));
   keep_worst(out.creep_m_s, creep(scale, r, slip));
   out.bipotential_J += bipotential(scale, r, u, slip);
+}
+
+/// What the moment adds to a contact's residuals beyond the maps.
+static void measure_moment(const ContactScale& scale, double r_n, const Vec3& r, const Vec3& u, Residuals& out) {
+  const double largest = std::max(std::abs(r[0]), tangential_norm(r));
+  keep_worst(out.cone_violation_m_s, scale.d * std::max(0.0, largest - r_n));
+  out.bipotential_J += u.dot(r) + (std::abs(u[0]) + tangential_norm(u)) * r_n;
 }
 
 /// |diag(M)^-1/2 (M v - f - H r)|; `excess` holds -f - H r on entry.
@@ -91,10 +107,21 @@ Residuals measure(const ContactProblem& problem, const VecX& r, const VecX& v) {
     const ContactScale scale = contact_scale(problem, c, inverse_mass_scale(problem, masses, c, response.data()));
     const Vec3 u = compliant_velocity(problem.compliance[static_cast<std::size_t>(c)], r_c,
                                       contact_velocity(problem, c, v.data()));
-    measure_contact(problem.law, problem.facets, scale, r_c, u, out);
     add_impulse(problem, c, -r_c, excess.data());
+    if (problem.is_moment(c)) continue;  // judged with its contact
+    const int m = problem.moment_of(c);
+    if (m < 0) {
+      measure_contact(maps_of(problem.law, problem.facets, scale, r_c, u), scale, r_c, u, out);
+      continue;
+    }
+    const ForceAndMoment r_all{r_c, r.segment<3>(3 * static_cast<Eigen::Index>(m))};
+    const ForceAndMoment u_all{u, contact_velocity(problem, m, v.data())};
+    measure_contact(
+        {law_map(problem.law, scale, r_all, u_all), natural_map(scale, r_all, u_all), ccp_map(scale, r_all, u_all)},
+        scale, r_c, u, out);
+    measure_moment(scale, r_c[0], r_all.moment, u_all.moment, out);
   }
-  if (problem.num_contacts() > 0) out.natural_map_rms_m_s = std::sqrt(out.natural_map_rms_m_s / problem.num_contacts());
+  if (problem.num_contacts() > 0) out.natural_map_rms_m_s = std::sqrt(out.natural_map_rms_m_s / problem.num_points());
   out.momentum_sqrtJ = momentum_residual(problem, v, excess);
   return out;
 }
@@ -107,7 +134,7 @@ Residuals measure(const LocalProblem& problem, const VecX& r) {
     const ContactScale scale = contact_scale(problem, c);
     const Vec3 r_c = r.segment<3>(first);
     const Vec3 u = compliant_velocity(problem.compliance[static_cast<std::size_t>(c)], r_c, velocity.segment<3>(first));
-    measure_contact(problem.law, problem.facets, scale, r_c, u, out);
+    measure_contact(maps_of(problem.law, problem.facets, scale, r_c, u), scale, r_c, u, out);
   }
   if (problem.num_contacts() > 0) out.natural_map_rms_m_s = std::sqrt(out.natural_map_rms_m_s / problem.num_contacts());
   return out;

@@ -16,6 +16,7 @@ ContactProblem movable_graph(const AssembledContacts& contacts) {
   ContactProblem graph;
   graph.block_offset = contacts.problem.block_offset;
   graph.pairs = contacts.problem.pairs;
+  graph.pairs.resize(static_cast<std::size_t>(contacts.problem.num_points()));  // moments follow the points
   for (auto& pair : graph.pairs) {
     if (pair.a >= contacts.first_articulated_block) pair.a = -1;
     if (pair.b >= contacts.first_articulated_block) pair.b = -1;
@@ -121,7 +122,7 @@ class GroupCorrection {
 PositionCorrection position_correction(const AssembledContacts& contacts, const std::vector<ContactPoint>& points,
                                        const CorrectionSettings& settings) {
   const ContactProblem& step = contacts.problem;
-  NILAS_DEMAND(settings.h > 0 && points.size() == step.pairs.size());
+  NILAS_DEMAND(settings.h > 0 && points.size() == static_cast<std::size_t>(step.num_points()));
   PositionCorrection out;
   out.v = VecX::Zero(step.num_velocities());
   const ContactProblem graph = movable_graph(contacts);

@@ -1,5 +1,7 @@
 #include "contact/problem.h"
 
+#include <algorithm>
+
 #include "contact/operators.h"
 #include "core/base/error.h"
 
@@ -69,7 +71,26 @@ int ContactProblem::add_contact(int block_a, const Eigen::Ref<const MatX>& jacob
   force_limit.push_back(std::numeric_limits<double>::infinity());
   compliance.push_back(0);
   key.push_back(contact_key);
+  if (has_moments()) moments.emplace_back();
   return num_contacts() - 1;
+}
+
+int ContactProblem::add_moment(int contact, const Eigen::Ref<const MatX>& jacobian_a,
+                               const Eigen::Ref<const MatX>& jacobian_b, double rolling, std::uint64_t moment_key) {
+  NILAS_DEMAND(contact >= 0 && contact < num_contacts() && !is_moment(contact) && moment_of(contact) < 0);
+  const Pair pair = pairs[static_cast<std::size_t>(contact)];
+  if (!has_moments()) moments.resize(pairs.size());
+  const int moment = add_contact(pair.a, jacobian_a, pair.b, jacobian_b, moment_key);
+  mu.back() = mu_static.back() = 1;  // its lengths are in the rows
+  moments[static_cast<std::size_t>(contact)].moment = moment;
+  moments.back().contact = contact;
+  moments.back().rolling = rolling;
+  return moment;
+}
+
+int ContactProblem::num_points() const {
+  return num_contacts() - static_cast<int>(std::count_if(moments.begin(), moments.end(),
+                                                         [](const Moment& m) { return m.contact >= 0; }));
 }
 
 std::vector<Mat3> delassus_diagonal(const ContactProblem& problem) {

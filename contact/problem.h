@@ -46,6 +46,22 @@ struct ContactProblem {
   std::vector<double> compliance;   ///< nc, u_N + c r_N replaces u_N [m/(s N s)]
   std::vector<std::uint64_t> key;   ///< nc, stable from step to step
 
+  /// Rolling and spinning friction: the moment (S, R1, R2) about a contact's normal and tangents, divided by its
+  /// lengths, is a row triple of its own (contact/moment_cone.h). Empty where no contact has one.
+  struct Moment {
+    int contact = -1;    ///< of a moment: whose normal impulse bounds it, a lower index
+    int moment = -1;     ///< of a contact: its moment
+    double rolling = 0;  ///< of a moment: the length that R1, R2 are divided by, 0 without rolling friction [m]
+  };
+  std::vector<Moment> moments;  ///< empty or nc
+
+  bool has_moments() const { return !moments.empty(); }
+  bool is_moment(int c) const { return has_moments() && moments[static_cast<std::size_t>(c)].contact >= 0; }
+  /// Index of the moment of contact c, -1: none.
+  int moment_of(int c) const { return has_moments() ? moments[static_cast<std::size_t>(c)].moment : -1; }
+  /// Without the moments, which num_contacts counts too.
+  int num_points() const;
+
   int num_blocks() const { return static_cast<int>(block_offset.size()) - 1; }
   int num_contacts() const { return static_cast<int>(pairs.size()); }
   int num_velocities() const { return block_offset.back(); }
@@ -65,6 +81,9 @@ struct ContactProblem {
   /// Appends a contact with defaults for mu (0), limit and compliance; returns its index. w gets three zero rows.
   int add_contact(int block_a, const Eigen::Ref<const MatX>& jacobian_a, int block_b,
                   const Eigen::Ref<const MatX>& jacobian_b, std::uint64_t key);
+  /// Appends the moment of a contact between the same blocks: rows of u = (S, R1, R2), already times their lengths.
+  int add_moment(int contact, const Eigen::Ref<const MatX>& jacobian_a, const Eigen::Ref<const MatX>& jacobian_b,
+                 double rolling, std::uint64_t key);
 };
 
 /// Throws ContractError naming the field when sizes, signs or finiteness are wrong.

@@ -55,7 +55,7 @@ const std::vector<SolverEntry>& solver_registry() {
       {"nsgs",
        "Block Gauss-Seidel with the exact solution of each contact, 1.3 to 1.7 times the cost of a sweep of pgs; for "
        "loose fields and as a first stage, slow for stacks and heavy-on-light contact.",
-       all_laws, make<NsgsSolver, NsgsSettings>},
+       all_laws, make<NsgsSolver, NsgsSettings>, true},
       {"eg",
        "Self-adaptive extragradient, two products with W per iteration, O(contacts); for sliding fields, slow for "
        "stacks and redundant contacts.",
@@ -88,7 +88,7 @@ const std::vector<SolverEntry>& solver_registry() {
       {"auto",
        "Climbs from nsgs over newton to ipm until the tolerance holds, island by island, and says what it used; the "
        "default for every problem.",
-       all_laws, make<AutoSolver, AutoSettings>},
+       all_laws, make<AutoSolver, AutoSettings>, true},
 #ifdef NILAS_PEER_SOLVERS
       {"siconos-nsgs",
        "Siconos' block Gauss-Seidel, run down a ladder of its own relative tolerances; for comparison only.",
@@ -142,6 +142,17 @@ void demand_law(const SolverEntry& entry, Law law) {
     if (takes(other)) others += (others.empty() ? "" : ", ") + other.name;
   throw InputError("solver '" + entry.name + "' does not take the law '" + to_string(law) + "'; it takes: " + laws +
                    "; solvers for this law: " + others);
+}
+
+void demand_moments(const SolverEntry& entry, Law law) {
+  std::string solvers;
+  for (const auto& other : solver_registry())
+    if (other.moments) solvers += (solvers.empty() ? "" : ", ") + other.name;
+  if (!entry.moments)
+    throw InputError("solver '" + entry.name + "' does not take rolling and spinning friction; these do: " + solvers);
+  if (law != Law::coulomb && law != Law::pyramid && law != Law::frictionless)
+    throw InputError("rolling and spinning friction go with the laws coulomb, pyramid and frictionless, not with '" +
+                     std::string(to_string(law)) + "'");
 }
 
 /// The k of "pyramid-k", 0 when the name has another form.

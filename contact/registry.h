@@ -14,6 +14,7 @@ struct SolverEntry {
   std::string summary;  ///< one sentence: what it is, cost per iteration, when to use
   std::vector<Law> laws;
   std::function<std::unique_ptr<ContactSolver>(const SolverSettings&)> make;
+  bool moments = false;  ///< takes rolling and spinning friction, with the laws coulomb and pyramid
 };
 const std::vector<SolverEntry>& solver_registry();
 /// Throws InputError naming the nearest solver.
@@ -21,6 +22,9 @@ const SolverEntry& find_solver(const std::string& name);
 
 /// Throws InputError naming the solver's laws, and the solvers that take this one, where the entry does not.
 void demand_law(const SolverEntry& entry, Law law);
+
+/// Throws InputError naming what is allowed where solver or law does not go with rolling and spinning friction.
+void demand_moments(const SolverEntry& entry, Law law);
 
 /// "pyramid-8" gives pyramid_k with 8 facets. Throws InputError naming the nearest law.
 struct ParsedLaw {

@@ -144,6 +144,11 @@ void demand_known(const char* solver, std::initializer_list<Law> known, Law law)
   throw InputError("solver '" + std::string(solver) + "' knows the laws " + laws + "; choose one of them");
 }
 
+void demand_no_moments(const std::string& solver, const ContactProblem& problem) {
+  if (problem.has_moments())
+    throw InputError("solver '" + solver + "' does not take rolling and spinning friction; nsgs and auto do");
+}
+
 ContactSolution IslandSolver::solve(const LocalProblem& problem, const VecX& guess) const {
   demand_law(problem.law);
   const SolverSettings shared = shared_.started();
@@ -156,6 +161,7 @@ ContactSolution IslandSolver::solve(const LocalProblem& problem, const VecX& gue
 
 ContactSolution IslandSolver::solve(const ContactProblem& problem, const VecX& guess) const {
   demand_law(problem.law);
+  demand_no_moments(name(), problem);
   const SolverSettings shared = with_margin(shared_.started());
   ContactSolution solution =
       solve_islands(problem, find_islands(problem), guess,

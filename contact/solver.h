@@ -69,6 +69,9 @@ ContactSolution solve_islands(const ContactProblem& problem, const std::vector<s
 /// Throws InputError naming the laws that a solver knows where `law` is none of them.
 void demand_known(const char* solver, std::initializer_list<Law> known, Law law);
 
+/// Throws InputError naming the solvers that take rolling and spinning friction where the problem has it.
+void demand_no_moments(const std::string& solver, const ContactProblem& problem);
+
 /// A solver that reduces every problem to its islands' local form. It says converged only of what `measure` confirms on
 /// the whole problem.
 class IslandSolver : public ContactSolver {

@@ -130,11 +130,24 @@ void validate(const LocalProblem& problem) {
   check_keys(problem);
 }
 
+static void check_moments(const ContactProblem& problem) {
+  if (!problem.has_moments()) return;
+  demand_size("moments", problem.moments.size(), problem.pairs.size());
+  const auto at = [&](int c) -> const ContactProblem::Moment& { return problem.moments[static_cast<std::size_t>(c)]; };
+  for (int c = 0; c < problem.num_contacts(); ++c) {
+    const int own = at(c).moment, of = at(c).contact;
+    const bool agrees = (own < 0 || (of < 0 && own > c && own < problem.num_contacts() && at(own).contact == c)) &&
+                        (of < 0 || (of < c && at(of).moment == c));
+    if (!agrees) refuse("moments", "contact " + std::to_string(c) + " and its moment do not name each other");
+  }
+}
+
 void validate(const ContactProblem& problem) {
   check_scalars(problem);
   check_blocks(problem);
   check_rows(problem);
   check_coefficients(problem);
+  check_moments(problem);
   check_keys(problem);
 }
 

@@ -113,6 +113,8 @@ int solve_problem(const SolveOptions& options) {
   if (!options.write.empty()) check_target(options.write);
   FclibProblem problem = read_fclib(options.problem);
   set_law(law, problem);
+  if (const auto* const global = std::get_if<ContactProblem>(&problem.problem); global && global->has_moments())
+    demand_moments(entry, law.law);
   SolverSettings settings;
   settings.tolerance = options.tolerance;
   settings.max_iterations = options.max_iterations;

@@ -153,6 +153,7 @@ ContactSolution iterate(IslandOperator& island, const VecX& guess, const ApgdSet
 
 ContactSolution ApgdSolver::solve(const ContactProblem& problem, const VecX& guess) const {
   demand_known("apgd", k_laws, problem.law);
+  demand_no_moments(name(), problem);
   ApgdSettings running = settings_;
   running.shared = settings_.shared.started();
   return solve_by_operator(problem, guess, running.shared, false,

@@ -186,10 +186,11 @@ ContactSolution AutoSolver::solve(const ContactProblem& problem, const VecX& gue
   running.shared = with_margin(settings_.shared.started());
   Log log;
   SolverSettings sweeps = running.shared;
-  sweeps.max_iterations = std::min(settings_.first_sweeps, sweeps.max_iterations);
+  // with moments the ladder has one rung
+  if (!problem.has_moments()) sweeps.max_iterations = std::min(settings_.first_sweeps, sweeps.max_iterations);
   ContactSolution swept = NsgsSolver({.shared = sweeps}).solve(problem, guess);
   log.add("nsgs", "sweeps", swept.iterations);
-  if (swept.status == SolveStatus::converged) {
+  if (swept.status == SolveStatus::converged || problem.has_moments()) {
     describe(log, swept);
     return swept;
   }

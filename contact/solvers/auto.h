@@ -9,6 +9,7 @@
 ///   4  continuation in friction (continuation.h), for laws with friction
 ///   5  ipm (laws coulomb, ccp, frictionless), then newton from there
 ///
+/// Problems with rolling or spinning friction have rung 1 alone, without its limit.
 /// Every rung starts from the best impulses so far in law_map_m_s, and the best ever seen are returned. What decides is
 /// the residual alone. Cost: that of nsgs for loose fields, one to two dozen factorisations of the contacts that carry
 /// impulses for stacks, jams and mass ratios. Laws: all.

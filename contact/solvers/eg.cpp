@@ -111,6 +111,7 @@ ContactSolution iterate(IslandOperator& island, const VecX& guess, const EgSetti
 
 ContactSolution EgSolver::solve(const ContactProblem& problem, const VecX& guess) const {
   demand_known("eg", k_laws, problem.law);
+  demand_no_moments(name(), problem);
   EgSettings running = settings_;
   running.shared = settings_.shared.started();
   // its own residual is what an order-free solve may look at, and that differs from `measure` by rounding

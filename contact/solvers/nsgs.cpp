@@ -60,6 +60,7 @@ class LocalIsland : public LocalSweeps {
 }  // namespace
 
 ContactSolution NsgsSolver::solve(const ContactProblem& problem, const VecX& guess) const {
+  if (problem.has_moments()) demand_known("nsgs with rolling friction", {Law::coulomb, Law::pyramid}, problem.law);
   SweepSettings running = settings_;
   running.shared = settings_.shared.started();
   return solve_row_islands(problem, guess, running.shared, RowOrder::coloured, [&](const RowIsland& island) {

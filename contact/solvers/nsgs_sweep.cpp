@@ -53,6 +53,20 @@ double visit_any(PgsContact& c, NsgsContact& own, const double* coefficients, do
   return 0;
 }
 
+/// The moment of a contact with this normal impulse; (d |dr|)^2.
+double visit_moment(PgsContact& c, NsgsContact& own, double normal, const double* coefficients, double* velocities,
+                    bool boxes) {
+  const Sides<k_any, k_any> sides(c, coefficients, velocities);
+  Vec3 u;
+  for (int i = 0; i < 3; ++i) u[i] = sides.velocity(i) + c.w[i];
+  const Vec3 old(c.r[0], c.r[1], c.r[2]);
+  const Vec3 r = solve_moment(own.block, own.block.without(old, u), normal, old, boxes, own.start);
+  const Vec3 change = r - old;
+  sides.apply(change[0], change[1], change[2]);
+  for (int i = 0; i < 3; ++i) c.r[i] = r[i];
+  return own.d * own.d * change.squaredNorm();
+}
+
 /// Contacts [first, last) in turn; the largest (d |dr|)^2.
 template <Path path>
 double visit_in_turn(PgsRows& rows, std::vector<NsgsContact>& blocks, int island_first, int first, int last, int facets,
@@ -63,7 +77,12 @@ double visit_in_turn(PgsRows& rows, std::vector<NsgsContact>& blocks, int island
   for (int k = first; k < last; ++k) {
     const auto i = static_cast<std::size_t>(backward ? first + last - 1 - k : k);
     NsgsContact& own = blocks[i - static_cast<std::size_t>(island_first)];
-    const double change = visit_any<path>(rows.contacts[i], own, coefficients, velocities, rows.law, facets);
+    PgsContact& contact = rows.contacts[i];
+    const double change =
+        contact.bound_by < 0
+            ? visit_any<path>(contact, own, coefficients, velocities, rows.law, facets)
+            : visit_moment(contact, own, rows.contacts[static_cast<std::size_t>(contact.bound_by)].r[0], coefficients,
+                           velocities, rows.law == Law::pyramid);
     if (!(change <= largest)) largest = change;
   }
   return largest;

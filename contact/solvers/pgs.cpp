@@ -79,6 +79,7 @@ class LocalIsland : public LocalSweeps {
 
 ContactSolution PgsSolver::solve(const ContactProblem& problem, const VecX& guess) const {
   demand_known("pgs", {Law::pyramid, Law::coulomb, Law::frictionless}, problem.law);
+  demand_no_moments(name(), problem);
   SweepSettings running = settings_;
   running.shared = settings_.shared.started();
   return solve_row_islands(problem, guess, running.shared, RowOrder::given, [&](const RowIsland& island) {

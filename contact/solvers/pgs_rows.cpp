@@ -81,6 +81,18 @@ static void place_islands(const ContactProblem& problem, const MassInverse& mass
   rows.scales.resize(rows.contacts.size());
 }
 
+static void link_moments(const ContactProblem& problem, PgsRows& rows) {
+  if (!problem.has_moments()) return;
+  std::vector<int> place(problem.pairs.size());
+  for (std::size_t k = 0; k < rows.source.size(); ++k)
+    place[static_cast<std::size_t>(rows.source[k])] = static_cast<int>(k);
+  for (std::size_t k = 0; k < rows.source.size(); ++k) {
+    const auto& moment = problem.moments[static_cast<std::size_t>(rows.source[k])];
+    if (moment.moment >= 0) rows.contacts[k].moment = place[static_cast<std::size_t>(moment.moment)];
+    if (moment.contact >= 0) rows.contacts[k].bound_by = place[static_cast<std::size_t>(moment.contact)];
+  }
+}
+
 RowWeights row_weights(const Mat3& w, Law law, double compliance, double force_limit) {
   const double smallest = k_immovable_share * inverse_mass_scale(w);
   const auto weight = [&](double inverse_mass) {
@@ -191,7 +203,12 @@ static void fill_contact(const ContactProblem& problem, const MassInverse& masse
   contact.compliance = problem.compliance[i];
   Eigen::Map<Vec3>{contact.w} = problem.w.segment<3>(first);
   set_weights(w, rows.law, contact);
-  if (guess.size() > 0) set_impulse(guess.segment<3>(first), rows.law, contact);
+  if (contact.bound_by >= 0) {  // bounded at its first visit
+    contact.unanswerable = false;
+    if (guess.size() > 0) Eigen::Map<Vec3>{contact.r} = guess.segment<3>(first);
+  } else if (guess.size() > 0) {
+    set_impulse(guess.segment<3>(first), rows.law, contact);
+  }
 }
 
 static bool all_finite(const PgsRows& rows) {
@@ -227,6 +244,7 @@ PgsRows make_pgs_rows(const ContactProblem& problem, const MassInverse& masses, 
   rows.law = problem.law;
   place_velocities(problem, rows);
   place_islands(problem, masses, order, rows);
+  link_moments(problem, rows);
   const std::size_t room = 2 * largest_response(problem);
   const auto count = static_cast<std::ptrdiff_t>(rows.contacts.size());
   parallel_chunks(count, k_chunk, threads, [&](std::ptrdiff_t, std::ptrdiff_t first, std::ptrdiff_t last) {

@@ -29,6 +29,8 @@ struct PgsContact {
   int size_a = 0, size_b = 0;
   PgsShape shape = PgsShape::general;
   bool unanswerable = false;  ///< its normal velocity cannot be changed and no force limit says what to do
+  int moment = -1;            ///< place of its moment; -1: none
+  int bound_by = -1;          ///< of a moment: place of the contact whose normal impulse bounds it
 
   int stride() const { return size_a + size_b; }
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/moment_cone.h"
 #include "contact/operators.h"
 
 namespace nilas {
@@ -12,16 +13,30 @@ constexpr double k_closing_speed = 1e-9;
 /// A normal held by less than this share of the trace does not yield; rounding alone gives the square of 1e-16.
 constexpr double k_immovable_share = 1e-20;
 
+static const PgsContact& moment_of(const PgsRows& rows, const PgsContact& contact) {
+  return rows.contacts[static_cast<std::size_t>(contact.moment)];
+}
+
+static int moment_source(const PgsRows& rows, const PgsContact& contact) {
+  return rows.source[static_cast<std::size_t>(contact.moment)];
+}
+
 double RowResidual::law_map(const PgsRows& rows, const PgsIsland& island) {
   set_velocities(rows, island);
   double worst = 0;
   for (int k = island.first; k < island.last; ++k) {
     const auto i = static_cast<std::size_t>(k);
+    const PgsContact& contact = rows.contacts[i];
+    if (contact.bound_by >= 0) continue;  // judged with its contact
     const int c = rows.source[i];
-    const Vec3 r = Eigen::Map<const Vec3>(rows.contacts[i].r);
+    const Vec3 r = Eigen::Map<const Vec3>(contact.r);
     const Vec3 u = compliant_velocity(problem_.compliance[static_cast<std::size_t>(c)], r,
                                       contact_velocity(problem_, c, v_.data()));
-    const double map = nilas::law_map(problem_.law, problem_.facets, rows.scales[i], r, u);
+    const double map =
+        contact.moment < 0
+            ? nilas::law_map(problem_.law, problem_.facets, rows.scales[i], r, u)
+            : nilas::law_map(problem_.law, rows.scales[i], {r, Eigen::Map<const Vec3>(moment_of(rows, contact).r)},
+                             {u, contact_velocity(problem_, moment_source(rows, contact), v_.data())});
     if (!(map <= worst)) worst = map;
     if (std::isnan(worst)) return worst;
   }

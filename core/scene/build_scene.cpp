@@ -12,6 +12,8 @@ static FrictionScene build_friction(const SceneElement& element) {
   assign(friction.static_, element, "static");
   assign(friction.kinetic, element, "kinetic");
   assign(friction.restitution, element, "restitution");
+  assign(friction.rolling, element, "rolling");
+  assign(friction.spinning, element, "spinning");
   return friction;
 }
 

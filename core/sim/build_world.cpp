@@ -40,7 +40,7 @@ static void build_water(const Scene& scene, WorldParts& parts) {
 
 static void build_friction(const Scene& scene, WorldParts& parts) {
   for (const auto& f : scene.contact.friction)
-    parts.friction.add(f.material_a, f.material_b, {f.static_, f.kinetic, f.restitution});
+    parts.friction.add(f.material_a, f.material_b, {f.static_, f.kinetic, f.restitution, f.rolling, f.spinning});
 }
 
 static void list_absent(const Scene& scene, RunInfo& info) {

@@ -13,8 +13,18 @@ ContactSolution ContactModel::solve(ContactProblem& problem, const VecX& guess) 
 }
 
 void demand_contact_choices(const Scene& scene) {
+  const auto& friction = scene.contact.friction;
+  const bool rolls = std::any_of(friction.begin(), friction.end(),
+                                 [](const FrictionScene& pair) { return pair.rolling > 0 || pair.spinning > 0; });
+  const bool spins =
+      std::any_of(friction.begin(), friction.end(), [](const FrictionScene& pair) { return pair.spinning > 0; });
   try {
-    demand_law(find_solver(scene.contact.solver), parse_law(scene.contact.law).law);
+    const SolverEntry& solver = find_solver(scene.contact.solver);
+    const Law law = parse_law(scene.contact.law).law;
+    demand_law(solver, law);
+    if (rolls) demand_moments(solver, law);
+    if (spins && scene.output.problems != "never")
+      throw InputError("spinning friction has no place in FCLIB's form of a problem; <output problems> must be never");
   } catch (const InputError& error) {
     throw InputError(scene.file.string() + ": <contact>: " + error.what());
   }

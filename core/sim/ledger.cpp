@@ -57,6 +57,10 @@ void EnergyAccount::velocity_step(const Bodies& bodies, const StepMotion& motion
     const double normal = motion.normal_impulses[i].dot(mean);
     ledger_.impact -= normal;
     ledger_.friction -= motion.impulses[i].dot(mean) - normal;
+    if (motion.couples.empty()) continue;
+    const auto a = static_cast<std::size_t>(motion.points[i].a), b = static_cast<std::size_t>(motion.points[i].b);
+    ledger_.friction -=
+        0.5 * motion.couples[i].dot(motion.before.w[b] + motion.after.w[b] - motion.before.w[a] - motion.after.w[a]);
   }
   kinetic_after_velocity_ = 0;
   for (int k = 0; k < bodies.size(); ++k) {
@@ -146,8 +150,9 @@ MomentumBalance momentum_balance(const Bodies& bodies, const StepMotion& motion,
   }
   for (std::size_t i = 0; i < motion.points.size(); ++i) {
     const ContactPoint& c = motion.points[i];
-    if (moves(bodies, c.b)) add(c.p, motion.impulses[i], Vec3::Zero(), -1);
-    if (moves(bodies, c.a)) add(c.p, -motion.impulses[i], Vec3::Zero(), -1);
+    const Vec3 couple = motion.couples.empty() ? Vec3(Vec3::Zero()) : motion.couples[i];
+    if (moves(bodies, c.b)) add(c.p, motion.impulses[i], couple, -1);
+    if (moves(bodies, c.a)) add(c.p, -motion.impulses[i], -couple, -1);
   }
   balance.linear = linear.norm();
   balance.angular = angular.norm();

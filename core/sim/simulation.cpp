@@ -118,6 +118,13 @@ std::vector<ContactPoint> Simulation::World::find_contacts() {
   return detector.detect(parts.bodies, own_reach(parts.bodies, free_loads, h, k_reach_share));
 }
 
+static void add_couples(const AssembledContacts& contacts, const ContactSolution& solution, StepMotion& motion) {
+  motion.couples.assign(motion.points.size(), Vec3::Zero());
+  for (std::size_t c = motion.points.size(); c < contacts.C.size(); ++c)
+    motion.couples[static_cast<std::size_t>(contacts.problem.moments[c].contact)] =
+        contacts.C[c] * solution.r.segment<3>(3 * static_cast<Eigen::Index>(c));
+}
+
 StepMotion Simulation::World::velocity_step(const AssembledContacts& contacts, const ContactSolution& solution,
                                             const Wrenches& free, std::vector<ContactPoint> points) {
   StepMotion motion;
@@ -131,6 +138,7 @@ StepMotion Simulation::World::velocity_step(const AssembledContacts& contacts, c
     motion.impulses.emplace_back(contacts.C[i] * r);
     motion.normal_impulses.emplace_back(contacts.C[i].col(0) * r[0]);
   }
+  if (contacts.problem.has_moments()) add_couples(contacts, solution, motion);
   free_velocities(parts.bodies, free, h, motion.after);
   for (std::size_t b = 0; b < size(); ++b) {
     const int block = contacts.block_of_body[b];
@@ -305,7 +313,7 @@ StepRecord Simulation::step() {
   world.advance_poses(motion);
   const Velocities pseudo = world.correct_positions(motion, contacts, record);
   ++world.steps;
-  record.contacts = contacts.problem.num_contacts();
+  record.contacts = contacts.problem.num_points();
   record.islands = static_cast<int>(find_islands(contacts.problem).size());
   world.last = {std::move(contacts.problem), solution};
   world.demand_finite();

@@ -14,8 +14,10 @@ Wrench contact_impulse_on(const StepMotion& motion, int body) {
   for (std::size_t i = 0; i < motion.points.size(); ++i) {
     const ContactPoint& c = motion.points[i];
     if (c.a != body && c.b != body) continue;
-    const Vec3 impulse = c.b == body ? motion.impulses[i] : Vec3(-motion.impulses[i]);
+    const double sign = c.b == body ? 1 : -1;
+    const Vec3 impulse = sign * motion.impulses[i];
     sum += {impulse, (c.p - motion.p[static_cast<std::size_t>(body)]).cross(impulse)};
+    if (!motion.couples.empty()) sum.torque += sign * motion.couples[i];
   }
   return sum;
 }

@@ -24,6 +24,7 @@ struct StepMotion {
   std::vector<ContactPoint> points;
   std::vector<Vec3> impulses;         ///< per point, on body b, in G [N s]
   std::vector<Vec3> normal_impulses;  ///< the part of it along the normal
+  std::vector<Vec3> couples;          ///< per point, on body b, in G [N m s]; empty without rolling friction
 };
 
 /// Velocity of body B's point relative to body A's at a contact point.

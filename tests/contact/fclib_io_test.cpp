@@ -239,7 +239,8 @@ TEST(FclibIo, EveryFaultHasAMessage) {
   refused("/fclib_global/vectors/f: entry 2 is not finite", [](auto& p) { p.f[2] = k_nan; });
   refused("/fclib_global/vectors/mu: is empty", [](auto& p) { p.mu.clear(); });
   refused("/fclib_global/spacedim: is 2", [](auto& p) { p.spacedim = 2; });
-  refused("rolling friction is not supported", [](auto& p) { p.root = "fclib_global_rolling"; });
+  refused("/fclib_global_rolling/spacedim: is 3", [](auto& p) { p.root = "fclib_global_rolling"; });
+  refused("rolling friction is supported in the global form only", [](auto& p) { p.root = "fclib_local_rolling"; });
   refused("not an FCLIB file", [](auto& p) { p.root = "other"; });
   refused("/fclib_global/M/x: entry 3 is not finite", [](auto& p) { p.mass.x[3] = k_nan; });
   refused("/fclib_global/M/i: an index is outside", [](auto& p) { p.mass.i[3] = 6; });

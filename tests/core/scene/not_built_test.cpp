@@ -26,8 +26,6 @@ TEST(NotBuilt, EachIsRefusedWithItsPlace) {
       {"<contact stabilisation='projection'/>", "<contact stabilisation>"},
       {"<contact detection='speculative'/>", "<contact detection>"},
       {"<contact detection='continuous'/>", "<contact detection>"},
-      {"<contact><friction between='ice ice' static='0.1' rolling='0.01'/></contact>", "<contact><friction rolling>"},
-      {"<contact><friction between='ice ice' static='0.1' spinning='1e-9'/></contact>", "<contact><friction spinning>"},
       {"<water><current profile='file'/></water>", "<water><current profile>"},
       {"<water><waves kind='regular' height='0.1' period='2'/></water>", "<water><waves>"},
       {"<hydro><added_mass model='strip'/></hydro>", "<hydro><added_mass>"},
@@ -63,8 +61,7 @@ TEST(NotBuilt, WhatSaysTheSameAsNothingIsTaken) {
   const SceneFolder folder;
   EXPECT_TRUE(folder
                   .faults(in_scene("<output checkpoint_every='0.0' problems='never' contacts='none'/>"
-                                   "<ice><field region='0 0 1 1' breakable='true'/></ice>"
-                                   "<contact><friction between='* *' static='0.1' rolling='0e5'/></contact>"))
+                                   "<ice><field region='0 0 1 1' breakable='true'/></ice>"))
                   .empty());
 }
 
