@@ -5,6 +5,7 @@
 
 #include "contact/islands.h"
 #include "contact/operators.h"
+#include "contact/reducible.h"
 #include "core/base/error.h"
 
 namespace nilas {
@@ -77,6 +78,13 @@ ContactSolution failed(int num_contacts, const std::string& message) {
   return whole;
 }
 
+ContactSolution left_alone(const VecX& guess, const std::string& reason) {
+  ContactSolution part;
+  part.r = guess;
+  part.message = reason;
+  return part;
+}
+
 /// Demotes a claim that does not hold on the problem itself: W r + q and M^-1 (f + H r) differ by rounding.
 template <class Problem>
 void confirm(const Problem& problem, double tolerance, ContactSolution& solution) {
@@ -130,7 +138,10 @@ ContactSolution solve_islands(const ContactProblem& problem, const std::vector<s
   } else {
     if (guess.size() > 0) whole.r = guess;
     for (const auto& island : islands)
-      take_over(solve_islands(reduce(select(problem, island)), part_of(guess, island), solve), island, whole);
+      take_over(is_reducible(problem, island)
+                    ? solve_islands(reduce(select(problem, island)), part_of(guess, island), solve)
+                    : left_alone(part_of(whole.r, island), not_reducible_message(island)),
+                island, whole);
   }
   whole.v = velocities(problem, masses, whole.r);
   whole.u = contact_velocities(problem, whole.v);

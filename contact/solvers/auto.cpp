@@ -7,6 +7,8 @@
 #include "contact/islands.h"
 #include "contact/law_map.h"
 #include "contact/operators.h"
+#include "contact/reducible.h"
+#include "contact/solvers/apgd.h"
 #include "contact/solvers/continuation.h"
 #include "contact/solvers/ipm.h"
 #include "contact/solvers/newton.h"
@@ -157,6 +159,34 @@ std::vector<std::vector<int>> unsolved(const ContactProblem& problem, const VecX
   return islands;
 }
 
+/// Climbs for an island whose W is too large to be formed: more sweeps, then the projected gradient where it knows the
+/// law, each with half of the iterations. The better impulses go into `whole.r`, iterations into `whole`.
+SolveStatus solve_without_w(const ContactProblem& problem, const std::vector<int>& island, const AutoSettings& settings,
+                            Log& log, ContactSolution& whole) {
+  const ContactProblem part = select(problem, island);
+  VecX r(3 * static_cast<Eigen::Index>(island.size()));
+  for (std::size_t i = 0; i < island.size(); ++i)
+    r.segment<3>(3 * static_cast<Eigen::Index>(i)) = whole.r.segment<3>(3 * static_cast<Eigen::Index>(island[i]));
+  SolverSettings left = settings.shared;
+  const int all = left.max_iterations;
+  left.max_iterations = (all + 1) / 2;
+  ContactSolution found = NsgsSolver({.shared = left}).solve(part, r);
+  log.add("more nsgs", "sweeps", found.iterations);
+  left.max_iterations = all - found.iterations;
+  if (found.status != SolveStatus::converged && part.law != Law::pyramid && left.max_iterations > 0 &&
+      !left.out_of_time()) {
+    const int swept = found.iterations;
+    ContactSolution next = ApgdSolver({.shared = left}).solve(part, found.r);
+    log.add("apgd", "iterations", next.iterations);
+    if (measure(part, next.r).law_map_m_s <= measure(part, found.r).law_map_m_s) found = std::move(next);
+    found.iterations += swept;
+  }
+  for (std::size_t i = 0; i < island.size(); ++i)
+    whole.r.segment<3>(3 * static_cast<Eigen::Index>(island[i])) = found.r.segment<3>(3 * static_cast<Eigen::Index>(i));
+  whole.iterations += found.iterations;
+  return found.status;
+}
+
 /// What was used, after what failed.
 void describe(const Log& log, ContactSolution& solution) {
   const std::string failure = solution.status == SolveStatus::numerical_error ? solution.message + "; " : "";
@@ -196,10 +226,18 @@ ContactSolution AutoSolver::solve(const ContactProblem& problem, const VecX& gue
   }
   if (guess_map < measure(problem, swept.r).law_map_m_s) swept.r = guess;
   running.shared.max_iterations -= swept.iterations;
+  auto islands = unsolved(problem, swept.r, running.shared.tolerance);
+  const auto first_large =
+      std::stable_partition(islands.begin(), islands.end(), [&](const auto& i) { return is_reducible(problem, i); });
+  SolveStatus large = SolveStatus::converged;
+  for (auto island = first_large; island != islands.end(); ++island)
+    large = worse(large, solve_without_w(problem, *island, running, log, swept));
+  islands.erase(first_large, islands.end());
   ContactSolution solution = solve_islands(
-      problem, unsolved(problem, swept.r, running.shared.tolerance), swept.r,
+      problem, islands, swept.r,
       [&](const LocalProblem& island, const VecX& start) { return Climb(island, running, log).run(start, true); });
   solution.iterations += swept.iterations;
+  solution.status = worse(solution.status, large);
   solution.history.insert(solution.history.begin(), swept.history.begin(), swept.history.end());
   if (solution.status == SolveStatus::converged && !(measure(problem, solution.r).law_map_m_s <= tolerance))
     solution.status = SolveStatus::stalled;
