@@ -1,6 +1,7 @@
 /// The packed scene on Nilas, and the file from which the peers read the same scene.
 /// usage: bench_packed write FLOES FOLDER     makes FOLDER/packed-FLOES.{xml,geojson,txt}
-///        bench_packed run FOLDER FLOES SWEEPS       sweeps of pgs on pyramids; 0: auto on the exact cone to 1e-6 m/s
+///        bench_packed run FOLDER FLOES SWEEPS       sweeps of pgs on pyramids; 0: auto on the exact cone to 1e-6
+///                                            m/s; cold: the same from zero impulses in every step
 #include <malloc.h>
 
 #include <cmath>
@@ -113,11 +114,12 @@ int write(int floes, const fs::path& folder) {
 }
 
 int run(const fs::path& folder, const std::string& floes, const std::string& sweeps) {
-  const bool exact = sweeps == "0";
-  Overrides changes{{"contact/@max_iterations", exact ? "500" : sweeps}};
+  const bool cold = sweeps == "cold", exact = cold || sweeps == "0";
+  Overrides changes{{"contact/@max_iterations", exact ? "2000" : sweeps}};
   if (exact)
     changes.insert(changes.end(),
                    {{"contact/@solver", "auto"}, {"contact/@law", "coulomb"}, {"contact/@tolerance", "1e-6"}});
+  if (cold) changes.emplace_back("contact/@warm_start", "false");
   const Scene scene = read_scene(folder / ("packed-" + floes + ".xml"), changes);
   WarningCounts warnings(make_logger("off", ""));
   Simulation simulation(scene, 1, warnings);
@@ -137,7 +139,8 @@ int run(const fs::path& folder, const std::string& floes, const std::string& swe
     contacts += record.contacts;
     penetration = std::max(penetration, record.penetration_max);
   }
-  peers::print_row(exact ? "nilas-auto" : "nilas", static_cast<std::size_t>(simulation.info().floes), std::stoi(sweeps),
+  const std::string engine = cold ? "nilas-cold" : exact ? "nilas-auto" : "nilas";
+  peers::print_row(engine.c_str(), static_cast<std::size_t>(simulation.info().floes), exact ? 0 : std::stoi(sweeps),
                    window, contacts / static_cast<double>(window.size()), penetration / k_thickness, natural_maps);
   return 0;
 }

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Times one step of the packed scene on Nilas, Bullet and ODE in turn and prints the table with ratios and growth exponents.
 # `solvers` times every contact solver and Siconos' on stored problems and draws what it finds.
-# usage: tests/bench/run.sh [packed|exact|solvers|scaling|kernels|help]      (through ./dev bench)
+# usage: tests/bench/run.sh [packed|exact|solvers|scaling|threads|kernels|help]      (through ./dev bench)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 bin=build/bench
@@ -28,15 +28,18 @@ packed() {
   echo "rows: $rows"
 }
 
-# auto on the exact cone beside ODE at 50 sweeps; where it does not come through in time it says so.
+# auto on the exact cone beside ODE and Bullet at 50 sweeps and MuJoCo's Newton; what takes too long says so.
 exact() {
-  local rows=$bin/packed/exact.csv floes limit=${LIMIT:-600}
+  local rows=$bin/packed/exact.csv floes limit=${LIMIT:-600} python=${PYTHON:-/usr/bin/python3} mujoco=yes
+  "$python" -c 'import mujoco' 2>/dev/null || { mujoco=no && echo "mujoco: Python package not found, left out"; }
   echo "engine,floes,sweeps,detect_ms,solve_ms,water_ms,total_ms,contacts,penetration_max_over_thickness,total_ms_95,natural_map_m_s" >"$rows"
   for floes in ${SIZES:-200 1000 4000}; do
     [ -f "$bin/packed/packed-$floes.txt" ] || "$bin/bench_packed" write "$floes" "$bin/packed"
     timeout "$limit" "$bin/bench_packed" run "$bin/packed" "$floes" 0 >>"$rows" || echo "auto on $floes floes: not within $limit s"
+    timeout "$limit" "$bin/bench_packed" run "$bin/packed" "$floes" cold >>"$rows" || echo "without warm start: not within $limit s"
     "$bin/peer_ode" "$bin/packed/packed-$floes.txt" 50 >>"$rows"
     "$bin/peer_bullet" "$bin/packed/packed-$floes.txt" 50 >>"$rows"
+    [ $mujoco = no ] || "$python" tests/bench/peers/mujoco_peer.py "$bin/packed/packed-$floes.txt" "${LIMIT:-300}" >>"$rows" || true
   done
   awk -F, -f tests/bench/table.awk "$rows"
 }
@@ -64,7 +67,9 @@ case "${1:-packed}" in
   solvers) solvers ;;
   packed) packed ;;
   scaling) "$bin/bench_scaling" "${LIMIT:-60}" "${TOLERANCE:-1e-6}" ${SIZES:-100 1000 10000 100000} ;;
+  threads) "$bin/bench_threads" "${SIZES:-10000}" "${THREADS:-2}" "${ROUNDS:-5}" ;;
   kernels) shift; "$bin/bench_kernels" "$@" ;;
-  *) echo "usage: ./dev bench [packed|exact|solvers|scaling|kernels]   ROUNDS=n: how often the packed table is measured (3);
-LIMIT=s: seconds that a solver has for a problem (solvers 5, scaling 60) or a scene (exact 600); NILAS_FCLIB_DIR: a folder of further problems for solvers" ;;
+  *) echo "usage: ./dev bench [packed|exact|solvers|scaling|threads|kernels]   ROUNDS=n: how often packed (3) and threads (5) are measured;
+LIMIT=s: seconds that a solver has for a problem (solvers 5, scaling 60) or a scene (exact 600, MuJoCo in it 300);
+PYTHON=python3: one with the packages mujoco and numpy adds MuJoCo to exact; NILAS_FCLIB_DIR: a folder of further problems for solvers" ;;
 esac

@@ -33,12 +33,27 @@ END {
     if (total["bullet", N[a], S[b]] > 0 && total["ode", N[a], S[b]] > 0)
       printf "%22s nilas/bullet %.2f   nilas/ode %.2f\n", "", total["nilas", N[a], S[b]] / total["bullet", N[a], S[b]], total["nilas", N[a], S[b]] / total["ode", N[a], S[b]]
   }
+  print "\nns per contact and sweep of the solver, from 50 to 200 sweeps"
+  for (a = 1; a <= 3; a++) for (e = 1; e <= 3; e++) {
+    few = find(E[e], N[a], 50); many = find(E[e], N[a], 200)
+    if (few == "" || many == "") continue
+    printf "%6s %-7s %.0f\n", N[a], E[e], 1e6 * (median(many, 5) - median(few, 5)) / 150 / (0.5 * (median(few, 8) + median(many, 8)))
+  }
   print "\nauto on the exact cone, to 1e-6 m/s, warm-started"
   for (a = 1; a <= 3; a++) {
-    key = find("nilas-auto", N[a], 0)
-    if (key == "") continue
-    show(key, N[a], "1e-6", "nilas-auto")
-    printf "%22s over ode at 50 sweeps %.2f   95 %% over the median %.2f\n", "", median(key, 7) / total["ode", N[a], 50], median(key, 10) / median(key, 7)
+    key = find("nilas-auto", N[a], 0); newton = find("mujoco", N[a], 0)
+    if (key != "") {
+      show(key, N[a], "1e-6", "nilas-auto")
+      printf "%22s over ode at 50 sweeps %.2f   95 %% over the median %.2f\n", "", median(key, 7) / total["ode", N[a], 50], median(key, 10) / median(key, 7)
+    }
+    cold = find("nilas-cold", N[a], 0)
+    if (cold != "") {
+      show(cold, N[a], "1e-6", "nilas-cold")
+      printf "%22s warm start saves %.0f %% of the step\n", "", 100 * (1 - median(key, 7) / median(cold, 7))
+    }
+    if (newton != "") show(newton, N[a], "newton", "mujoco")
+    if (key != "" && newton != "")
+      printf "%22s without water nilas-auto/mujoco %.4f\n", "", (median(key, 7) - median(key, 6)) / (median(newton, 7) - median(newton, 6))
   }
   print "\ngrowth exponents of total ms in the number of floes (200 to 1000, 1000 to 4000)"
   for (b = 1; b <= 3; b++) for (e = 1; e <= 3; e++) {
