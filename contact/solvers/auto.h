@@ -3,7 +3,8 @@
 ///
 ///   0  the guess itself, measured
 ///   1  nsgs, 20 sweeps: enough for loose contact, and the state of most contacts for the next rung. Problems with
-///      bodies are swept on their velocities, without W; only what is left is reduced to W
+///      bodies are swept on their velocities, without W; only what is left is reduced to W. With a guess 250 sweeps: a
+///      jam that moved little since the last step then seldom needs a factorisation
 ///   2  newton with little proximal weight where a guess came in, with more from cold
 ///   3  nsgs, 500 sweeps from the best so far, then newton with more weight
 ///   4  continuation in friction (continuation.h), for laws with friction
@@ -24,6 +25,7 @@ namespace nilas {
 struct AutoSettings {
   SolverSettings shared;  ///< max_iterations counts sweeps and factorisations of an island together
   int first_sweeps = 20;
+  int warm_sweeps = 250;  ///< of rung 1 with bodies and a guess
   int more_sweeps = 500;
   int first_factorisations = 80;   ///< of newton in rung 2 and after ipm
   int more_factorisations = 400;   ///< of newton in rung 3

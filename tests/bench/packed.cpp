@@ -115,7 +115,7 @@ int write(int floes, const fs::path& folder) {
 
 int run(const fs::path& folder, const std::string& floes, const std::string& sweeps) {
   const bool cold = sweeps == "cold", exact = cold || sweeps == "0";
-  Overrides changes{{"contact/@max_iterations", exact ? "2000" : sweeps}};
+  Overrides changes{{"contact/@max_iterations", exact ? "1000" : sweeps}};
   if (exact)
     changes.insert(changes.end(),
                    {{"contact/@solver", "auto"}, {"contact/@law", "coulomb"}, {"contact/@tolerance", "1e-6"}});
