@@ -30,11 +30,11 @@ VecX read_vector(const Hdf5Reader& file, const std::string& name, int size) {
   return file.numbers(name);
 }
 
-/// nc, from the length of mu and of what has three entries per contact.
+/// nc, from the length of mu.
 int read_num_contacts(const Hdf5Reader& file, const std::string& vectors) {
   const std::size_t count = file.size(vectors + "/mu");
   if (count == 0) file.refuse(vectors + "/mu", "is empty; a problem has contacts");
-  constexpr auto k_most = static_cast<std::size_t>(std::numeric_limits<int>::max() / 3);
+  constexpr auto k_most = static_cast<std::size_t>(std::numeric_limits<int>::max() / k_rolling_rows);
   if (count > k_most) file.refuse(vectors + "/mu", "has more entries than are supported");
   return static_cast<int>(count);
 }

@@ -217,9 +217,13 @@ ContactSolution AutoSolver::solve(const ContactProblem& problem, const VecX& gue
   Log log;
   SolverSettings sweeps = running.shared;
   // with moments the ladder has one rung
-  if (!problem.has_moments())
-    sweeps.max_iterations =
-        std::min(guess.size() > 0 ? settings_.warm_sweeps : settings_.first_sweeps, sweeps.max_iterations);
+  if (!problem.has_moments()) {
+    const int all = sweeps.max_iterations;
+    sweeps.max_iterations = std::min(settings_.first_sweeps, all);
+    // half of the iterations is left for the next rungs
+    if (guess.size() > 0)
+      sweeps.max_iterations = std::max(sweeps.max_iterations, std::min(settings_.warm_sweeps, all / 2));
+  }
   ContactSolution swept = NsgsSolver({.shared = sweeps}).solve(problem, guess);
   log.add("nsgs", "sweeps", swept.iterations);
   if (swept.status == SolveStatus::converged || problem.has_moments()) {

@@ -25,7 +25,7 @@ namespace nilas {
 struct AutoSettings {
   SolverSettings shared;  ///< max_iterations counts sweeps and factorisations of an island together
   int first_sweeps = 20;
-  int warm_sweeps = 250;  ///< of rung 1 with bodies and a guess
+  int warm_sweeps = 250;  ///< of rung 1 with bodies and a guess, at most half of all iterations
   int more_sweeps = 500;
   int first_factorisations = 80;   ///< of newton in rung 2 and after ipm
   int more_factorisations = 400;   ///< of newton in rung 3
