@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/solvers/contact_sides.h"
 #include "contact/solvers/order_free_sum.h"
 #include "core/base/parallel.h"
 
@@ -61,21 +60,27 @@ void BlockSums::set_velocities(const VecX& r) {
     else if (block.size == 6)
       gather<6>(block, r, z);
     else
-      gather<k_any>(block, r, z);
+      gather<Eigen::Dynamic>(block, r, z);
   });
 }
 
 template <int N>
 void BlockSums::gather(const Block& block, const VecX& r, double* z) const {
+  // a side may begin at any place, so nothing here is aligned
+  using Column = Eigen::Matrix<double, N, 1>;
   const double* const coefficients = island_.rows.coefficients.data();
-  Velocities<N> sum(z, block.size);
+  Eigen::Map<Column> sum(z, block.size);
   for (int k = block.first_side; k < block.last_side; ++k) {
     const Side& side = sides_[static_cast<std::size_t>(k)];
     const double* const own = r.data() + 3 * static_cast<std::ptrdiff_t>(side.contact);
-    const double* const y = coefficients + side.responses;
     if (own[0] == 0 && own[1] == 0 && own[2] == 0) continue;
-    sum += own[0] * Numbers<N>(y, block.size);
-    for (int i = 1; i < rows_; ++i) sum += own[i] * Numbers<N>(y + i * side.stride, block.size);
+    const auto row = [&](int i) {
+      return Eigen::Map<const Column>(coefficients + side.responses + i * side.stride, block.size);
+    };
+    if (rows_ == 1)
+      sum += own[0] * row(0);
+    else
+      sum += own[0] * row(0) + own[1] * row(1) + own[2] * row(2);
   }
 }
 

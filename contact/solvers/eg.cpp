@@ -1,6 +1,7 @@
 #include "contact/solvers/eg.h"
 
 #include <cmath>
+#include <numeric>
 
 #include "contact/solvers/best_iterate.h"
 #include "contact/solvers/island_operator.h"
@@ -86,7 +87,7 @@ class Extragradient {
 
   /// Sum of terms >= 0.
   double total(const VecX& terms) const {
-    if (!order_free_) return terms.sum();
+    if (!order_free_) return std::accumulate(terms.begin(), terms.end(), 0.0);
     OrderFreeSum sum(terms.maxCoeff<Eigen::PropagateNaN>(), terms.size());
     for (const double term : terms) sum.add(term);
     return sum.value();

@@ -159,6 +159,23 @@ TEST(OrderFree, MirrorImagesGiveTheMirroredBits) {
   }
 }
 
+/// A particle (three velocities) against a body (six): the body's rows begin at an odd place.
+TEST(OrderFree, BlocksOfUnlikeSize) {
+  ContactProblem problem;
+  problem.h = 0.01;
+  problem.add_block(2 * Mat3::Identity());
+  problem.f << -2, 0.5, 0.2;
+  const test::TestBody body;
+  test::add_body(problem, body);
+  MatX particle = MatX::Identity(3, 3);
+  problem.add_contact(0, particle, 1, test::body_rows(Mat3::Identity(), Vec3(0.1, 0.2, 0.3), body.p, -1), 1);
+  problem.mu[0] = problem.mu_static[0] = 0.3;
+  const ContactSolution expected = solve(problem, "enumerate");
+  for (const char* name : {"eg", "eg-order-free", "apgd", "nsgs"})
+    EXPECT_LT((solve(problem, name).v - expected.v).norm(), 1e-5) << name;
+  EXPECT_GT(expected.r[0], 0);
+}
+
 TEST(OrderFree, ThePlainSolverDoesNotHaveThisProperty) {
   const ContactProblem problem = test::random_heap(7, 40, 200, 0.4);
   const auto order = shuffled(problem.num_contacts(), 1);
