@@ -20,7 +20,8 @@ class AxisSearch {
   AxisSearch(const PairView& pair, AxisSearchRoom& room, AxisSearchCounts& counts)
       : pair_(pair), room_(room), counts_(counts) {}
 
-  Axis find(FclShapes& fcl) {
+  Axis find(const RememberedAxis& remembered, FclShapes& fcl) {
+    if (try_remembered(remembered)) return best_;
     best_ = best_face_axis(pair_, pair_.margin);
     if (settled() || try_shown_crossing() || try_facing_edges(k_few_edge_pairs)) return best_;
     if (follow_edges(best_) || ask_fcl(fcl)) return best_;
@@ -29,11 +30,25 @@ class AxisSearch {
   }
 
  private:
+  bool try_remembered(const RememberedAxis& remembered) {
+    if (remembered.kind == AxisKind::direction) return false;
+    if (remembered.kind == AxisKind::edges) {
+      choose_two_edges(pair_, remembered.feature_a, remembered.feature_b, room_.edges);
+      try_crossing_edges(pair_, room_.edges, best_);
+      if (best_.kind != AxisKind::edges) return false;
+    } else {
+      const bool of_a = remembered.kind == AxisKind::face_a;
+      best_ = face_axis(pair_, remembered.kind, of_a ? remembered.feature_a : remembered.feature_b);
+    }
+    return settled();
+  }
+
   /// True when best_ separates by more than the margin or is proven; lays the surfaces along it otherwise.
   bool settled() {
     if (best_.s > pair_.margin) return true;
     face_each_other(pair_, best_, room_.facing);
-    return is_proven(pair_, best_, room_.facing);
+    best_.proven = is_proven(pair_, best_, room_.facing);
+    return best_.proven;
   }
 
   const OverlayPoint* nearest_shown() const {
@@ -123,8 +138,9 @@ class AxisSearch {
 
 }  // namespace
 
-Axis find_axis(const PairView& pair, FclShapes& fcl, AxisSearchRoom& room, AxisSearchCounts& counts) {
-  return AxisSearch(pair, room, counts).find(fcl);
+Axis find_axis(const PairView& pair, const RememberedAxis& remembered, FclShapes& fcl, AxisSearchRoom& room,
+               AxisSearchCounts& counts) {
+  return AxisSearch(pair, room, counts).find(remembered, fcl);
 }
 
 }  // namespace nilas

@@ -17,12 +17,20 @@ struct AxisSearchRoom {
   EdgeChoice edges;
 };
 
+/// What made a pair's axis when it was last in contact, where that axis was proven.
+struct RememberedAxis {
+  AxisKind kind = AxisKind::direction;  ///< direction: nothing is remembered
+  int feature_a = -1, feature_b = -1;
+};
+
 /// Finds the best axis; on return with axis.s <= margin, room.facing holds the surfaces along it. With axis.s > margin
 /// the axis separates and need not be the best.
 ///
-/// The faces of both come first, exactly. When their best is not proven, all pairs of edges that face each other, so
+/// The remembered axis serves again while it is proven: of two axes within the pair's tolerance of each other the pair
+/// keeps the one it had. Else the faces of both come first, exactly. When their best is not proven, all pairs of edges that face each other, so
 /// that the answer is the best of all axes. Where these are too many (hulls of many facets): edges near the support,
 /// then FCL's direction as a further start.
-Axis find_axis(const PairView& pair, FclShapes& fcl, AxisSearchRoom& room, AxisSearchCounts& counts);
+Axis find_axis(const PairView& pair, const RememberedAxis& remembered, FclShapes& fcl, AxisSearchRoom& room,
+               AxisSearchCounts& counts);
 
 }  // namespace nilas

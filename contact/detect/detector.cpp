@@ -22,6 +22,19 @@ constexpr std::ptrdiff_t k_stretches_per_thread = 8;
 /// next neighbour asks for it.
 constexpr double k_strip_radii = 12;
 
+/// What one stretch of the pair list works with and finds.
+struct Stretch {
+  AxisSearchRoom room;
+  std::vector<ContactPoint> points;
+};
+
+/// Where a pair's points stand.
+struct FoundPoints {
+  std::ptrdiff_t stretch = 0;
+  std::size_t first = 0;
+  PairContacts contacts;
+};
+
 struct PairPlace {
   double strip = 0, along = 0;
   std::ptrdiff_t pair = 0;
@@ -40,8 +53,8 @@ struct ContactDetector::Implementation {
   std::vector<PartPair> pairs, last_pairs;
   std::vector<PairMemory> memory, last_memory;
   std::vector<PairPlace> order;  ///< in which the pairs are searched
-  std::vector<PairContacts> contacts;
-  std::vector<AxisSearchRoom> rooms;
+  std::vector<Stretch> stretches;
+  std::vector<FoundPoints> found;
   DetectorCounts counts;
 
   void forget_all();
@@ -110,14 +123,18 @@ void ContactDetector::Implementation::list_pairs(const Bodies& bodies, double ma
 
 void ContactDetector::Implementation::search_pairs(const Bodies& bodies, const std::vector<double>& margins) {
   const auto count = static_cast<std::ptrdiff_t>(pairs.size());
-  const std::ptrdiff_t stretches = threads > 1 ? threads * k_stretches_per_thread : 1;
-  rooms.resize(static_cast<std::size_t>(stretches));
-  if (contacts.size() < pairs.size()) contacts.resize(pairs.size());
-  parallel_for(stretches, threads, [&](std::ptrdiff_t s) {
-    for (std::ptrdiff_t k = s * count / stretches; k < (s + 1) * count / stretches; ++k) {
+  const std::ptrdiff_t wanted = threads > 1 ? threads * k_stretches_per_thread : 1;
+  stretches.resize(static_cast<std::size_t>(wanted));
+  found.resize(pairs.size());
+  parallel_for(wanted, threads, [&](std::ptrdiff_t s) {
+    Stretch& stretch = stretches[s];
+    stretch.points.clear();
+    for (std::ptrdiff_t k = s * count / wanted; k < (s + 1) * count / wanted; ++k) {
       const std::ptrdiff_t i = order[k].pair;
-      find_pair_contacts(bodies, parts[pairs[i].part_a], parts[pairs[i].part_b], margins[i], fcl, rooms[s], memory[i],
-                         contacts[i]);
+      found[i].stretch = s;
+      found[i].first = stretch.points.size();
+      found[i].contacts = find_pair_contacts(bodies, parts[pairs[i].part_a], parts[pairs[i].part_b], margins[i], fcl,
+                                             stretch.room, memory[i], stretch.points);
     }
   });
 }
@@ -126,12 +143,12 @@ std::vector<ContactPoint> ContactDetector::Implementation::collect() {
   std::vector<ContactPoint> points;
   counts = {};
   counts.candidate_pairs = static_cast<long>(pairs.size());
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const PairContacts& found = contacts[i];
-    points.insert(points.end(), found.points.begin(), found.points.begin() + found.count);
-    counts.cached_separations += found.separated_by_memory ? 1 : 0;
-    counts.fcl_queries += found.search.fcl_queries;
-    counts.fallbacks += found.search.fallbacks;
+  for (const FoundPoints& pair : found) {
+    const auto first = stretches[pair.stretch].points.begin() + static_cast<std::ptrdiff_t>(pair.first);
+    points.insert(points.end(), first, first + pair.contacts.count);
+    counts.cached_separations += pair.contacts.separated_by_memory ? 1 : 0;
+    counts.fcl_queries += pair.contacts.search.fcl_queries;
+    counts.fallbacks += pair.contacts.search.fallbacks;
   }
   return points;
 }

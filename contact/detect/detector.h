@@ -16,8 +16,9 @@ struct DetectorCounts {
   long fallbacks = 0;  ///< times the library threw or gave an unusable answer and the face axes decided alone
 };
 
-/// Keeps geometry and coherence caches between calls; results depend on the poses only, never on the caches' history
-/// beyond rounding-free shortcuts, and come in an order of (a, b, part_a, part_b, key).
+/// Keeps geometry and coherence caches between calls. Results depend on the poses, and where two axes of a pair lie
+/// within its tolerance of each other on the one it had at the last call; they come in an order of (a, b, part_a,
+/// part_b, key).
 class ContactDetector {
  public:
   explicit ContactDetector(int threads = 1);

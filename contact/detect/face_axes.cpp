@@ -101,6 +101,12 @@ void search_faces(const PairView& pair, AxisKind kind, double enough, Axis& best
 
 }  // namespace
 
+Axis face_axis(const PairView& pair, AxisKind kind, int face) {
+  Axis axis;
+  try_face({pair, kind}, face, axis);
+  return axis;
+}
+
 Axis best_face_axis(const PairView& pair, double enough) {
   Axis best;
   // The fewer faces first: they leave few of the many in question.

@@ -7,5 +7,7 @@ namespace nilas {
 /// Exact over all face normals of both polytopes (a cylinder or sphere has none); s is -infinity when there are none.
 /// Stops at the first axis with s > `enough` [m].
 Axis best_face_axis(const PairView& pair, double enough);
+/// The axis of one face: of A for kind face_a, of B for face_b.
+Axis face_axis(const PairView& pair, AxisKind kind, int face);
 
 }  // namespace nilas

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "contact/detect/contact_key.h"
 #include "contact/detect/cylinder_axis.h"
@@ -33,8 +34,10 @@ std::uint64_t pair_key(const Bodies& bodies, const Part& a, const Part& b) {
   return mix(key, static_cast<std::uint64_t>(b.index));
 }
 
-ContactPoint& add_point(const Part& a, const Part& b, PairContacts& out) {
-  ContactPoint& point = out.points[out.count++];
+using Points = std::vector<ContactPoint>;
+
+ContactPoint& add_point(const Part& a, const Part& b, Points& points) {
+  ContactPoint& point = points.emplace_back();
   point.a = a.body;
   point.b = b.body;
   point.part_a = a.index;
@@ -43,14 +46,13 @@ ContactPoint& add_point(const Part& a, const Part& b, PairContacts& out) {
 }
 
 /// Two features of one pair with the same name would need a collision of 64 bits; then the later one is renamed.
-void order_by_key(PairContacts& out) {
-  const auto end = out.points.begin() + out.count;
-  std::sort(out.points.begin(), end, [](const ContactPoint& p, const ContactPoint& q) { return p.key < q.key; });
-  for (int i = 1; i < out.count; ++i)
-    if (out.points[i].key <= out.points[i - 1].key) out.points[i].key = out.points[i - 1].key + 1;
+void order_by_key(std::span<ContactPoint> points) {
+  std::sort(points.begin(), points.end(), [](const ContactPoint& p, const ContactPoint& q) { return p.key < q.key; });
+  for (std::size_t i = 1; i < points.size(); ++i)
+    if (points[i].key <= points[i - 1].key) points[i].key = points[i - 1].key + 1;
 }
 
-void primitive_pair(const Bodies& bodies, const Part& a, const Part& b, double margin, PairContacts& out) {
+void primitive_pair(const Bodies& bodies, const Part& a, const Part& b, double margin, Points& points) {
   const bool a_hosts = a.kind == PartKind::plane || (a.kind != PartKind::sphere && b.kind == PartKind::sphere);
   const Part& host = a_hosts ? a : b;
   const Part& guest = a_hosts ? b : a;
@@ -63,7 +65,7 @@ void primitive_pair(const Bodies& bodies, const Part& a, const Part& b, double m
   const std::uint64_t key = pair_key(bodies, a, b);
   const Mat3& R = bodies.R_GB[host.body];
   for (const LocalContact& contact : contacts) {
-    ContactPoint& point = add_point(a, b, out);
+    ContactPoint& point = add_point(a, b, points);
     point.p = bodies.p_GB[host.body] + R * contact.p;
     point.n = a_hosts ? Vec3(R * contact.n) : Vec3(-(R * contact.n));
     point.gap = contact.gap;
@@ -72,20 +74,24 @@ void primitive_pair(const Bodies& bodies, const Part& a, const Part& b, double m
 }
 
 void polytope_or_cylinder_pair(const Bodies& bodies, const Part& a, const Part& b, double margin, FclShapes& fcl,
-                               AxisSearchRoom& room, PairMemory& memory, PairContacts& out) {
+                               AxisSearchRoom& room, PairMemory& memory, AxisSearchCounts& counts, Points& points) {
   const PairView pair = view_pair(a, b, pose_of_b_in_a(bodies, a.body, b.body), margin);
   const bool both_faceted = a.facets && b.facets;
   const Axis axis =
-      both_faceted ? find_axis(pair, fcl, room, out.search) : find_cylinder_axis(pair, fcl, room, out.search);
+      both_faceted ? find_axis(pair, memory.contact, fcl, room, counts) : find_cylinder_axis(pair, fcl, room, counts);
   const Mat3& R = bodies.R_GB[a.body];
   const Vec3 n_G = R * axis.n;
-  memory.axis = axis.s > margin ? n_G : Vec3(Vec3::Zero());
-  if (axis.s > margin) return;
+  memory = {};
+  if (axis.s > margin) {
+    memory.axis = n_G;
+    return;
+  }
+  if (axis.proven) memory.contact = {axis.kind, axis.feature_a, axis.feature_b};
   select_points(pair, axis, room.facing);
   const std::uint64_t key = pair_key(bodies, a, b);
   const ContactPlane& plane = room.facing.plane;
   for (const OverlayPoint& p : room.facing.points) {
-    ContactPoint& point = add_point(a, b, out);
+    ContactPoint& point = add_point(a, b, points);
     const Vec3 x = p.u * plane.t1 + p.v * plane.t2 + (p.height_a + 0.5 * p.gap) * plane.n;
     point.p = bodies.p_GB[a.body] + R * x;
     point.n = n_G;
@@ -103,23 +109,24 @@ void polytope_or_cylinder_pair(const Bodies& bodies, const Part& a, const Part& 
 
 }  // namespace
 
-void find_pair_contacts(const Bodies& bodies, const Part& a, const Part& b, double margin, FclShapes& fcl,
-                        AxisSearchRoom& room, PairMemory& memory, PairContacts& out) {
-  out.count = 0;
-  out.separated_by_memory = false;
-  out.search = {};
+PairContacts find_pair_contacts(const Bodies& bodies, const Part& a, const Part& b, double margin, FclShapes& fcl,
+                                AxisSearchRoom& room, PairMemory& memory, std::vector<ContactPoint>& points) {
+  PairContacts out;
+  const std::size_t before = points.size();
   const auto is_primitive = [](const Part& part) {
     return part.kind == PartKind::sphere || part.kind == PartKind::plane;
   };
   if (is_primitive(a) || is_primitive(b)) {
-    primitive_pair(bodies, a, b, margin, out);
+    primitive_pair(bodies, a, b, margin, points);
   } else if (!memory.axis.isZero(0) && separated_by_memory(bodies, a, b, margin, memory)) {
     out.separated_by_memory = true;
-    return;
+    return out;
   } else {
-    polytope_or_cylinder_pair(bodies, a, b, margin, fcl, room, memory, out);
+    polytope_or_cylinder_pair(bodies, a, b, margin, fcl, room, memory, out.search, points);
   }
-  order_by_key(out);
+  out.count = static_cast<int>(points.size() - before);
+  order_by_key(std::span(points).subspan(before));
+  return out;
 }
 
 }  // namespace nilas
