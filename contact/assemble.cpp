@@ -46,6 +46,7 @@ class Assembly {
   void fill_free_block(int body);
   void fill_articulated_block(const ArticulatedBlock& articulated);
   void reserve_contacts(std::size_t count);
+  const FrictionPair& friction_of(const ContactPoint& point, FrictionTable& friction);
   void add_contact(const ContactPoint& point, FrictionTable& friction);
   void add_moment(int c, const ContactPoint& point, FrictionTable& friction);
   MatX moment_rows(int body, const Mat3& C, double sign, Vec3& w) const;
@@ -58,6 +59,8 @@ class Assembly {
   const AssemblySettings& settings_;
   const std::vector<ArticulatedBlock>& articulated_;
   AssembledContacts out_;
+  int last_a_ = -1, last_b_ = -1;  ///< bodies of the point before, whose friction is last_pair_
+  FrictionPair last_pair_;
 };
 
 void Assembly::place_block(int body, int size) {
@@ -169,11 +172,20 @@ double Assembly::bounce_or_gap(const ContactPoint& point, double restitution) co
   return point.gap > 0 ? point.gap / settings_.h : 0;
 }
 
+/// A pair's points follow each other, and names of materials are slow to compare.
+const FrictionPair& Assembly::friction_of(const ContactPoint& point, FrictionTable& friction) {
+  if (point.a == last_a_ && point.b == last_b_) return last_pair_;
+  last_a_ = point.a;
+  last_b_ = point.b;
+  const auto a = static_cast<std::size_t>(point.a), b = static_cast<std::size_t>(point.b);
+  return last_pair_ = friction.find(bodies_.material[a], bodies_.material[b]);
+}
+
 void Assembly::add_contact(const ContactPoint& point, FrictionTable& friction) {
   const auto a = static_cast<std::size_t>(point.a), b = static_cast<std::size_t>(point.b);
   ContactProblem& problem = out_.problem;
   const Mat3 C = contact_frame(point.n, bodies_.R_GB[a], settings_.axes);
-  const FrictionPair pair = friction.find(bodies_.material[a], bodies_.material[b]);
+  const FrictionPair& pair = friction_of(point, friction);
 
   Vec3 w = add_side(point.a, C, point.p, -1);
   w += add_side(point.b, C, point.p, 1);
@@ -200,8 +212,7 @@ MatX Assembly::moment_rows(int body, const Mat3& C, double sign, Vec3& w) const 
 }
 
 void Assembly::add_moment(int c, const ContactPoint& point, FrictionTable& friction) {
-  const auto a = static_cast<std::size_t>(point.a), b = static_cast<std::size_t>(point.b);
-  const FrictionPair pair = friction.find(bodies_.material[a], bodies_.material[b]);
+  const FrictionPair& pair = friction_of(point, friction);
   if (pair.rolling == 0 && pair.spinning == 0) return;
   const Mat3 C = out_.C[static_cast<std::size_t>(c)] * Vec3(pair.spinning, pair.rolling, pair.rolling).asDiagonal();
   Vec3 w = Vec3::Zero();

@@ -1,5 +1,6 @@
 #include "contact/mass_inverse.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -21,7 +22,9 @@ static bool is_rigid_body(const ContactProblem::ConstMatrix& mass) {
       if (i >= 3 && j >= 3) continue;
       if (mass(i, j) != (i == j ? m : 0.0)) return false;
     }
-  return is_symmetric(mass);
+  const Mat3 inertia = mass.bottomRightCorner<3, 3>();
+  const double largest = std::max(std::abs(m), inertia.cwiseAbs().maxCoeff());
+  return (inertia - inertia.transpose()).cwiseAbs().maxCoeff() <= k_rounding * largest;
 }
 
 /// Sylvester's criterion; false for NaN.
@@ -32,8 +35,16 @@ static bool is_positive_definite(const Mat3& a) {
 
 /// L^-1 of a = L L^T.
 static Mat3 inverse_root(const Mat3& a) {
-  Mat3 root = Mat3::Identity();
-  Eigen::LLT<Mat3>(a).matrixL().solveInPlace(root);
+  const double l00 = std::sqrt(a(0, 0)), l10 = a(1, 0) / l00, l20 = a(2, 0) / l00;
+  const double l11 = std::sqrt(a(1, 1) - l10 * l10), l21 = (a(2, 1) - l20 * l10) / l11;
+  const double l22 = std::sqrt(a(2, 2) - l20 * l20 - l21 * l21);
+  Mat3 root = Mat3::Zero();
+  root(0, 0) = 1 / l00;
+  root(1, 1) = 1 / l11;
+  root(2, 2) = 1 / l22;
+  root(1, 0) = -l10 * root(0, 0) / l11;
+  root(2, 1) = -l21 * root(1, 1) / l22;
+  root(2, 0) = -(l20 * root(0, 0) + l21 * root(1, 0)) / l22;
   return root;
 }
 
