@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "contact/inverse_root.h"
+
 namespace nilas {
 
 constexpr int k_rigid_size = 6;
@@ -31,21 +33,6 @@ static bool is_rigid_body(const ContactProblem::ConstMatrix& mass) {
 static bool is_positive_definite(const Mat3& a) {
   const double minor = a(0, 0) * a(1, 1) - a(1, 0) * a(0, 1);
   return a(0, 0) > 0 && minor > 0 && a.determinant() > 0;
-}
-
-/// L^-1 of a = L L^T.
-static Mat3 inverse_root(const Mat3& a) {
-  const double l00 = std::sqrt(a(0, 0)), l10 = a(1, 0) / l00, l20 = a(2, 0) / l00;
-  const double l11 = std::sqrt(a(1, 1) - l10 * l10), l21 = (a(2, 1) - l20 * l10) / l11;
-  const double l22 = std::sqrt(a(2, 2) - l20 * l20 - l21 * l21);
-  Mat3 root = Mat3::Zero();
-  root(0, 0) = 1 / l00;
-  root(1, 1) = 1 / l11;
-  root(2, 2) = 1 / l22;
-  root(1, 0) = -l10 * root(0, 0) / l11;
-  root(2, 1) = -l21 * root(1, 1) / l22;
-  root(2, 0) = -(l20 * root(0, 0) + l21 * root(1, 0)) / l22;
-  return root;
 }
 
 MassInverse::MassInverse(const ContactProblem& problem) {

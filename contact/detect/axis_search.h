@@ -27,9 +27,9 @@ struct RememberedAxis {
 /// the axis separates and need not be the best.
 ///
 /// The remembered axis serves again while it is proven: of two axes within the pair's tolerance of each other the pair
-/// keeps the one it had. Else the faces of both come first, exactly. When their best is not proven, all pairs of edges that face each other, so
-/// that the answer is the best of all axes. Where these are too many (hulls of many facets): edges near the support,
-/// then FCL's direction as a further start.
+/// keeps the one it had. Else the faces of both come first, exactly. When their best is not proven, all pairs of edges
+/// that face each other, so that the answer is the best of all axes. Where these are too many (hulls of many facets):
+/// edges near the support, then FCL's direction as a further start.
 Axis find_axis(const PairView& pair, const RememberedAxis& remembered, FclShapes& fcl, AxisSearchRoom& room,
                AxisSearchCounts& counts);
 

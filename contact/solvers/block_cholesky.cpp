@@ -1,49 +1,129 @@
 #include "contact/solvers/block_cholesky.h"
 
+#include "contact/inverse_root.h"
+
 namespace nilas {
 
 namespace {
 
-/// A multiply-add of the sparse factorisation takes this many times one of the blocked dense factorisation.
-constexpr double k_sparse_penalty = 4;
-/// Beyond this many rows a dense matrix takes more than 1 GB, whatever it saves.
-constexpr Eigen::Index k_most_dense_rows = 11000;
 std::size_t at(Eigen::Index i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
-BlockCholesky::BlockCholesky(const Eigen::SparseMatrix<double>& a) : a_(a), scaled_(a) {
-  const auto n = static_cast<double>(a.rows());
-  sparse_factor_.analyzePattern(a);
-  dense_ = a.rows() <= k_most_dense_rows && k_sparse_penalty * sparse_factor_.cost() > n * n * n / 3;
+BlockCholesky::BlockCholesky(const Eigen::SparseMatrix<double>& a) : a_(a) {
+  const int* const outer = a.outerIndexPtr();
+  row_start_.push_back(0);
+  for (Eigen::Index i = 0; i < a.cols() / 3; ++i) {
+    for (int k = outer[3 * i]; k < outer[3 * i + 1]; k += 3) column_.push_back(a.innerIndexPtr()[k] / 3);
+    row_start_.push_back(static_cast<int>(column_.size()));
+  }
+  value_.resize(column_.size());
+  fill_ = block_fill(row_start_, column_);
+  const auto n = at(fill_.size());
+  upper_block_.resize(fill_.upper.columns.size());
+  inverse_root_.resize(n);
+  row_.resize(n);
+}
+
+/// A is symmetric: its columns are its rows.
+void BlockCholesky::set_values(const std::vector<Mat3>& inverse, const std::vector<Mat3>& added) {
+  const int* const outer = a_.outerIndexPtr();
+  for (Eigen::Index i = 0; i < a_.cols() / 3; ++i)
+    for (int k = row_start_[at(i)]; k < row_start_[at(i) + 1]; ++k) {
+      const int j = column_[at(k)], in_column = 3 * (k - row_start_[at(i)]);
+      Mat3 block;
+      for (int c = 0; c < 3; ++c) block.row(c) = Eigen::Map<const Vec3>(a_.valuePtr() + outer[3 * i + c] + in_column);
+      value_[at(k)].noalias() = inverse[at(i)] * (block * inverse[at(j)]).eval();
+      if (i == j) value_[at(k)] += added[at(i)];
+    }
+}
+
+/// Leaves row i of the matrix less what the rows before take from it, from the diagonal on, in row_.
+void BlockCholesky::eliminate(int i) {
+  const int source = fill_.source[at(i)];
+  for (int k = row_start_[at(source)]; k < row_start_[at(source) + 1]; ++k) {
+    const int j = fill_.place[at(column_[at(k)])];
+    if (j >= i) row_[at(j)] = PaddedBlock(value_[at(k)]);
+  }
+  for (const int pivot : fill_.lower[i]) {
+    const std::size_t here = next_[at(pivot)]++, end = fill_.upper.first(pivot + 1);
+    const PaddedBlock* const blocks = upper_block_.data() + here;
+    const PaddedBlock factor(blocks->matrix().transpose());
+    subtract_products(factor, blocks, fill_.upper.columns.data() + here, end - here, row_.data());
+  }
+}
+
+/// Makes row_ row i of V and clears it; false where its diagonal block is not positive definite.
+bool BlockCholesky::keep_row(int i) {
+  const int n = fill_.size();
+  if (i >= fill_.tail) {
+    for (int j = i; j < n; ++j) {
+      dense_.block<3, 3>(3 * (i - fill_.tail), 3 * (j - fill_.tail)) = row_[at(j)].matrix();
+      row_[at(j)] = {};
+    }
+    return true;
+  }
+  const Mat3 root = inverse_root(row_[at(i)].matrix());
+  row_[at(i)] = {};
+  inverse_root_[at(i)] = PaddedBlock(root);
+  PaddedBlock* kept = upper_block_.data() + fill_.upper.first(i);
+  for (const int j : fill_.upper[i]) {
+    *kept++ = nilas::product(inverse_root_[at(i)], row_[at(j)]);
+    row_[at(j)] = {};
+  }
+  return root.allFinite();
 }
 
 bool BlockCholesky::factor(const std::vector<Mat3>& inverse, const std::vector<Mat3>& added) {
-  const int* const outer = a_.outerIndexPtr();
-  for (Eigen::Index b = 0; b < a_.cols() / 3; ++b)
-    for (int k = 0; k < outer[3 * b + 1] - outer[3 * b]; k += 3) {
-      const Eigen::Index a = a_.innerIndexPtr()[outer[3 * b] + k] / 3;
-      Mat3 value;
-      for (int j = 0; j < 3; ++j) value.col(j) = Eigen::Map<const Vec3>(a_.valuePtr() + outer[3 * b + j] + k);
-      value = (inverse[at(a)] * value * inverse[at(b)]).eval();
-      if (a == b) value += added[at(a)];
-      for (int j = 0; j < 3; ++j) Eigen::Map<Vec3>(scaled_.valuePtr() + outer[3 * b + j] + k) = value.col(j);
-    }
-  if (dense_) {
-    dense_factor_.compute(MatX(scaled_));
-    return dense_factor_.info() == Eigen::Success;
+  set_values(inverse, added);
+  const int n = fill_.size();
+  next_.assign(fill_.upper.start.begin(), fill_.upper.start.end() - 1);
+  dense_.resize(3 * (n - fill_.tail), 3 * (n - fill_.tail));
+  for (int i = 0; i < n; ++i) {
+    eliminate(i);
+    if (!keep_row(i)) return false;
   }
-  sparse_factor_.factorize(scaled_);
-  return sparse_factor_.info() == Eigen::Success;
+  if (dense_.rows() == 0) return true;
+  dense_factor_.compute(dense_);
+  return dense_factor_.info() == Eigen::Success;
 }
 
 VecX BlockCholesky::solve_unrefined(const VecX& b) const {
-  return dense_ ? VecX(dense_factor_.solve(b)) : VecX(sparse_factor_.solve(b));
+  const int n = fill_.size(), tail = fill_.tail;
+  VecX y(3 * n);
+  for (int i = 0; i < n; ++i) y.segment<3>(3 * i) = b.segment<3>(3 * fill_.source[at(i)]);
+  for (int i = 0; i < tail; ++i) {
+    const Vec3 scaled = inverse_root_[at(i)].matrix() * y.segment<3>(3 * i);
+    y.segment<3>(3 * i) = scaled;
+    const PaddedBlock* block = upper_block_.data() + fill_.upper.first(i);
+    for (const int j : fill_.upper[i]) y.segment<3>(3 * j).noalias() -= (block++)->matrix().transpose() * scaled;
+  }
+  if (tail < n) y.tail(3 * (n - tail)) = dense_factor_.solve(y.tail(3 * (n - tail))).eval();
+  for (int i = tail - 1; i >= 0; --i) {
+    Vec3 sum = y.segment<3>(3 * i);
+    const PaddedBlock* block = upper_block_.data() + fill_.upper.first(i);
+    for (const int j : fill_.upper[i]) sum.noalias() -= (block++)->matrix() * y.segment<3>(3 * j);
+    y.segment<3>(3 * i) = inverse_root_[at(i)].matrix().transpose() * sum;
+  }
+  VecX x(3 * n);
+  for (int i = 0; i < n; ++i) x.segment<3>(3 * fill_.source[at(i)]) = y.segment<3>(3 * i);
+  return x;
+}
+
+VecX BlockCholesky::product(const VecX& y) const {
+  VecX out(y.size());
+  for (Eigen::Index i = 0; i < y.size() / 3; ++i) {
+    Vec3 sum = Vec3::Zero();
+    for (int k = row_start_[at(i)]; k < row_start_[at(i) + 1]; ++k)
+      sum.noalias() += value_[at(k)] * y.segment<3>(3 * column_[at(k)]);
+    out.segment<3>(3 * i) = sum;
+  }
+  return out;
 }
 
 VecX BlockCholesky::solve(const VecX& b) const {
   const VecX y = solve_unrefined(b);
-  return y + solve_unrefined(b - scaled_ * y);
+  return y + solve_unrefined(b - product(y));
 }
 
 }  // namespace nilas

@@ -3,13 +3,15 @@
 /// block diagonal with eigenvalues of at least about 1.
 ///
 /// It is (A + P D P) x = P b with y = P x, in the form whose eigenvalues are bounded from below however singular A is
-/// and however far the blocks of P are apart, so that the factorisation does not break down. Dense or sparse (one
-/// symbolic analysis for all), whichever is estimated cheaper.
+/// and however far the blocks of P are apart, so that the factorisation V^T V, V upper triangular, does not break
+/// down. One plan (block_fill.h) serves all; its dense last rows go to a dense Cholesky factor.
+/// Cost of a factorisation: half of BlockLu's.
 #include <Eigen/Cholesky>
-#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
 #include <vector>
 
-#include "core/base/math.h"
+#include "contact/solvers/block_fill.h"
+#include "contact/solvers/padded_block.h"
 
 namespace nilas {
 
@@ -24,17 +26,21 @@ class BlockCholesky {
   VecX solve_unrefined(const VecX& b) const;
 
  private:
-  /// Tells what a factorisation costs, in multiply-adds.
-  class Sparse : public Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> {
-   public:
-    double cost() const { return m_nonZerosPerCol.cast<double>().squaredNorm(); }
-  };
+  void set_values(const std::vector<Mat3>& inverse, const std::vector<Mat3>& added);
+  void eliminate(int i);
+  bool keep_row(int i);
+  VecX product(const VecX& y) const;
 
   const Eigen::SparseMatrix<double>& a_;
-  Eigen::SparseMatrix<double> scaled_;
-  bool dense_ = false;
-  Sparse sparse_factor_;
-  Eigen::LLT<MatX> dense_factor_;
+  std::vector<int> row_start_, column_;  ///< of the blocks, row by row
+  std::vector<Mat3> value_;              ///< of the matrix to factorise, in that order
+  BlockFill fill_;
+  std::vector<PaddedBlock> upper_block_;   ///< V right of the diagonal, in the order of the fill
+  std::vector<PaddedBlock> inverse_root_;  ///< of V's diagonal blocks, transposed
+  std::vector<std::size_t> next_;          ///< of each row of V: its first block not yet used as a factor
+  std::vector<PaddedBlock> row_;           ///< the row at work, scattered
+  MatX dense_;
+  Eigen::LLT<MatX, Eigen::Upper> dense_factor_;
 };
 
 }  // namespace nilas

@@ -10,23 +10,10 @@
 /// trees); Amestoy, Davis, Duff 1996 (ordering, Eigen's code).
 #include <vector>
 
-#include "core/base/math.h"
+#include "contact/solvers/block_fill.h"
+#include "contact/solvers/padded_block.h"
 
 namespace nilas {
-
-/// 3 x 3 numbers by columns, each padded to four so that it fills whole vector registers; the pads stay zero.
-struct alignas(32) PaddedBlock {
-  double column[3][4] = {};
-
-  PaddedBlock() = default;
-  explicit PaddedBlock(const Mat3& m) {
-    for (int j = 0; j < 3; ++j)
-      for (int i = 0; i < 3; ++i) column[j][i] = m(i, j);
-  }
-  Eigen::Map<const Mat3, Eigen::Unaligned, Eigen::OuterStride<4>> matrix() const {
-    return Eigen::Map<const Mat3, Eigen::Unaligned, Eigen::OuterStride<4>>(&column[0][0]);
-  }
-};
 
 class BlockLu {
  public:
@@ -41,21 +28,12 @@ class BlockLu {
   void solve(VecX& x) const;
 
  private:
-  void order();
-  void find_fill();
-  void choose_tail();
   bool factorise_tail();
-  int size() const { return static_cast<int>(place_.size()); }
 
   std::vector<int> row_start_, column_;  ///< as given
-  std::vector<int> place_;               ///< of each given row in the order chosen
-  std::vector<int> source_;              ///< the inverse of that
-  std::vector<std::vector<int>> upper_;  ///< columns right of the diagonal, rising
-  std::vector<std::vector<int>> lower_;  ///< columns left of the diagonal, rising
-  int tail_ = 0;                         ///< first row of the dense part
-
-  std::vector<std::vector<PaddedBlock>> upper_block_, lower_block_;
-  std::vector<Mat3> pivot_inverse_;
+  BlockFill fill_;
+  std::vector<PaddedBlock> upper_block_, lower_block_;  ///< in the order of the fill
+  std::vector<PaddedBlock> pivot_inverse_;
   std::vector<PaddedBlock> row_;  ///< the row at work, scattered
   MatX dense_;
   Eigen::PartialPivLU<MatX> dense_lu_;

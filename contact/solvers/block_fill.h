@@ -1,0 +1,35 @@
+#pragma once
+/// In which order the rows of a sparse matrix of 3 x 3 blocks are eliminated, and which blocks that fills. The pattern
+/// is made symmetric. The last rows, where fill leaves few zeros, form one dense matrix: in three-dimensional packings
+/// most of the work lies there. Sources: Liu 1990 (elimination trees); Amestoy, Davis, Duff 1996 (approximate minimum
+/// degree, Eigen's code).
+#include <span>
+#include <vector>
+
+namespace nilas {
+
+/// Lists of columns, one per row, one after the other in memory.
+struct ColumnLists {
+  std::vector<std::size_t> start{0};
+  std::vector<int> columns;
+
+  std::span<const int> operator[](int row) const {
+    return std::span(columns).subspan(first(row), first(row + 1) - first(row));
+  }
+  std::size_t first(int row) const { return start[static_cast<std::size_t>(row)]; }
+};
+
+struct BlockFill {
+  std::vector<int> place;   ///< of each given row in the order chosen
+  std::vector<int> source;  ///< the inverse of that
+  ColumnLists upper;        ///< right of the diagonal, rising
+  ColumnLists lower;        ///< left of the diagonal, rising; of a dense row those before the tail
+  int tail = 0;             ///< first row of the dense part
+
+  int size() const { return static_cast<int>(place.size()); }
+};
+
+/// Row i has blocks at `column[row_start[i] .. row_start[i + 1])`.
+BlockFill block_fill(const std::vector<int>& row_start, const std::vector<int>& column);
+
+}  // namespace nilas
