@@ -9,6 +9,9 @@ namespace nilas {
 
 namespace {
 
+/// Larger differences between W' and its transpose than this share of its diagonal, which is 1, are not rounding.
+constexpr double k_rounding = 1e-14;
+
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 Eigen::Index row_of(int c) { return 3 * static_cast<Eigen::Index>(c); }
 
@@ -35,7 +38,7 @@ MassScaled mass_scaled(const LocalProblem& island) {
   scaled.q = scaled.q.cwiseProduct(rows);
   const Eigen::SparseMatrix<double> transposed = scaled.w.transpose();
   scaled.symmetric = 0.5 * (scaled.w + transposed);
-  scaled.skew = Eigen::SparseMatrix<double>(scaled.w - scaled.symmetric).coeffs().cwiseAbs().maxCoeff() > 0;
+  scaled.skew = Eigen::SparseMatrix<double>(scaled.w - scaled.symmetric).coeffs().cwiseAbs().maxCoeff() > k_rounding;
   return scaled;
 }
 

@@ -19,7 +19,7 @@ struct MassScaled {
   std::vector<double> scale;              ///< e_a [1/sqrt(kg)] to the power -1: sqrt(kg)
   Eigen::SparseMatrix<double> w;          ///< W' as stored
   Eigen::SparseMatrix<double> symmetric;  ///< (W' + W'^T)/2
-  bool skew = false;                      ///< W' differs from its symmetric part
+  bool skew = false;                      ///< W' differs from its symmetric part by more than rounding
   VecX q;
   std::vector<double> mu;   ///< 0 for the frictionless law
   std::vector<double> cap;  ///< of r'_N [sqrt(J)]

@@ -14,10 +14,10 @@ namespace {
 /// The proximal weight stays between these; below the first it is lost in rounding beside W', whose diagonal is 1.
 constexpr double k_least_weight = 1e-13;
 constexpr double k_most_weight = 10;
-/// Factors of the weight after a good, a middling and a failed inner solve.
-constexpr double k_fall = 0.1, k_rise = 3, k_retreat = 10;
-/// An inner solve of at most this many steps calls for a smaller weight.
-constexpr int k_quick_steps = 8;
+/// Factors of the weight after a good inner solve in very few or few steps, a middling and a failed one.
+constexpr double k_plunge = 0.01, k_fall = 0.1, k_rise = 3, k_retreat = 10;
+/// A good inner solve of more steps than these leaves the weight as it is.
+constexpr int k_very_quick_steps = 3, k_quick_steps = 8;
 /// |F| fallen to this share makes an inner solve good, to the second one middling.
 constexpr double k_good = 0.1, k_middling = 0.5;
 /// A line search demands this share of the fall that the linear model promises.
@@ -80,7 +80,9 @@ class Island {
     }
     if (after <= std::max(10 * target, k_good * before)) {
       r_ = r;
-      if (out_.iterations - steps_before <= k_quick_steps) weight_ = std::max(k_fall * weight_, k_least_weight);
+      const int taken = out_.iterations - steps_before;
+      const double factor = taken <= k_very_quick_steps ? k_plunge : taken <= k_quick_steps ? k_fall : 1;
+      weight_ = std::max(factor * weight_, k_least_weight);
     } else if (after <= k_middling * before) {
       r_ = r;
       weight_ *= k_rise;

@@ -155,8 +155,7 @@ TEST_P(OracleTest, FindsTheBestAxisAndTheTrueGaps) {
 
 TEST_P(OracleTest, RememberedAxesAreFollowedOnlyWhileTheyAreTheBest) {
   RandomStream nudges(8, GetParam().name);
-  expect_truth(
-      [&](const Bodies& bodies, double margin) { return saw_nearby(GetParam(), bodies, margin, nudges); });
+  expect_truth([&](const Bodies& bodies, double margin) { return saw_nearby(GetParam(), bodies, margin, nudges); });
 }
 
 INSTANTIATE_TEST_SUITE_P(Pairs, OracleTest,
