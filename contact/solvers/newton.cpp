@@ -15,7 +15,7 @@ namespace {
 constexpr double k_least_weight = 1e-13;
 constexpr double k_most_weight = 10;
 /// Factors of the weight after a good inner solve in very few or few steps, a middling and a failed one.
-constexpr double k_plunge = 0.01, k_fall = 0.1, k_rise = 3, k_retreat = 10;
+constexpr double k_plunge = 0.01, k_fall = 0.3, k_rise = 3, k_retreat = 10;
 /// A good inner solve of more steps than these leaves the weight as it is.
 constexpr int k_very_quick_steps = 3, k_quick_steps = 8;
 /// |F| fallen to this share makes an inner solve good, to the second one middling.
