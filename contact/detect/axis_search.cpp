@@ -21,7 +21,10 @@ class AxisSearch {
       : pair_(pair), room_(room), counts_(counts) {}
 
   Axis find(const RememberedAxis& remembered, FclShapes& fcl) {
-    if (try_remembered(remembered)) return best_;
+    if (try_remembered(remembered)) {
+      ++counts_.kept;
+      return best_;
+    }
     best_ = best_face_axis(pair_, pair_.margin);
     if (settled() || try_shown_crossing() || try_facing_edges(k_few_edge_pairs)) return best_;
     if (follow_edges(best_) || ask_fcl(fcl)) return best_;
@@ -87,13 +90,13 @@ class AxisSearch {
     const NearPoints near = near_points();
     choose_facing_edges(pair_, best_.s, near, room_.edges);
     if (room_.edges.of_a.size() * room_.edges.of_b.size() > most_pairs) return false;
-    const double before = best_.s;
+    const Axis before = best_;
     try_crossing_edges(pair_, room_.edges, best_);
     if (best_.s > -pair_.tolerance) {
-      if (before <= -pair_.tolerance) choose_facing_edges(pair_, best_.s, near, room_.edges);
+      if (before.s <= -pair_.tolerance) choose_facing_edges(pair_, best_.s, near, room_.edges);
       try_nearest_edges(pair_, room_.edges, best_);
     }
-    if (best_.s > before) settled();
+    if (best_.n != before.n) settled();  // a tie may have changed the axis without a better s
     return true;
   }
 

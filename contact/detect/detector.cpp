@@ -147,6 +147,7 @@ std::vector<ContactPoint> ContactDetector::Implementation::collect() {
     const auto first = stretches[pair.stretch].points.begin() + static_cast<std::ptrdiff_t>(pair.first);
     points.insert(points.end(), first, first + pair.contacts.count);
     counts.cached_separations += pair.contacts.separated_by_memory ? 1 : 0;
+    counts.kept_axes += pair.contacts.search.kept;
     counts.fcl_queries += pair.contacts.search.fcl_queries;
     counts.fallbacks += pair.contacts.search.fallbacks;
   }

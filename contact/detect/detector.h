@@ -12,6 +12,7 @@ namespace nilas {
 struct DetectorCounts {
   long candidate_pairs = 0;     ///< pairs of parts whose boxes overlap
   long cached_separations = 0;  ///< pairs set aside by last step's separating axis
+  long kept_axes = 0;           ///< pairs whose axis of the last call served again
   long fcl_queries = 0;
   long fallbacks = 0;  ///< times the library threw or gave an unusable answer and the face axes decided alone
 };

@@ -19,7 +19,7 @@ const double k_most_slope = std::tan(k_grown_angle);
 /// The memory's axis sets a pair aside only when it clears the margin by more than rounding, so that the pair would
 /// have had no contact without it either.
 bool separated_by_memory(const Bodies& bodies, const Part& a, const Part& b, double margin, const PairMemory& memory) {
-  const Vec3& n = memory.axis;
+  const Vec3& n = memory.separating;
   const Vec3 n_a = bodies.R_GB[a.body].transpose() * n;
   const Vec3 n_b = bodies.R_GB[b.body].transpose() * n;
   const Vec3 between = bodies.p_GB[b.body] - bodies.p_GB[a.body];
@@ -77,16 +77,16 @@ void polytope_or_cylinder_pair(const Bodies& bodies, const Part& a, const Part& 
                                AxisSearchRoom& room, PairMemory& memory, AxisSearchCounts& counts, Points& points) {
   const PairView pair = view_pair(a, b, pose_of_b_in_a(bodies, a.body, b.body), margin);
   const bool both_faceted = a.facets && b.facets;
-  const Axis axis =
-      both_faceted ? find_axis(pair, memory.contact, fcl, room, counts) : find_cylinder_axis(pair, fcl, room, counts);
+  const Axis axis = both_faceted ? find_axis(pair, memory.contact_axis, fcl, room, counts)
+                                 : find_cylinder_axis(pair, fcl, room, counts);
   const Mat3& R = bodies.R_GB[a.body];
   const Vec3 n_G = R * axis.n;
   memory = {};
   if (axis.s > margin) {
-    memory.axis = n_G;
+    memory.separating = n_G;
     return;
   }
-  if (axis.proven) memory.contact = {axis.kind, axis.feature_a, axis.feature_b};
+  if (axis.proven) memory.contact_axis = {axis.kind, axis.feature_a, axis.feature_b};
   select_points(pair, axis, room.facing);
   const std::uint64_t key = pair_key(bodies, a, b);
   const ContactPlane& plane = room.facing.plane;
@@ -118,7 +118,7 @@ PairContacts find_pair_contacts(const Bodies& bodies, const Part& a, const Part&
   };
   if (is_primitive(a) || is_primitive(b)) {
     primitive_pair(bodies, a, b, margin, points);
-  } else if (!memory.axis.isZero(0) && separated_by_memory(bodies, a, b, margin, memory)) {
+  } else if (!memory.separating.isZero(0) && separated_by_memory(bodies, a, b, margin, memory)) {
     out.separated_by_memory = true;
     return out;
   } else {

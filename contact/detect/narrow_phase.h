@@ -4,14 +4,13 @@
 
 #include "contact/detect/axis_search.h"
 #include "contact/detect/contact_point.h"
-#include "contact/detect/point_reduction.h"
 
 namespace nilas {
 
 /// What a pair keeps from call to call.
 struct PairMemory {
-  Vec3 axis = Vec3::Zero();  ///< separated the pair by more than the margin, in G; zero: none known
-  RememberedAxis contact;
+  Vec3 separating = Vec3::Zero();  ///< axis that separated the pair by more than the margin, in G; zero: none known
+  RememberedAxis contact_axis;
 };
 
 struct PairContacts {

@@ -63,7 +63,7 @@ struct Axis {
   AxisKind kind = AxisKind::direction;
   int feature_a = -1;  ///< face for face_a, edge for edges
   int feature_b = -1;
-  bool proven = false;  ///< no other axis is better by more than the pair's tolerance
+  bool proven = false;  ///< set by find_axis: no other axis is better by more than the pair's tolerance
 };
 
 }  // namespace nilas

@@ -40,6 +40,13 @@ void detect(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(detector.detect(bodies, 1e-3));
   state.SetItemsProcessed(state.iterations() * bodies.size());
 }
+/// By a detector that has seen nothing before.
+void detect_at_first(benchmark::State& state) {
+  const Bodies bodies = touching_grid(static_cast<int>(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(ContactDetector().detect(bodies, 1e-3));
+  state.SetItemsProcessed(state.iterations() * bodies.size());
+}
+BENCHMARK(detect_at_first)->Arg(16)->Arg(32)->Arg(64)->Unit(benchmark::kMillisecond);
 BENCHMARK(detect)->Arg(16)->Arg(32)->Arg(64)->Unit(benchmark::kMillisecond);
 
 void water(benchmark::State& state) {

@@ -194,6 +194,27 @@ TEST(Assemble, ABodyWithoutCoordinatesIsPrescribed) {
   EXPECT_THROW(scene.assemble(0), ContractError);
 }
 
+TEST(Assemble, EachPairHasItsOwnFriction) {
+  Bodies bodies;
+  for (int k = 0; k < 3; ++k) add_floe(bodies, Vec3(k, 0, 0), Vec3::Zero(), Vec3::Zero());
+  bodies.material[2] = "steel";
+  FrictionTable friction = ice_friction();
+  FrictionPair rolling{0.5, 0.4, 0};
+  rolling.rolling = 0.01;
+  friction.add("ice", "steel", rolling);
+  const Wrenches free(3);
+  std::vector<ContactPoint> points;
+  for (const auto& [a, b] : {std::pair{0, 1}, {0, 2}, {0, 2}, {1, 2}, {0, 1}})
+    points.push_back(point(a, b, Vec3(0.5, 0, 0), Vec3::UnitX(), 0, points.size()));
+  const ContactProblem problem = assemble(bodies, free, points, friction, {.h = 0.01}, {}).problem;
+  const std::vector<double> kinetic{0.3, 0.4, 0.4, 0.4, 0.3};
+  ASSERT_EQ(problem.num_points(), 5);
+  for (std::size_t c = 0; c < 5; ++c) {
+    EXPECT_EQ(problem.mu[c], kinetic[c]) << c;
+    EXPECT_EQ(problem.moment_of(static_cast<int>(c)) >= 0, kinetic[c] == 0.4) << c;
+  }
+}
+
 TEST(Assemble, UnnamedMaterialsAreFrictionlessAndRemembered) {
   TwoFloes scene;
   scene.bodies.material[2] = "rubber";

@@ -137,14 +137,33 @@ TEST(Detector, MemoryDoesNotChangeABit) {
   const auto floes = crowd(80, 4);
   Bodies bodies = bodies_of(floes, in_order(floes.size()));
   ContactDetector remembering;
-  long separations = 0;
+  long separations = 0, kept = 0;
   for (int step = 0; step < 40; ++step) {
     drift(bodies, step);
     const double margin = step % 7 == 3 ? 0.02 : 0.005;
     expect_same_bits(remembering.detect(bodies, margin), ContactDetector().detect(bodies, margin));
     separations += remembering.counts().cached_separations;
+    kept += remembering.counts().kept_axes;
   }
   EXPECT_GT(separations, 1000);
+  EXPECT_GT(kept, 100);
+}
+
+TEST(Detector, APairKeepsItsAxisThroughATie) {
+  const auto normal_at_the_tie = [](const Vec3& before) {
+    const Vec3 tie(0.625, 0.625, 0);  // the overlap along x is that along y, to the bit
+    Bodies bodies;
+    for (const double size : {1.0, 0.5}) add_body(bodies, box_shape(Vec3(size, size, size)), Vec3::Zero());
+    ContactDetector detector;
+    bodies.set_pose(1, tie + before, Quat::Identity());
+    detector.detect(bodies, 1e-3);
+    bodies.set_pose(1, tie, Quat::Identity());
+    const auto points = detector.detect(bodies, 1e-3);
+    EXPECT_FALSE(points.empty());
+    return points.empty() ? Vec3(Vec3::Zero()) : points.front().n;
+  };
+  EXPECT_EQ(normal_at_the_tie({0.03125, 0, 0}), Vec3(Vec3::UnitX()));
+  EXPECT_EQ(normal_at_the_tie({0, 0.03125, 0}), Vec3(Vec3::UnitY()));
 }
 
 TEST(Detector, NewBodiesArePickedUp) {
