@@ -12,8 +12,10 @@ constexpr int k_rigid_size = 6;
 /// Larger asymmetry of a block is not rounding, relative to its largest entry.
 constexpr double k_rounding = 1e-14;
 
-static bool is_symmetric(const ContactProblem::ConstMatrix& mass) {
-  return (mass - mass.transpose()).cwiseAbs().maxCoeff() <= k_rounding * mass.cwiseAbs().maxCoeff();
+/// `largest`: entry of the block that m belongs to.
+template <class Matrix>
+static bool is_symmetric(const Matrix& m, double largest) {
+  return (m - m.transpose()).cwiseAbs().maxCoeff() <= k_rounding * largest;
 }
 
 static bool is_rigid_body(const ContactProblem::ConstMatrix& mass) {
@@ -26,7 +28,7 @@ static bool is_rigid_body(const ContactProblem::ConstMatrix& mass) {
     }
   const Mat3 inertia = mass.bottomRightCorner<3, 3>();
   const double largest = std::max(std::abs(m), inertia.cwiseAbs().maxCoeff());
-  return (inertia - inertia.transpose()).cwiseAbs().maxCoeff() <= k_rounding * largest;
+  return is_symmetric(inertia, largest);
 }
 
 /// Sylvester's criterion; false for NaN.
@@ -51,14 +53,15 @@ void MassInverse::mark_bad(int block) {
 }
 
 void MassInverse::add_rigid_body(const ContactProblem::ConstMatrix& mass, int block) {
-  const Mat3 inertia = mass.bottomRightCorner<3, 3>();
-  const bool good = mass(0, 0) > 0 && std::isfinite(mass(0, 0)) && inertia.allFinite() && is_positive_definite(inertia);
+  const Mat3 inertia = mass.bottomRightCorner<3, 3>(), root = inverse_root(inertia);
+  const bool good = mass(0, 0) > 0 && std::isfinite(mass(0, 0)) && inertia.allFinite() &&
+                    is_positive_definite(inertia) && root.allFinite();
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   RigidBody body;
   body.inverse_mass = good ? 1.0 / mass(0, 0) : nan;
   body.inverse_inertia = good ? Mat3(inertia.inverse()) : Mat3(Mat3::Constant(nan));
   body.root_mass = std::sqrt(body.inverse_mass);
-  body.root_inertia = good ? inverse_root(inertia) : Mat3(Mat3::Constant(nan));
+  body.root_inertia = good ? root : Mat3(Mat3::Constant(nan));
   slot_.push_back(static_cast<int>(rigid_bodies_.size()));
   rigid_bodies_.push_back(body);
   if (!good) mark_bad(block);
@@ -69,7 +72,7 @@ void MassInverse::add_general(const ContactProblem::ConstMatrix& mass, int block
   general_.push_back({Eigen::LLT<MatX>(mass), {}});
   if (!mass.allFinite() || general_.back().cholesky.info() != Eigen::Success)
     mark_bad(block);
-  else if (!is_symmetric(mass))
+  else if (!is_symmetric(mass, mass.cwiseAbs().maxCoeff()))
     general_.back().lu.emplace(mass);
 }
 

@@ -68,10 +68,10 @@ bool BlockCholesky::keep_row(int i) {
   inverse_root_[at(i)] = PaddedBlock(root);
   PaddedBlock* kept = upper_block_.data() + fill_.upper.first(i);
   for (const int j : fill_.upper[i]) {
-    *kept++ = nilas::product(inverse_root_[at(i)], row_[at(j)]);
+    *kept++ = product(inverse_root_[at(i)], row_[at(j)]);
     row_[at(j)] = {};
   }
-  return root.allFinite();
+  return root.allFinite() && root.diagonal().minCoeff() > 0;
 }
 
 bool BlockCholesky::factor(const std::vector<Mat3>& inverse, const std::vector<Mat3>& added) {
@@ -85,7 +85,7 @@ bool BlockCholesky::factor(const std::vector<Mat3>& inverse, const std::vector<M
   }
   if (dense_.rows() == 0) return true;
   dense_factor_.compute(dense_);
-  return dense_factor_.info() == Eigen::Success;
+  return dense_factor_.info() == Eigen::Success && dense_factor_.matrixLLT().diagonal().allFinite();
 }
 
 VecX BlockCholesky::solve_unrefined(const VecX& b) const {
@@ -110,7 +110,7 @@ VecX BlockCholesky::solve_unrefined(const VecX& b) const {
   return x;
 }
 
-VecX BlockCholesky::product(const VecX& y) const {
+VecX BlockCholesky::times(const VecX& y) const {
   VecX out(y.size());
   for (Eigen::Index i = 0; i < y.size() / 3; ++i) {
     Vec3 sum = Vec3::Zero();
@@ -123,7 +123,7 @@ VecX BlockCholesky::product(const VecX& y) const {
 
 VecX BlockCholesky::solve(const VecX& b) const {
   const VecX y = solve_unrefined(b);
-  return y + solve_unrefined(b - product(y));
+  return y + solve_unrefined(b - times(y));
 }
 
 }  // namespace nilas

@@ -1,11 +1,11 @@
 #pragma once
-/// Solves (P^-1 A P^-1 + D) y = b: A symmetric positive semidefinite of 3 x 3 blocks, P block diagonal and symmetric, D
-/// block diagonal with eigenvalues of at least about 1.
+/// Solves (P^-1 A P^-1 + D) y = b: A symmetric positive semidefinite of 3 x 3 blocks, P and D block diagonal, symmetric
+/// and positive definite.
 ///
-/// It is (A + P D P) x = P b with y = P x, in the form whose eigenvalues are bounded from below however singular A is
-/// and however far the blocks of P are apart, so that the factorisation V^T V, V upper triangular, does not break
-/// down. One plan (block_fill.h) serves all; its dense last rows go to a dense Cholesky factor.
-/// Cost of a factorisation: half of BlockLu's.
+/// It is (A + P D P) x = P b with y = P x, in the form whose eigenvalues are at least those of D however singular A is
+/// and however far the blocks of P are apart (in ipm D is about 1, in admm P is 1 and D the penalty), so that the
+/// factorisation V^T V, V upper triangular, does not break down. One plan (block_fill.h) serves all; its dense last
+/// rows go to a dense Cholesky factor. Cost of a factorisation: half of BlockLu's.
 #include <Eigen/Cholesky>
 #include <Eigen/SparseCore>
 #include <vector>
@@ -29,7 +29,7 @@ class BlockCholesky {
   void set_values(const std::vector<Mat3>& inverse, const std::vector<Mat3>& added);
   void eliminate(int i);
   bool keep_row(int i);
-  VecX product(const VecX& y) const;
+  VecX times(const VecX& y) const;
 
   const Eigen::SparseMatrix<double>& a_;
   std::vector<int> row_start_, column_;  ///< of the blocks, row by row

@@ -10,8 +10,8 @@ namespace {
 
 /// The dense part begins where at least this share of the blocks to come are filled.
 constexpr double k_dense_share = 0.95;
-/// Fewer rows than this are not worth a dense part.
-constexpr int k_smallest_tail = 8;
+/// Fewer rows than this are not worth a dense part; more would take over half a gigabyte, whatever they save.
+constexpr int k_smallest_tail = 8, k_largest_tail = 2500;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -31,24 +31,28 @@ void order(const std::vector<int>& row_start, const std::vector<int>& column, Bl
   for (int k = 0; k < n; ++k) fill.place[at(fill.source[at(k)])] = k;
 }
 
+/// n lists from `for_each`, which calls what it is given for every (list, item), the same way each time.
+template <class ForEach>
+ColumnLists lists_of(int n, const ForEach& for_each) {
+  ColumnLists lists;
+  lists.start.assign(at(n) + 1, 0);
+  for_each([&](int list, int) { ++lists.start[at(list) + 1]; });
+  std::partial_sum(lists.start.begin(), lists.start.end(), lists.start.begin());
+  lists.columns.resize(lists.start.back());
+  auto next = lists.start;
+  for_each([&](int list, int item) { lists.columns[next[at(list)]++] = item; });
+  return lists;
+}
+
 /// For each row in the order chosen: the blocks right of the diagonal that are given, on either side of it; unsorted.
 ColumnLists given_upper(const std::vector<int>& row_start, const std::vector<int>& column, const BlockFill& fill) {
-  const int n = fill.size();
-  const auto for_each = [&](const auto& use) {
-    for (int i = 0; i < n; ++i)
+  return lists_of(fill.size(), [&](const auto& use) {
+    for (int i = 0; i < fill.size(); ++i)
       for (int k = row_start[at(i)]; k < row_start[at(i) + 1]; ++k) {
         const int a = fill.place[at(i)], b = fill.place[at(column[at(k)])];
         if (a != b) use(std::min(a, b), std::max(a, b));
       }
-  };
-  ColumnLists given;
-  given.start.assign(at(n) + 1, 0);
-  for_each([&](int row, int) { ++given.start[at(row) + 1]; });
-  std::partial_sum(given.start.begin(), given.start.end(), given.start.begin());
-  given.columns.resize(given.start.back());
-  auto next = given.start;
-  for_each([&](int row, int later) { given.columns[next[at(row)]++] = later; });
-  return given;
+  });
 }
 
 /// upper[k] = neighbours of k that come later, and those of every row whose first later neighbour is k.
@@ -83,24 +87,22 @@ void choose_tail(BlockFill& fill) {
   for (int k = n - 1; k >= 0; --k) {
     filled += static_cast<double>(fill.upper[k].size());
     const double rows = n - k;
+    if (rows > k_largest_tail) break;
     if (rows >= k_smallest_tail && filled >= k_dense_share * rows * (rows - 1) / 2) fill.tail = k;
   }
 }
 
-void list_lower(BlockFill& fill) {
-  const int n = fill.size();
-  const auto for_each = [&](const auto& use) {
-    for (int k = 0; k < n; ++k)
-      for (const int j : fill.upper[k])
-        if (k < fill.tail) use(j, k);
-  };
-  auto& start = fill.lower.start;
-  start.assign(at(n) + 1, 0);
-  for_each([&](int row, int) { ++start[at(row) + 1]; });
-  std::partial_sum(start.begin(), start.end(), start.begin());
-  fill.lower.columns.resize(start.back());
-  auto next = start;
-  for_each([&](int row, int earlier) { fill.lower.columns[next[at(row)]++] = earlier; });
+/// What lies inside the dense part is not listed.
+void drop_tail(BlockFill& fill) {
+  fill.upper.columns.resize(fill.upper.first(fill.tail));
+  std::fill(fill.upper.start.begin() + fill.tail, fill.upper.start.end(), fill.upper.columns.size());
+}
+
+ColumnLists lower_of(const BlockFill& fill) {
+  return lists_of(fill.size(), [&](const auto& use) {
+    for (int k = 0; k < fill.tail; ++k)
+      for (const int j : fill.upper[k]) use(j, k);
+  });
 }
 
 }  // namespace
@@ -110,7 +112,8 @@ BlockFill block_fill(const std::vector<int>& row_start, const std::vector<int>& 
   order(row_start, column, fill);
   find_fill(given_upper(row_start, column, fill), fill);
   choose_tail(fill);
-  list_lower(fill);
+  drop_tail(fill);
+  fill.lower = lower_of(fill);
   return fill;
 }
 

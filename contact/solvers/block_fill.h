@@ -22,8 +22,8 @@ struct ColumnLists {
 struct BlockFill {
   std::vector<int> place;   ///< of each given row in the order chosen
   std::vector<int> source;  ///< the inverse of that
-  ColumnLists upper;        ///< right of the diagonal, rising
-  ColumnLists lower;        ///< left of the diagonal, rising; of a dense row those before the tail
+  ColumnLists upper;        ///< right of the diagonal, rising; of rows before the tail
+  ColumnLists lower;        ///< left of the diagonal and before the tail, rising
   int tail = 0;             ///< first row of the dense part
 
   int size() const { return static_cast<int>(place.size()); }

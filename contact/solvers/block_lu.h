@@ -3,11 +3,9 @@
 ///
 ///   P K P^T = L U,   L unit lower, U upper, by 3 x 3 blocks; P from the approximate minimum degree of the block graph
 ///
-/// Blocks are not exchanged: K must have good diagonal blocks in the order chosen, as a Delassus operator with a
-/// proximal term has. The last rows, where fill leaves few zeros, form one dense matrix that is factorised with
-/// pivoting: in three-dimensional packings most of the work lies there.
-/// Cost: the sum over rows k of (blocks right of k)^2, about 5 ns per pair of blocks. Sources: Liu 1990 (elimination
-/// trees); Amestoy, Davis, Duff 1996 (ordering, Eigen's code).
+/// Order, fill and dense last rows as in block_fill.h. Blocks are not exchanged: K must have good diagonal blocks in
+/// the order chosen, as a Delassus operator with a proximal term has; only the dense part is factorised with pivoting.
+/// Cost: the sum over rows k of (blocks right of k)^2, about 5 ns per pair of blocks.
 #include <vector>
 
 #include "contact/solvers/block_fill.h"

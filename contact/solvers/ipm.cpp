@@ -83,12 +83,14 @@ class Rounds {
     const double size = problem_.q.cwiseAbs().maxCoeff();
     VecX added = VecX::Zero(problem_.q.size());
     InteriorIterate point = inner_.cold_start(problem_.q);
+    const bool adds_nothing = problem_.law != Law::coulomb && !problem_.skew;  // then one round is all
     Anderson mixer(k_anderson_depth);
     double halved_map = best_map_, change = size;
     int halved_round = 0;
     for (int round = 0; round < settings_.max_rounds && !done() && left() > 0 && !shared().out_of_time(); ++round) {
       if (round > 0) point = inner_.shifted(point, std::min(k_warm_share * size, change));
-      const double tolerance = std::max(k_inner_share * change, 0.1 * shared().tolerance);
+      const double least = 0.1 * shared().tolerance;
+      const double tolerance = adds_nothing ? least : std::max(k_inner_share * change, least);
       const auto inner =
           inner_.minimise(problem_.q + added, tolerance, std::min(k_inner_limit, left()), shared(), point);
       out_.iterations += inner.iterations;

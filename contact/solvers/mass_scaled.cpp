@@ -9,7 +9,7 @@ namespace nilas {
 
 namespace {
 
-/// Larger differences between W' and its transpose than this share of its diagonal, which is 1, are not rounding.
+/// Larger differences between W' and its symmetric part, whose mean diagonal is 1, are not rounding.
 constexpr double k_rounding = 1e-14;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }

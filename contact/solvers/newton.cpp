@@ -81,8 +81,8 @@ class Island {
     if (after <= std::max(10 * target, k_good * before)) {
       r_ = r;
       const int taken = out_.iterations - steps_before;
-      const double factor = taken <= k_very_quick_steps ? k_plunge : taken <= k_quick_steps ? k_fall : 1;
-      weight_ = std::max(factor * weight_, k_least_weight);
+      if (taken <= k_quick_steps)
+        weight_ = std::max((taken <= k_very_quick_steps ? k_plunge : k_fall) * weight_, k_least_weight);
     } else if (after <= k_middling * before) {
       r_ = r;
       weight_ *= k_rise;

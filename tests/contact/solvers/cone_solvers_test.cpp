@@ -5,6 +5,7 @@
 
 #include "contact/registry.h"
 #include "contact/solvers/admm.h"
+#include "contact/solvers/ipm.h"
 #include "contact/solvers/second_order_cone.h"
 #include "core/base/error.h"
 #include "tests/support/cone_problems.h"
@@ -108,6 +109,18 @@ TEST_P(ConeSolver, RandomHeapsConverge) {
       EXPECT_EQ(s.status, SolveStatus::converged) << to_string(law) << " seed " << seed;
       EXPECT_LE(measure(problem, s.r).law_map_m_s, 1e-9);
     }
+}
+
+TEST(Ipm, SolvesConvexLawsWithoutTheFinish) {
+  for (const Law law : {Law::ccp, Law::frictionless}) {
+    ContactProblem problem = test::random_heap(3, 20, 40, 0.3);
+    problem.law = law;
+    IpmSettings settings{.shared = {.tolerance = 1e-6, .max_iterations = 1000}};
+    settings.finish_iterations = 0;
+    const ContactSolution s = IpmSolver(settings).solve(problem, {});
+    EXPECT_EQ(s.status, SolveStatus::converged) << to_string(law);
+    EXPECT_LE(measure(problem, s.r).law_map_m_s, 1e-6) << to_string(law);
+  }
 }
 
 TEST_P(ConeSolver, RandomHeapsWithLimitsAndComplianceConverge) {
