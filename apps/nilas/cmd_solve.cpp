@@ -72,6 +72,8 @@ Outcome solve_form(const Problem& problem, const ContactSolver& solver, double t
 ordered_json report(const SolveOptions& options, const FclibProblem& problem, const Outcome& outcome) {
   const auto& solution = outcome.solution;
   const bool failed = solution.status == SolveStatus::numerical_error;
+  const bool late = solution.status == SolveStatus::iteration_limit && options.max_seconds > 0 &&
+                    outcome.seconds >= options.max_seconds;
   ordered_json table{{"problem", std::filesystem::path(options.problem).stem().string()},
                      {"title", problem.title},
                      {"form", problem.num_velocities() > 0 ? "global" : "local"},
@@ -80,7 +82,9 @@ ordered_json report(const SolveOptions& options, const FclibProblem& problem, co
                      {"asymmetry", problem.asymmetry},
                      {"solver", options.solver},
                      {"used", failed || solution.message.empty() ? options.solver : solution.message},
-                     {"message", failed ? solution.message : ""},
+                     {"message", failed ? solution.message
+                                 : late ? "--max-time ended the solve"
+                                        : ""},
                      {"law", options.law},
                      {"tolerance", options.tolerance},
                      {"status", to_string(solution.status)},
@@ -142,16 +146,16 @@ void add_solve(CLI::App& app, Action& action) {
   command->add_option("--solver", options->solver, "see nilas solvers")->capture_default_str();
   command->add_option("--law", options->law, "coulomb, ccp, pyramid, pyramid-K, frictionless")->capture_default_str();
   command->add_option("--tolerance", options->tolerance, "on law_map_m_s [m/s]; 0 runs all iterations")
-      ->check(CLI::NonNegativeNumber)
+      ->check(at_least(0))
       ->capture_default_str();
   command->add_option("--max-iterations", options->max_iterations, "of the solver")
-      ->check(CLI::PositiveNumber)
+      ->check(at_least(1))
       ->capture_default_str();
   command->add_option("--max-time", options->max_seconds, "wall time of the solve [s]; 0 means no limit")
-      ->check(CLI::NonNegativeNumber)
+      ->check(at_least(0))
       ->capture_default_str();
   command->add_option("--threads", options->threads, "threads; the results do not depend on it")
-      ->check(CLI::PositiveNumber)
+      ->check(at_least(1))
       ->capture_default_str();
   command->add_option("--write", options->write, "FCLIB file to write with the problem and the solution");
   command->add_flag("--json", options->json, "the result as JSON on stdout");

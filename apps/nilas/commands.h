@@ -20,4 +20,14 @@ void add_schema(CLI::App& app, Action& action);
 /// Exit codes of every command.
 enum ExitCode { exit_done = 0, exit_bad_input = 2, exit_numerics = 3, exit_file = 4, exit_interrupted = 130 };
 
+/// Checks whose messages CLI11 has no readable form of.
+inline CLI::Validator at_least(double least) {
+  return {[least](const std::string& text) -> std::string {
+            double value = 0;
+            if (CLI::detail::lexical_cast(text, value) && value >= least) return "";
+            return "found " + text + "; allowed: a number of at least " + CLI::detail::to_string(least);
+          },
+          ""};
+}
+
 }  // namespace nilas

@@ -1,9 +1,13 @@
 /// The command-line program: picks the subcommand and maps errors to exit codes.
 #include <malloc.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <iostream>
+#include <memory>
 
 #include "apps/nilas/commands.h"
+#include "apps/nilas/help_text.h"
 #include "core/base/error.h"
 
 namespace {
@@ -29,6 +33,13 @@ int run_action(const nilas::Action& action) {
   }
 }
 
+/// Ends the program where there is nothing to finish; `run` puts its own in place once it has steps to end.
+void leave(int) {
+  constexpr char text[] = "interrupted\n";
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text, sizeof text - 1);
+  ::_exit(nilas::exit_interrupted);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -37,10 +48,12 @@ int main(int argc, char** argv) {
   constexpr int k_keep_bytes = 1 << 28;
   mallopt(M_TRIM_THRESHOLD, k_keep_bytes);
   mallopt(M_MMAP_THRESHOLD, k_keep_bytes);
+  std::signal(SIGINT, leave);
+  std::signal(SIGTERM, leave);
   CLI::App app{"Nilas simulates vessels and offshore structures in broken floating sea ice.", "nilas"};
   app.set_version_flag("--version", "nilas " NILAS_VERSION);
   app.require_subcommand(1);
-  app.get_formatter()->column_width(36);
+  app.formatter(std::make_shared<nilas::HelpText>());
   nilas::Action action;
   nilas::add_run(app, action);
   nilas::add_check(app, action);

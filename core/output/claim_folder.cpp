@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <regex>
@@ -50,6 +51,13 @@ void remove_frames(const fs::path& folder) {
   for (const auto& frame : frames) remove_file(frame);
 }
 
+/// A run that was interrupted before its first step leaves its log alone.
+bool holds_at_most_a_log(const fs::path& folder, std::error_code& error) {
+  const fs::directory_iterator entries(folder, error);
+  return !error && std::all_of(begin(entries), end(entries),
+                               [](const auto& entry) { return entry.path().filename() == "nilas.log"; });
+}
+
 }  // namespace
 
 void claim_folder(const fs::path& folder, bool force) {
@@ -57,7 +65,7 @@ void claim_folder(const fs::path& folder, bool force) {
   fs::create_directories(folder, error);
   if (error) fail(folder, "create the output folder", error.message());
   if (!fs::is_directory(folder, error)) fail(folder, "use it as the output folder", "it is not a folder");
-  const bool empty = fs::is_empty(folder, error);
+  const bool empty = holds_at_most_a_log(folder, error);
   if (error) fail(folder, "read the output folder", error.message());
   if (!empty && !force)
     throw InputError(folder.string() +

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/support/program.h"
 
@@ -157,6 +158,32 @@ TEST(Cli, OverlappingFloesAreNamed) {
   EXPECT_FALSE(fs::exists(folder.path() / "run")) << "a run that could not begin leaves no folder";
 }
 
+TEST(Cli, AVesselInAWallOrDeeperThanItsHullIsRefused) {
+  const ScratchFolder folder;
+  const std::string hull = "hull --generate icebreaker --length 3 --beam 0.6 --draught 0.2 --out ship";
+  ASSERT_EQ(run_nilas(hull, folder.path()).exit_code, 0);
+  std::string text = ship_with("ship");
+  folder.write("deep.xml", std::string(text).replace(text.find("0.2\"/>"), 3, "2.2"));
+  const auto deep = run_nilas("run deep.xml --out run", folder.path());
+  EXPECT_EQ(deep.exit_code, 2);
+  EXPECT_TRUE(mentions(deep.err, "draught 2.2 m")) << deep.err;
+  text.replace(text.find("  <vessel"), 0, "  <tank length=\"9\" width=\"4\" depth=\"1\" wall_thickness=\"0.2\"/>\n");
+  folder.write("wall.xml", text.replace(text.find("0 0\">"), 3, "-1 0"));
+  const auto wall = run_nilas("run wall.xml --out run", folder.path());
+  EXPECT_EQ(wall.exit_code, 2);
+  EXPECT_TRUE(mentions(wall.err, "'ship'") && mentions(wall.err, "overlap")) << wall.err;
+}
+
+TEST(Cli, HelpFitsATerminal) {
+  const ScratchFolder folder;
+  for (const char* command : {"", "run", "check", "hull", "field", "solve", "solvers", "schema"}) {
+    const auto help = run_nilas(std::string(command) + " --help", folder.path());
+    ASSERT_EQ(help.exit_code, 0);
+    std::istringstream lines(help.out);
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80u) << command << ": " << line;
+  }
+}
+
 TEST(Cli, WhatIsNotBuiltIsRefusedPlainly) {
   const ScratchFolder folder;
   folder.write("fracture.xml", R"(<scene version="1" name="f">
@@ -185,6 +212,23 @@ TEST(Cli, InterruptionLeavesCompleteOutputs) {
   EXPECT_EQ(summary["exit_code"], 130);
   const Table steps(folder.path() / "run/steps.csv");
   EXPECT_EQ(static_cast<long>(steps.rows()), summary["steps"].get<long>());
+}
+
+TEST(Cli, InterruptionBeforeTheFirstStepSaysSoAndLeavesTheFolderUsable) {
+  const ScratchFolder folder;
+  folder.write("dense.xml", R"(<scene version="1" name="dense">
+  <time end="0.02"/>
+  <ice thickness="0.1"><field kind="packed" region="0 0 60 60" concentration="0.85">
+    <size distribution="fixed" mean="1"/></field></ice>
+</scene>
+)");
+  const std::string command = "cd '" + folder.path().string() +
+                              "' && timeout --preserve-status -s TERM 0.5 '" NILAS_PROGRAM
+                              "' run dense.xml --out run >out.txt 2>err.txt";
+  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 130);
+  EXPECT_EQ(read_text(folder.path() / "err.txt"), "interrupted\n");
+  folder.write("box.xml", k_box);
+  EXPECT_EQ(run_nilas("run box.xml --quiet --out run", folder.path()).exit_code, 0);
 }
 
 TEST(Cli, SetOverridesOneAttribute) {

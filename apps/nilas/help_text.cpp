@@ -1,0 +1,57 @@
+#include "apps/nilas/help_text.h"
+
+#include <sstream>
+
+namespace nilas {
+
+namespace {
+
+constexpr std::size_t k_columns = 80, k_name_columns = 32;
+
+/// `text` broken at blanks; every line but the first indented.
+std::string wrapped(const std::string& text, std::size_t indent) {
+  std::istringstream words(text);
+  std::string out;
+  std::size_t column = indent;
+  for (std::string word; words >> word;) {
+    const bool first = column == indent;
+    if (!first && column + 1 + word.size() > k_columns) {
+      out += "\n" + std::string(indent, ' ') + word;
+      column = indent + word.size();
+    } else {
+      out += (first ? "" : " ") + word;
+      column += word.size() + (first ? 0 : 1);
+    }
+  }
+  return out;
+}
+
+/// Name and description side by side, or one above the other where the name is long.
+std::string entry(const std::string& name, const std::string& description) {
+  std::string left = "  " + name;
+  if (description.empty()) return left + "\n";
+  if (left.size() + 2 > k_name_columns)
+    left += "\n" + std::string(k_name_columns, ' ');
+  else
+    left.resize(k_name_columns, ' ');
+  return left + wrapped(description, k_name_columns) + "\n";
+}
+
+}  // namespace
+
+HelpText::HelpText() { column_width(k_name_columns); }
+
+std::string HelpText::make_option(const CLI::Option* option, bool is_positional) const {
+  return entry(make_option_name(option, is_positional) + make_option_opts(option), make_option_desc(option));
+}
+
+std::string HelpText::make_subcommand(const CLI::App* command) const {
+  return entry(command->get_name(), command->get_description());
+}
+
+std::string HelpText::make_description(const CLI::App* app) const {
+  const std::string text = wrapped(Formatter::make_description(app), 0);
+  return text.empty() ? text : text + "\n";
+}
+
+}  // namespace nilas

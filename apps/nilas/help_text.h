@@ -1,0 +1,17 @@
+#pragma once
+/// Help that fits a terminal of 80 columns.
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace nilas {
+
+/// CLI11's help with descriptions wrapped at the right edge.
+class HelpText : public CLI::Formatter {
+ public:
+  HelpText();
+  std::string make_option(const CLI::Option* option, bool is_positional) const override;
+  std::string make_subcommand(const CLI::App* command) const override;
+  std::string make_description(const CLI::App* app) const override;
+};
+
+}  // namespace nilas
