@@ -92,6 +92,12 @@ void confirm(const Problem& problem, double tolerance, ContactSolution& solution
     solution.status = SolveStatus::stalled;
 }
 
+/// So that where time runs out it is the hardest island that lacks it.
+std::vector<std::vector<int>> smallest_first(std::vector<std::vector<int>> islands) {
+  std::stable_sort(islands.begin(), islands.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
+  return islands;
+}
+
 }  // namespace
 
 SolverSettings with_margin(SolverSettings shared) {
@@ -116,7 +122,7 @@ ContactSolution solve_islands(const LocalProblem& problem, const VecX& guess, co
     return whole;
   }
   ContactSolution whole = nothing_solved(problem.num_contacts());
-  const auto islands = find_islands(problem);
+  const auto islands = smallest_first(find_islands(problem));
   if (islands.size() == 1)
     take_over(solve(problem, guess), islands.front(), whole);
   else
@@ -137,7 +143,7 @@ ContactSolution solve_islands(const ContactProblem& problem, const std::vector<s
     whole = failed(problem.num_contacts(), "the momenta hold numbers that are not finite");
   } else {
     if (guess.size() > 0) whole.r = guess;
-    for (const auto& island : islands)
+    for (const auto& island : smallest_first(islands))
       take_over(is_reducible(problem, island)
                     ? solve_islands(reduce(select(problem, island)), part_of(guess, island), solve)
                     : left_alone(part_of(whole.r, island), not_reducible_message(island)),
