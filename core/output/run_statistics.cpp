@@ -46,7 +46,7 @@ void RunStatistics::add(const StepRecord& record, const std::vector<double>& ves
   for (std::size_t k = 0; k < works_.size(); ++k) energy_put_in_ += std::abs(record.ledger.works[k] - works_[k]);
   works_ = record.ledger.works;
   for (std::size_t p = 0; p < total_ms_.size(); ++p) total_ms_[p] += record.ms[p];
-  shortfalls_.unconverged_steps += record.status != SolveStatus::converged;
+  shortfalls_.unconverged_steps += record.solver_short;
   shortfalls_.uncorrected_steps += !record.positions_corrected;
   shortfalls_.detection_fallbacks += record.detection_fallbacks;
   for (std::size_t c = 0; c < load_series_.size(); ++c) load_series_[c].push_back(vessel_values[c]);

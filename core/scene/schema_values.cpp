@@ -89,7 +89,8 @@ static std::optional<std::string> numbers_problem(const AttributeSpec& attribute
 }
 
 static std::string with_nearest(const AttributeSpec& attribute, const std::string& word) {
-  const std::string near = nearest_name(word, attribute.choices);
+  std::string near = nearest_name(word, attribute.choices);
+  if (near.ends_with("-k")) near.back() = '8';  // k stands for a number of facets, from 3 to 1000
   return found_and_allowed(attribute, quoted(word)) + (near.empty() ? "" : "; nearest: " + near);
 }
 

@@ -60,7 +60,8 @@ class IceBuilder {
     FieldFloe shape;
     shape.outline = floe.outline;
     if (!is_simple(shape.outline))
-      throw InputError(scene_.file.string() + ":" + std::to_string(floe.line) + ": <floe>: the outline crosses itself");
+      throw InputError(scene_.file.string() + ":" + std::to_string(floe.line) +
+                       ": <floe>: the outline crosses or touches itself, or lists a point twice");
     if (polygon_moments(shape.outline).area < 0) std::reverse(shape.outline.begin(), shape.outline.end());
     shape.thickness = floe.thickness.value_or(ice_.thickness);
     const int number = parts_.info.floes + 1;

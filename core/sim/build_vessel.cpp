@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/error.h"
@@ -36,6 +39,12 @@ double lowest(const TriangleMesh& mesh) {
   throw InputError(scene.file.string() + ": <vessel name='" + scene.vessel->name + "'>: " + message);
 }
 
+double height_of(const TriangleMesh& mesh) {
+  const auto [bottom, top] = std::minmax_element(mesh.vertices.begin(), mesh.vertices.end(),
+                                                 [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); });
+  return top->z() - bottom->z();
+}
+
 /// Mass, centre and inertia in V: as given, else of uniform density; the mass from the draught or the given height
 /// where not given.
 MassProperties vessel_mass(const Scene& scene, const TriangleMesh& fluid, const Mat3& R, const WorldParts& parts) {
@@ -48,6 +57,8 @@ MassProperties vessel_mass(const Scene& scene, const TriangleMesh& fluid, const 
   double mass = given.value.value_or(0);
   if (!given.value) {
     if (!parts.water) refuse(scene, "without <water> the vessel needs <mass value=...>");
+    if (given.draught && !(*given.draught < height_of(fluid)))
+      refuse(scene, fmt::format("draught {:g} m: the hull is only {:g} m high", *given.draught, height_of(fluid)));
     if (given.draught)
       mass = displaced(parts.water->level - *given.draught - lowest(fluid));
     else if (vessel.position_has_z)

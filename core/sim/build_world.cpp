@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 
 #include "contact/detect/detector.h"
 #include "core/base/error.h"
@@ -57,6 +60,9 @@ static void list_absent(const Scene& scene, RunInfo& info) {
   absent(scene.fracture, "fracture");
 }
 
+/// Bodies that a user places and that must be free at the start; others may stand in each other.
+constexpr std::array k_judged{BodyKind::floe, BodyKind::vessel};
+
 void refuse_overlaps(const Scene& scene, const Bodies& bodies) {
   const auto kind = [&](int b) { return bodies.kind[static_cast<std::size_t>(b)]; };
   double tolerance = FieldScene{}.overlap_tolerance;
@@ -64,15 +70,18 @@ void refuse_overlaps(const Scene& scene, const Bodies& bodies) {
     for (const auto& field : scene.ice->fields) tolerance = std::max(tolerance, field.overlap_tolerance);
   ContactDetector detector;
   for (const auto& c : detector.detect(bodies, 0)) {
-    if (kind(c.a) != BodyKind::floe && kind(c.b) != BodyKind::floe) continue;
+    const bool judged =
+        std::any_of(k_judged.begin(), k_judged.end(), [&](BodyKind k) { return kind(c.a) == k || kind(c.b) == k; });
+    if (!judged) continue;
     const auto reach = [&](int b) { return bodies.shape[static_cast<std::size_t>(b)]->bounding_radius; };
     const double allowed = tolerance * std::min(reach(c.a), reach(c.b));
     if (-c.gap <= allowed) continue;
     const auto& names = bodies.name;
-    throw InputError(scene.file.string() + ": '" + names[static_cast<std::size_t>(c.a)] + "' and '" +
-                     names[static_cast<std::size_t>(c.b)] + "' overlap by " + std::to_string(-c.gap) +
-                     " m at the start; allowed is " + std::to_string(allowed) +
-                     " m (overlap_tolerance times the smaller radius)");
+    throw InputError(fmt::format(
+        "{}: '{}' and '{}' overlap by {:g} m at the start, along the shortest way apart; allowed is {:.3g} m, "
+        "{:g} times the smaller radius (the largest overlap_tolerance of the scene's fields)",
+        scene.file.string(), names[static_cast<std::size_t>(c.a)], names[static_cast<std::size_t>(c.b)], -c.gap,
+        allowed, tolerance));
   }
 }
 

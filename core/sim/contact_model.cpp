@@ -45,6 +45,7 @@ ContactModel build_contact_model(const ContactScene& contact, double h, int thre
   constexpr double k_correction_tolerance = 1e-3;  // [m/s]
   model.correction.tolerance = k_correction_tolerance;
   // a scene that fixes its sweeps means these too
+  model.tolerance = contact.tolerance;
   model.fixed_sweeps = contact.tolerance == 0;
   if (model.fixed_sweeps) model.correction.max_sweeps = std::min(model.correction.max_sweeps, contact.max_iterations);
   model.split_impulse = contact.stabilisation == "split-impulse";

@@ -19,6 +19,7 @@ struct ContactModel {
   bool split_impulse = false;
   bool warm_start = true;
   bool stop_on_failure = false;
+  double tolerance = 0;       ///< of the solver, on law_map_m_s [m/s]
   bool fixed_sweeps = false;  ///< tolerance 0: as many iterations as the scene says, whatever they reach
   double margin = 0;          ///< [m]; 0: from the speeds
 

@@ -1,5 +1,7 @@
 #include "core/sim/simulation.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -185,9 +187,12 @@ void Simulation::World::note_solution(const ContactSolution& solution, StepRecor
   record.solver_message = solution.message;
   const bool as_asked = solution.status == SolveStatus::converged ||
                         (model.fixed_sweeps && solution.status == SolveStatus::iteration_limit);
+  record.solver_short = !as_asked;
   if (as_asked) return;
-  warnings.warn("contact solver", "at " + std::to_string(time()) + " s: " + to_string(solution.status) +
-                                      (solution.message.empty() ? "" : ", " + solution.message));
+  warnings.warn("steps short of the contact tolerance",
+                fmt::format("contact solver at {:g} s: {}, law_map_m_s {:.3g} above the tolerance {:.3g}{}", time() + h,
+                            to_string(solution.status), record.residuals.law_map_m_s, model.tolerance,
+                            solution.message.empty() ? "" : ", " + solution.message));
 }
 
 StepLoads Simulation::World::step_loads() const {
@@ -341,9 +346,9 @@ StepRecord Simulation::step() {
   record.state_hash = world.state_hash();
   if (world.parts.vessel) record.vessel = world.vessel_record(motion);
   if (world.model.stop_on_failure && solution.status != SolveStatus::converged && record.contacts > 0)
-    throw SimulationError("at " + std::to_string(record.t) + " s the solver stopped with status " +
-                          to_string(solution.status) + ", law_map_m_s " + std::to_string(record.residuals.law_map_m_s) +
-                          (solution.message.empty() ? "" : ": " + solution.message));
+    throw SimulationError(fmt::format("at {:g} s the contact solver stopped with status {}, law_map_m_s {:.3g}{}",
+                                      record.t, to_string(solution.status), record.residuals.law_map_m_s,
+                                      solution.message.empty() ? "" : ": " + solution.message));
   return record;
 }
 

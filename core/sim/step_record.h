@@ -41,6 +41,7 @@ struct StepRecord {
   double h = 0;   ///< [s]
   int floes = 0, contacts = 0, islands = 0, iterations = 0;
   SolveStatus status = SolveStatus::converged;
+  bool solver_short = false;        ///< the solver missed the tolerance that the scene asks for
   std::string solver_message;       ///< what the solver says where it did not converge
   bool positions_corrected = true;  ///< the split impulse reached its tolerance
   long detection_fallbacks = 0;     ///< pairs for which FCL gave no usable answer
