@@ -7,6 +7,8 @@ namespace nilas {
 namespace {
 
 std::size_t at(Eigen::Index i) { return static_cast<std::size_t>(i); }
+/// First of the three numbers of a block row.
+Eigen::Index row_of(int i) { return 3 * static_cast<Eigen::Index>(i); }
 
 }  // namespace
 
@@ -58,7 +60,7 @@ bool BlockCholesky::keep_row(int i) {
   const int n = fill_.size();
   if (i >= fill_.tail) {
     for (int j = i; j < n; ++j) {
-      dense_.block<3, 3>(3 * (i - fill_.tail), 3 * (j - fill_.tail)) = row_[at(j)].matrix();
+      dense_.block<3, 3>(row_of(i - fill_.tail), row_of(j - fill_.tail)) = row_[at(j)].matrix();
       row_[at(j)] = {};
     }
     return true;
@@ -78,7 +80,7 @@ bool BlockCholesky::factor(const std::vector<Mat3>& inverse, const std::vector<M
   set_values(inverse, added);
   const int n = fill_.size();
   next_.assign(fill_.upper.start.begin(), fill_.upper.start.end() - 1);
-  dense_.resize(3 * (n - fill_.tail), 3 * (n - fill_.tail));
+  dense_.resize(row_of(n - fill_.tail), row_of(n - fill_.tail));
   for (int i = 0; i < n; ++i) {
     eliminate(i);
     if (!keep_row(i)) return false;
@@ -90,23 +92,23 @@ bool BlockCholesky::factor(const std::vector<Mat3>& inverse, const std::vector<M
 
 VecX BlockCholesky::solve_unrefined(const VecX& b) const {
   const int n = fill_.size(), tail = fill_.tail;
-  VecX y(3 * n);
-  for (int i = 0; i < n; ++i) y.segment<3>(3 * i) = b.segment<3>(3 * fill_.source[at(i)]);
+  VecX y(row_of(n));
+  for (int i = 0; i < n; ++i) y.segment<3>(row_of(i)) = b.segment<3>(row_of(fill_.source[at(i)]));
   for (int i = 0; i < tail; ++i) {
-    const Vec3 scaled = inverse_root_[at(i)].matrix() * y.segment<3>(3 * i);
-    y.segment<3>(3 * i) = scaled;
+    const Vec3 scaled = inverse_root_[at(i)].matrix() * y.segment<3>(row_of(i));
+    y.segment<3>(row_of(i)) = scaled;
     const PaddedBlock* block = upper_block_.data() + fill_.upper.first(i);
-    for (const int j : fill_.upper[i]) y.segment<3>(3 * j).noalias() -= (block++)->matrix().transpose() * scaled;
+    for (const int j : fill_.upper[i]) y.segment<3>(row_of(j)).noalias() -= (block++)->matrix().transpose() * scaled;
   }
-  if (tail < n) y.tail(3 * (n - tail)) = dense_factor_.solve(y.tail(3 * (n - tail))).eval();
+  if (tail < n) y.tail(row_of(n - tail)) = dense_factor_.solve(y.tail(row_of(n - tail))).eval();
   for (int i = tail - 1; i >= 0; --i) {
-    Vec3 sum = y.segment<3>(3 * i);
+    Vec3 sum = y.segment<3>(row_of(i));
     const PaddedBlock* block = upper_block_.data() + fill_.upper.first(i);
-    for (const int j : fill_.upper[i]) sum.noalias() -= (block++)->matrix() * y.segment<3>(3 * j);
-    y.segment<3>(3 * i) = inverse_root_[at(i)].matrix().transpose() * sum;
+    for (const int j : fill_.upper[i]) sum.noalias() -= (block++)->matrix() * y.segment<3>(row_of(j));
+    y.segment<3>(row_of(i)) = inverse_root_[at(i)].matrix().transpose() * sum;
   }
-  VecX x(3 * n);
-  for (int i = 0; i < n; ++i) x.segment<3>(3 * fill_.source[at(i)]) = y.segment<3>(3 * i);
+  VecX x(row_of(n));
+  for (int i = 0; i < n; ++i) x.segment<3>(row_of(fill_.source[at(i)])) = y.segment<3>(row_of(i));
   return x;
 }
 
@@ -115,7 +117,7 @@ VecX BlockCholesky::times(const VecX& y) const {
   for (Eigen::Index i = 0; i < y.size() / 3; ++i) {
     Vec3 sum = Vec3::Zero();
     for (int k = row_start_[at(i)]; k < row_start_[at(i) + 1]; ++k)
-      sum.noalias() += value_[at(k)] * y.segment<3>(3 * column_[at(k)]);
+      sum.noalias() += value_[at(k)] * y.segment<3>(row_of(column_[at(k)]));
     out.segment<3>(3 * i) = sum;
   }
   return out;
