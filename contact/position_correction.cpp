@@ -5,6 +5,7 @@
 
 #include "contact/islands.h"
 #include "contact/operators.h"
+#include "contact/solvers/eg.h"
 #include "core/base/error.h"
 
 namespace nilas {
@@ -117,6 +118,47 @@ class GroupCorrection {
   std::vector<NormalRow> rows_;
 };
 
+/// The groups' normal rows as a problem of their own: M v = H r, 0 <= u_N - least, perpendicular to r_N >= 0, over the
+/// free bodies of the step's problem, whose blocks come first.
+ContactProblem correction_problem(const AssembledContacts& contacts, const ContactProblem& graph,
+                                  const std::vector<std::vector<int>>& groups, const std::vector<ContactPoint>& points,
+                                  const CorrectionSettings& settings) {
+  const ContactProblem& step = contacts.problem;
+  ContactProblem own;
+  own.h = step.h;
+  own.law = Law::frictionless;
+  for (int k = 0; k < contacts.first_articulated_block; ++k) own.add_block(step.mass(k));
+  const ContactProblem::RowMajor none(3, 0);
+  for (const auto& group : groups)
+    for (const int c : group) {
+      const auto i = static_cast<std::size_t>(c);
+      const auto& pair = graph.pairs[i];
+      const auto jacobian_a = step.jacobian_a(c), jacobian_b = step.jacobian_b(c);
+      const MatX a = pair.a < 0 ? MatX(none) : MatX(jacobian_a), b = pair.b < 0 ? MatX(none) : MatX(jacobian_b);
+      const int row = own.add_contact(pair.a, a, pair.b, b, step.key[i]);
+      own.w[3 * static_cast<Eigen::Index>(row)] = -least_speed(points[i], settings);
+    }
+  return own;
+}
+
+PositionCorrection order_free_correction(const AssembledContacts& contacts, const ContactProblem& graph,
+                                         const std::vector<std::vector<int>>& groups,
+                                         const std::vector<ContactPoint>& points, const CorrectionSettings& settings) {
+  const ContactProblem own = correction_problem(contacts, graph, groups, points, settings);
+  EgSettings eg;
+  eg.shared.tolerance = settings.tolerance;
+  eg.shared.max_iterations = settings.max_sweeps;
+  eg.order_free = true;
+  const ContactSolution solution = EgSolver(eg).solve(own, {});
+  PositionCorrection out;
+  out.v = VecX::Zero(contacts.problem.num_velocities());
+  out.v.head(own.num_velocities()) = solution.v;
+  out.contacts = own.num_contacts();
+  out.converged = solution.status == SolveStatus::converged;
+  out.sweeps = solution.iterations;
+  return out;
+}
+
 }  // namespace
 
 PositionCorrection position_correction(const AssembledContacts& contacts, const std::vector<ContactPoint>& points,
@@ -130,6 +172,7 @@ PositionCorrection position_correction(const AssembledContacts& contacts, const 
   const double smallest = settings.slop + settings.tolerance * settings.h / settings.erp;
   const auto groups = settings.erp > 0 ? groups_to_correct(graph, points, smallest) : std::vector<std::vector<int>>{};
   if (groups.empty()) return out;
+  if (settings.order_free) return order_free_correction(contacts, graph, groups, points, settings);
 
   const MassInverse masses(step);
   VecX z = VecX::Zero(step.num_velocities() + k_size);

@@ -16,6 +16,9 @@ struct CorrectionSettings {
   double max_speed = 1;     ///< of the separation [m/s]
   double tolerance = 1e-4;  ///< on u_N; 1e-4 m/s is 1 um in a step of 0.01 s [m/s]
   int max_sweeps = 50;
+  /// By eg-order-free instead of Gauss-Seidel: the bits depend neither on the order of contacts and bodies nor, but for
+  /// the sign, on a mirror.
+  bool order_free = false;
 };
 
 struct PositionCorrection {
@@ -29,9 +32,9 @@ struct PositionCorrection {
 ///   u_N >= min(erp (depth - slop)/h, max_speed)  where depth > slop,
 ///   u_N >= -gap/h for gap > 0, u_N >= 0 for the other closed points,
 /// so that what is pushed out of one body is not pushed into the next, by projected Gauss-Seidel on the normal rows in
-/// mass-scaled velocities (solvers/pgs_rows.h). Groups of bodies (joined by contact points, not
-/// through immovable ones) without a depth beyond slop + tolerance h/erp are left out. `points` are those that
-/// `contacts` was assembled from.
+/// mass-scaled velocities (solvers/pgs_rows.h), or as a frictionless ContactProblem. Groups of bodies (joined by
+/// contact points, not through immovable ones) without a depth beyond slop + tolerance h/erp are left out. `points` are
+/// those that `contacts` was assembled from.
 PositionCorrection position_correction(const AssembledContacts& contacts, const std::vector<ContactPoint>& points,
                                        const CorrectionSettings& settings);
 

@@ -62,9 +62,8 @@ const std::vector<SolverEntry>& solver_registry() {
        convex_sets, make<EgSolver, EgSettings>},
       {"eg-order-free",
        "eg with exact cuts of every sum: mirror images, permuted bodies and contacts and any number of threads give "
-       "the "
-       "same bits, at about twice the cost of eg; for studies of symmetry.",
-       convex_sets, make_order_free},
+       "the same bits, at about twice the cost of eg; for studies of symmetry.",
+       convex_sets, make_order_free, false, true},
       {"apgd",
        "Accelerated projected gradient with De Saxce's outer loop, one product with W per iteration, O(contacts); 100 "
        "to 20000 iterations; for stacks, mass ratios and fields alike where 1e-8 m/s is enough.",

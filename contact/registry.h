@@ -15,6 +15,8 @@ struct SolverEntry {
   std::vector<Law> laws;
   std::function<std::unique_ptr<ContactSolver>(const SolverSettings&)> make;
   bool moments = false;  ///< takes rolling and spinning friction, with the laws coulomb and pyramid
+  /// The bits depend neither on the order of contacts and bodies nor, but for the sign, on a mirror.
+  bool order_free = false;
 };
 const std::vector<SolverEntry>& solver_registry();
 /// Throws InputError naming the nearest solver.

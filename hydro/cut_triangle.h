@@ -37,14 +37,27 @@ class CutTriangle {
       if (area > 0) visit(area, Vec3(k_third * (lone_ + (next_cut_ + previous_cut_))), normal);
       return;
     }
-    const double first = area_of(next_cut_, next_, previous_), second = area_of(next_cut_, previous_, previous_cut_);
-    const double area = first + second;
-    if (!(area > 0)) return;
-    const Vec3 shared = next_cut_ + previous_;
-    visit(area, Vec3(k_third * (shared + first / area * next_ + second / area * previous_cut_)), normal);
+    // Cut along either diagonal, and the mean of both: the same bits whichever way the triangle is wound.
+    const Part one = halves(area_of(next_cut_, next_, previous_), next_, area_of(next_cut_, previous_, previous_cut_),
+                            previous_cut_, next_cut_ + previous_);
+    const Part other = halves(area_of(previous_cut_, next_, previous_), previous_,
+                              area_of(previous_cut_, next_cut_, next_), next_cut_, previous_cut_ + next_);
+    if (one.area > 0 && other.area > 0)
+      visit(0.5 * (one.area + other.area), Vec3(0.5 * k_third * (one.triple + other.triple)), normal);
   }
 
  private:
+  /// Two triangles on one diagonal: their area and three times their centroid.
+  struct Part {
+    double area;
+    Vec3 triple;
+  };
+  static Part halves(double first, const Vec3& first_corner, double second, const Vec3& second_corner,
+                     const Vec3& diagonal) {
+    const double area = first + second;
+    return {area, diagonal + first / area * first_corner + second / area * second_corner};
+  }
+
   Vec3 cut(const Vec3& a, double a_height, const Vec3& b, double b_height) const {
     return lone_wet_ ? leaves_water(a, a_height, b, b_height) : leaves_water(b, b_height, a, a_height);
   }

@@ -1,3 +1,4 @@
+#include "core/base/order_free_sum.h"
 #include "core/base/parallel.h"
 #include "hydro/modules.h"
 #include "hydro/prism_faces.h"
@@ -8,7 +9,17 @@ namespace nilas {
 
 namespace {
 
+class PlainVectorSum {
+ public:
+  void add(const Vec3& x) { sum_ += x; }
+  const Vec3& value() const { return sum_; }
+
+ private:
+  Vec3 sum_ = Vec3::Zero();
+};
+
 /// Water pressure and friction of one body's faces, summed in its own frame.
+template <class VectorSum>
 class FaceDrag {
  public:
   /// `flow`: velocity of the water past the centre of mass; `spin`: of the body; both in B. Coefficients times half the
@@ -21,44 +32,48 @@ class FaceDrag {
     const Vec3 along = relative - inflow * normal;
     Vec3 force = skin_ * area * along.norm() * along;
     if (inflow < 0) force -= form_ * area * inflow * inflow * normal;
-    sum_.force += force;
-    sum_.torque += centroid.cross(force);
+    force_.add(force);
+    torque_.add(centroid.cross(force));
   }
-  const Wrench& sum() const { return sum_; }
+  Wrench sum() const { return {force_.value(), torque_.value()}; }
 
  private:
   Vec3 flow_, spin_;
   double form_, skin_;  ///< [kg/m^3]
-  Wrench sum_;
+  VectorSum force_, torque_;
 };
 
 class Drag : public ForceModule {
  public:
-  Drag(const Water& water, const DragCoefficients& coefficients, int threads)
-      : water_(water), coefficients_(coefficients), threads_(threads) {}
+  Drag(const Water& water, const DragCoefficients& coefficients, int threads, bool order_free)
+      : water_(water), coefficients_(coefficients), threads_(threads), order_free_(order_free) {}
   std::string name() const override { return "drag"; }
   void add_forces(const Bodies& bodies, double t, Wrenches& out) override;
 
  private:
   struct NoResult {};
+  template <class VectorSum>
   Wrench drag_on(const Bodies& bodies, std::size_t b);
 
   Water water_;
   DragCoefficients coefficients_;
   int threads_;
+  bool order_free_;
   std::vector<WetBody<NoResult>> list_;
 };
 
+template <class VectorSum>
 Wrench Drag::drag_on(const Bodies& bodies, std::size_t b) {
   const Mat3& R = bodies.R_GB[b];
   const WaterPlane plane = water_plane(R, bodies.p_GB[b], water_.level);
-  FaceDrag drag(R.transpose() * (water_.current - bodies.v_GB[b]), R.transpose() * bodies.w_GB[b],
-                0.5 * water_.density * coefficients_.form, 0.5 * water_.density * coefficients_.skin);
+  FaceDrag<VectorSum> drag(R.transpose() * (water_.current - bodies.v_GB[b]), R.transpose() * bodies.w_GB[b],
+                           0.5 * water_.density * coefficients_.form, 0.5 * water_.density * coefficients_.skin);
   const auto add = [&](double area, const Vec3& centroid, const Vec3& normal) { drag.add(area, centroid, normal); };
   WetGeometry& geometry = list_[b].geometry;
   if (auto* prism = std::get_if<PrismWater>(&geometry)) prism->for_each_wet_face(plane, add);
   if (auto* mesh = std::get_if<MeshWater>(&geometry)) mesh->for_each_wet_face(plane, add);
-  return {R * drag.sum().force, R * drag.sum().torque};
+  const Wrench sum = drag.sum();
+  return {R * sum.force, R * sum.torque};
 }
 
 void Drag::add_forces(const Bodies& bodies, double /*t*/, Wrenches& out) {
@@ -67,15 +82,17 @@ void Drag::add_forces(const Bodies& bodies, double /*t*/, Wrenches& out) {
     return prepare_geometry(shape);
   });
   parallel_for(bodies.size(), threads_, [&](std::ptrdiff_t i) {
-    if (takes_water(bodies, static_cast<int>(i)))
-      out[static_cast<std::size_t>(i)] += drag_on(bodies, static_cast<std::size_t>(i));
+    const auto b = static_cast<std::size_t>(i);
+    if (!takes_water(bodies, static_cast<int>(i))) return;
+    out[b] += order_free_ ? drag_on<OrderFreeVectorSum>(bodies, b) : drag_on<PlainVectorSum>(bodies, b);
   });
 }
 
 }  // namespace
 
-std::unique_ptr<ForceModule> make_drag(const Water& water, const DragCoefficients& coefficients, int threads) {
-  return std::make_unique<Drag>(water, coefficients, threads);
+std::unique_ptr<ForceModule> make_drag(const Water& water, const DragCoefficients& coefficients, int threads,
+                                       bool order_free) {
+  return std::make_unique<Drag>(water, coefficients, threads, order_free);
 }
 
 }  // namespace nilas

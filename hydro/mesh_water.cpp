@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/mirror_order.h"
 #include "hydro/pyramid_sum.h"
 
 namespace nilas {
@@ -12,7 +13,12 @@ MeshWater::MeshWater(TriangleMesh mesh) : mesh_(std::move(mesh)), height_(mesh_.
   if (mesh_.triangles.empty()) throw InputError("a mesh without triangles displaces no water");
   constexpr double k_third = 1.0 / 3.0;  // centroid of a triangle
   faces_.reserve(mesh_.triangles.size());
-  for (const auto& [i, j, k] : mesh_.triangles) {
+  for (auto& triangle : mesh_.triangles) {
+    const auto before = [&](int v, int w) {
+      return comes_before(mesh_.vertices[static_cast<std::size_t>(v)], mesh_.vertices[static_cast<std::size_t>(w)]);
+    };
+    std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end(), before), triangle.end());
+    const auto& [i, j, k] = triangle;
     const Vec3& a = mesh_.vertices[static_cast<std::size_t>(i)];
     const Vec3& b = mesh_.vertices[static_cast<std::size_t>(j)];
     const Vec3& c = mesh_.vertices[static_cast<std::size_t>(k)];
@@ -26,14 +32,18 @@ MeshWater::MeshWater(TriangleMesh mesh) : mesh_(std::move(mesh)), height_(mesh_.
 
 MeshWater::Heights MeshWater::read_heights(const WaterPlane& plane) {
   Heights heights;
+  Vec3 low = Vec3::Zero(), high = low;
   for (std::size_t v = 0; v < height_.size(); ++v) {
-    height_[v] = plane.height(mesh_.vertices[v]);
-    if (v == 0 || height_[v] < heights.lowest) {
-      heights.lowest = height_[v];
-      heights.deepest = v;
-    }
+    const Vec3& x = mesh_.vertices[v];
+    height_[v] = plane.height(x);
+    const bool lower = v == 0 || height_[v] < heights.lowest;
     heights.highest = v == 0 ? height_[v] : std::max(heights.highest, height_[v]);
+    if (!lower && height_[v] > heights.lowest) continue;
+    low = lower ? x : Vec3(low.cwiseMin(x));
+    high = lower ? x : Vec3(high.cwiseMax(x));
+    heights.lowest = height_[v];
   }
+  heights.deepest = 0.5 * (low + high);
   return heights;
 }
 
@@ -46,8 +56,7 @@ Submerged MeshWater::submerged(const Mat3& R, const Vec3& p, double level) {
   const WaterPlane plane = water_plane(R, p, level);
   const Heights heights = read_heights(plane);
   // Near the wet part, whose volume may be a small difference of pyramids otherwise; on the plane when there is a cut.
-  const Vec3& deepest = mesh_.vertices[heights.deepest];
-  PyramidSum sum(heights.highest <= 0 ? deepest : plane.foot(deepest));
+  PyramidSum sum(heights.highest <= 0 ? heights.deepest : plane.foot(heights.deepest));
   visit_wet(heights, [&](double area, const Vec3& centroid, const Vec3& normal) { sum.add(area, centroid, normal); });
   if (!(sum.volume() > 0)) return {0, p};
   return {sum.volume(), p + R * sum.centre()};

@@ -36,7 +36,7 @@ class MeshWater {
   /// Where the plane passes.
   struct Heights {
     double lowest = 0, highest = 0;  ///< [m]
-    std::size_t deepest = 0;         ///< index of the lowest vertex
+    Vec3 deepest = Vec3::Zero();     ///< the lowest vertex, or the middle of all that are as low
   };
 
   Heights read_heights(const WaterPlane& plane);

@@ -26,7 +26,9 @@ struct DragCoefficients {
   double form = 1.0;    ///< C_f
   double skin = 0.005;  ///< C_s
 };
-std::unique_ptr<ForceModule> make_drag(const Water& water, const DragCoefficients& coefficients, int threads);
+/// `order_free`: the bits do not depend on the order of faces, and mirrored bodies take mirrored loads.
+std::unique_ptr<ForceModule> make_drag(const Water& water, const DragCoefficients& coefficients, int threads,
+                                       bool order_free = false);
 
 /// F = coefficient (velocity - v) at the centre of mass of each free floe [N s/m, m/s]: the driving force of the
 /// pre-sawn test.

@@ -58,12 +58,13 @@ void PrismWater::visit_between_caps(const WaterPlane& plane, const Visit& visit)
 
 template <class Visit>
 void PrismWater::visit_clipped(const WaterPlane& plane, const Visit& visit) const {
-  const Vec2 slope = plane.up.head<2>();
+  const Vec2 slope = plane.up.head<2>(), deepest = deepest_point(plane).head<2>();
   for (const double side : {-1.0, 1.0}) {
     const double cap = plane.offset + side * half_ * plane.up.z();
     const Vec2& last = sides_.back().start;
-    WetPolygon wet(last, cap + slope.dot(last));
+    WetPolygon wet(deepest, last, cap + slope.dot(last));
     for (const Side& s : sides_) wet.add(s.start, cap + slope.dot(s.start));
+    wet.close();
     if (!(wet.area() > 0)) continue;
     const Vec2 q = wet.centroid();
     visit(wet.area(), Vec3(q.x(), q.y(), side * half_), Vec3(0, 0, side));
@@ -77,15 +78,18 @@ void PrismWater::visit_clipped(const Side& s, const WaterPlane& plane, const Vis
   const double rise = half_ * plane.up.z();
   if (std::min(a, b) - std::abs(rise) >= 0) return;
   if (std::max(a, b) + std::abs(rise) < 0) return visit_whole(s, visit);
-  // The side unrolled: along the edge from its start, and z.
-  WetPolygon wet({0, half_}, a + rise);
-  wet.add({0, -half_}, a - rise);
-  wet.add({s.length, -half_}, b - rise);
-  wet.add({s.length, half_}, b + rise);
-  wet.add({0, half_}, a + rise);
+  // The side unrolled: along the edge from its middle, and z.
+  const double end = 0.5 * s.length;
+  const Vec2 deepest(a < b ? -end : b < a ? end : 0.0, rise > 0 ? -half_ : half_);
+  WetPolygon wet(deepest, {-end, half_}, a + rise);
+  wet.add({-end, -half_}, a - rise);
+  wet.add({end, -half_}, b - rise);
+  wet.add({end, half_}, b + rise);
+  wet.add({-end, half_}, a + rise);
+  wet.close();
   if (!(wet.area() > 0)) return;
   const Vec2 centroid = wet.centroid();
-  const Vec2 q = s.start + centroid.x() / s.length * (s.end - s.start);
+  const Vec2 q = 0.5 * (s.start + s.end) + centroid.x() / s.length * (s.end - s.start);
   visit(wet.area(), Vec3(q.x(), q.y(), centroid.y()), Vec3(s.normal.x(), s.normal.y(), 0));
 }
 

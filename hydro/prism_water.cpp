@@ -40,11 +40,17 @@ PrismWater::Cut PrismWater::cut(const WaterPlane& plane) const {
   return judge(lowest, highest);
 }
 
-Vec3 PrismWater::deepest_vertex(const WaterPlane& plane) const {
-  const auto height = [&](const Side& s) { return plane.up.head<2>().dot(s.start); };
-  const auto deepest = std::min_element(sides_.begin(), sides_.end(),
-                                        [&](const Side& a, const Side& b) { return height(a) < height(b); });
-  return {deepest->start.x(), deepest->start.y(), plane.up.z() > 0 ? -half_ : half_};
+Vec3 PrismWater::deepest_point(const WaterPlane& plane) const {
+  double deepest = std::numeric_limits<double>::infinity();
+  Vec2 low = Vec2::Zero(), high = low;
+  for (const Side& s : sides_) {
+    const double height = plane.up.head<2>().dot(s.start);
+    if (height > deepest) continue;
+    low = height < deepest ? s.start : low.cwiseMin(s.start);
+    high = height < deepest ? s.start : high.cwiseMax(s.start);
+    deepest = height;
+  }
+  return {0.5 * (low.x() + high.x()), 0.5 * (low.y() + high.y()), plane.up.z() > 0 ? -half_ : half_};
 }
 
 /// The wet length over (x, y) is linear, half - low z_w(x, y), so volume and first moments follow from the outline's
@@ -78,7 +84,7 @@ Submerged PrismWater::submerged(const Mat3& R, const Vec3& p, double level) cons
       in_body = between_caps(plane);
       break;
     case Cut::caps: {
-      PyramidSum sum(plane.foot(deepest_vertex(plane)));
+      PyramidSum sum(plane.foot(deepest_point(plane)));
       visit_clipped(plane,
                     [&](double area, const Vec3& centroid, const Vec3& normal) { sum.add(area, centroid, normal); });
       if (sum.volume() > 0) in_body = {sum.volume(), sum.centre()};

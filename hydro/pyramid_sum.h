@@ -1,6 +1,7 @@
 #pragma once
 /// Volume and centre of a solid from the plane faces of its surface.
 #include "core/base/math.h"
+#include "core/base/order_free_sum.h"
 
 namespace nilas {
 
@@ -14,20 +15,20 @@ class PyramidSum {
     constexpr double k_pyramid_volume = 1.0 / 3.0;  // of base times height
     const Vec3 arm = centroid - apex_;
     const double volume = k_pyramid_volume * area * normal.dot(arm);
-    volume_ += volume;
-    moment_ += volume * arm;
+    volume_.add(volume);
+    moment_.add(volume * arm);
   }
-  double volume() const { return volume_; }
+  double volume() const { return volume_.value(); }
   /// Centroid of the solid; `volume()` must not be 0.
   Vec3 centre() const {
     constexpr double k_pyramid_centroid = 3.0 / 4.0;  // of the way from apex to the base's centroid
-    return apex_ + k_pyramid_centroid / volume_ * moment_;
+    return apex_ + k_pyramid_centroid / volume_.value() * moment_.value();
   }
 
  private:
   Vec3 apex_;
-  double volume_ = 0;
-  Vec3 moment_ = Vec3::Zero();
+  OrderFreeSum volume_;
+  OrderFreeVectorSum moment_;
 };
 
 }  // namespace nilas

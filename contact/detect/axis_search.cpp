@@ -1,8 +1,11 @@
 #include "contact/detect/axis_search.h"
 
 #include <algorithm>
+#include <cmath>
+#include <tuple>
 
 #include "contact/detect/face_axes.h"
+#include "core/base/order_free_sum.h"
 
 namespace nilas {
 
@@ -56,7 +59,10 @@ class AxisSearch {
 
   const OverlayPoint* nearest_shown() const {
     const auto& points = room_.facing.points;
-    const auto nearer = [](const OverlayPoint& p, const OverlayPoint& q) { return p.gap < q.gap; };
+    // equal gaps in an order that a mirrored pair shares
+    const auto nearer = [](const OverlayPoint& p, const OverlayPoint& q) {
+      return std::tuple(p.gap, p.u, std::abs(p.v)) < std::tuple(q.gap, q.u, std::abs(q.v));
+    };
     return points.empty() ? nullptr : &*std::min_element(points.begin(), points.end(), nearer);
   }
 
@@ -73,16 +79,23 @@ class AxisSearch {
     return settled();
   }
 
-  /// Where the surfaces along best_ come nearest, or supporting vertices when they show no common place.
-  NearPoints near_points() const {
+  /// Middle of the supporting vertices along n, in the part's frame.
+  Vec3 support_middle(const Part& part, const Vec3& n) {
+    support_vertices(*part.facets, n, pair_.tolerance, room_.vertices);
+    OrderFreeVectorSum sum;
+    for (const int v : room_.vertices) sum.add(part.facets->polytope->vertices[v]);
+    return sum.value() / static_cast<double>(room_.vertices.size());
+  }
+
+  /// Where the surfaces along best_ come nearest, or the middles of their supports when they show no common place.
+  NearPoints near_points() {
     if (const OverlayPoint* p = nearest_shown()) {
       const ContactPlane& plane = room_.facing.plane;
       const Vec3 on_a = p->u * plane.t1 + p->v * plane.t2 + p->height_a * plane.n;
       return {on_a, on_a + p->gap * plane.n};
     }
     const Vec3 n_b = -(pair_.b_in_a.R.transpose() * best_.n);
-    const int v_a = support_vertex(*pair_.a.facets, best_.n), v_b = support_vertex(*pair_.b.facets, n_b);
-    return {pair_.a.facets->polytope->vertices[v_a], pair_.b_in_a.point(pair_.b.facets->polytope->vertices[v_b])};
+    return {support_middle(pair_.a, best_.n), pair_.b_in_a.point(support_middle(pair_.b, n_b))};
   }
 
   /// True when there were few enough to try them all: faces and edges together hold the best axis.

@@ -16,6 +16,7 @@ struct AxisSearchCounts {
 struct AxisSearchRoom {
   FacingSurfaces facing;
   EdgeChoice edges;
+  std::vector<int> vertices;
 };
 
 /// What made a pair's axis at the last call, where the pair was then within the margin and the axis proven.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "contact/detect/axis_choice.h"
 
@@ -15,12 +16,20 @@ constexpr double k_parallel_sine = 1e-7;
 EdgeInA own_edge(const FacetedGeometry& facets, int e) {
   const PartEdge& edge = facets.edges[e];
   const ConvexPolytope& polytope = *facets.polytope;
-  return {e, polytope.vertices[edge.v0], edge.along, polytope.normals[edge.f0], polytope.normals[edge.f1], edge.arc};
+  return {e,           polytope.vertices[edge.v0], edge.along,
+          edge.middle, polytope.normals[edge.f0],  polytope.normals[edge.f1],
+          edge.arc};
 }
 
 EdgeInA moved_edge(const FacetedGeometry& facets, int e, const RelativePose& pose) {
   const EdgeInA own = own_edge(facets, e);
-  return {e, pose.point(own.start), pose.R * own.along, pose.R * own.n0, pose.R * own.n1, pose.R * own.arc};
+  return {e,
+          pose.point(own.start),
+          pose.R * own.along,
+          pose.point(own.middle),
+          pose.R * own.n0,
+          pose.R * own.n1,
+          pose.R * own.arc};
 }
 
 struct OtherPart {
@@ -118,25 +127,29 @@ void try_crossing_edges(const PairView& pair, const EdgeChoice& edges, Axis& bes
       const double length = n.norm();
       if (length <= k_parallel_sine * std::sqrt(a.along.squaredNorm() * b.along.squaredNorm())) continue;
       n /= n.dot(a.n0 + a.n1) < 0 ? -length : length;
-      const double s = n.dot(b.start - a.start);
+      const double s = n.dot(b.middle - a.middle);
       if (beats(pair, n, s, best)) best = {n, s, AxisKind::edges, a.edge, b.edge};
     }
 }
 
 void try_nearest_edges(const PairView& pair, const EdgeChoice& edges, Axis& best) {
   const Vec3 guide = best.n;
-  double least = std::numeric_limits<double>::infinity(), distance = least;
+  constexpr double k_infinite = std::numeric_limits<double>::infinity();
+  double distance = k_infinite;
   Vec3 shortest = Vec3::Zero();
+  // Edges that meet in a vertex, or run alongside, are equally near: then what a mirrored pair shares decides.
+  std::tuple<double, double, double, double> least{k_infinite, 0, 0, 0};
   for (const EdgeInA& a : edges.of_a) {
     const double high_a = guide.dot(a.start) + std::max(0.0, guide.dot(a.along));
     for (const EdgeInA& b : edges.of_b) {
       // Segments farther apart along the best axis so far than the nearest pair is are not nearer.
-      if (guide.dot(b.start) + std::min(0.0, guide.dot(b.along)) - high_a >= distance) continue;
+      if (guide.dot(b.start) + std::min(0.0, guide.dot(b.along)) - high_a >= distance + pair.tolerance) continue;
       const NearestOnSegments nearest = nearest_on_segments(a.start, a.along, b.start, b.along);
       const Vec3 between = b.start + nearest.u * b.along - a.start - nearest.t * a.along;
       const double squared = between.squaredNorm();
-      if (squared >= least) continue;
-      least = squared;
+      const std::tuple rank(squared, std::abs(between.x()), std::abs(between.y()), std::abs(between.z()));
+      if (rank >= least) continue;
+      least = rank;
       distance = std::sqrt(squared);
       shortest = between;
     }

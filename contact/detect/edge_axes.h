@@ -10,7 +10,7 @@ namespace nilas {
 /// An edge in A's frame.
 struct EdgeInA {
   int edge = -1;  ///< of its part
-  Vec3 start = Vec3::Zero(), along = Vec3::Zero();
+  Vec3 start = Vec3::Zero(), along = Vec3::Zero(), middle = Vec3::Zero();
   Vec3 n0 = Vec3::Zero(), n1 = Vec3::Zero();  ///< outward normals of its faces
   Vec3 arc = Vec3::Zero();                    ///< n1 x n0
 };

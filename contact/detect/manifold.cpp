@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "contact/detect/edge_axes.h"
 #include "contact/detect/point_reduction.h"
@@ -27,9 +28,11 @@ void lay_over(const SurfaceLoop& a, const SurfaceLoop& b, double tolerance, Faci
 constexpr double k_parallel_sine = 1e-6;
 
 /// Points that two neighbouring faces share come once, the lower one; on the seam itself with the mean of both slopes.
+/// Equal gaps are put in an order that a mirrored pair shares.
 void drop_repeated(double tolerance, std::vector<OverlayPoint>& points) {
   std::sort(points.begin(), points.end(), [](const OverlayPoint& p, const OverlayPoint& q) {
-    return p.feature != q.feature ? p.feature < q.feature : p.gap < q.gap;
+    if (p.feature != q.feature) return p.feature < q.feature;
+    return std::tuple(p.gap, p.slope.u, std::abs(p.slope.v)) < std::tuple(q.gap, q.slope.u, std::abs(q.slope.v));
   });
   auto kept = points.begin();
   for (auto first = points.begin(); first != points.end(); ++kept) {
@@ -62,7 +65,8 @@ SupportSet support_set(const PatchView& view, const ContactPlane& plane, double 
   const auto add = [&](const Vec3& local, int name) {
     const Vec3 x = view.in_a.point(local);
     set.corners.push_back({plane.t1.dot(x), plane.t2.dot(x), name, -1});
-    set.height = plane.n.dot(x);
+    const double height = plane.n.dot(x);
+    set.height = set.corners.size() == 1 || view.sign * height > view.sign * set.height ? height : set.height;
   };
   if (view.part.facets) {
     std::vector<int> vertices;
@@ -75,6 +79,12 @@ SupportSet support_set(const PatchView& view, const ContactPlane& plane, double 
   return set;
 }
 
+int least_name(const SupportSet& set) {
+  int name = set.corners.front().vertex;
+  for (const LoopCorner& c : set.corners) name = std::min(name, c.vertex);
+  return name;
+}
+
 Vec3 in_plane(const LoopCorner& c) { return {c.u, c.v, 0}; }
 
 /// Place along p's segment in the middle of what lies beside q's [-].
@@ -85,8 +95,12 @@ double middle_of_overlap(const Vec3& p, const Vec3& along_p, const Vec3& q, cons
   return 0.5 * (std::clamp(first, 0.0, 1.0) + std::clamp(last, 0.0, 1.0));
 }
 
-/// A chain of vertices along one line is the segment between its ends.
+/// A chain of vertices along one line is the segment between its ends. They are put in an order that a mirrored pair
+/// shares, as all corners are.
 void reduce_to_ends(SupportSet& set, double tolerance) {
+  std::sort(set.corners.begin(), set.corners.end(), [](const LoopCorner& p, const LoopCorner& q) {
+    return std::tuple(p.u, std::abs(p.v), p.v) < std::tuple(q.u, std::abs(q.v), q.v);
+  });
   if (set.corners.size() <= 2) return;
   const auto farthest_from = [&](const LoopCorner& from) {
     return *std::max_element(set.corners.begin(), set.corners.end(), [&](const LoopCorner& p, const LoopCorner& q) {
@@ -152,7 +166,7 @@ void select_points(const PairView& pair, const Axis& axis, FacingSurfaces& facin
     reduce_to_ends(a, pair.tolerance);
     reduce_to_ends(b, pair.tolerance);
     const Vec3 p = meeting_point(a, b);
-    const Feature feature{FeatureKind::support_sets, a.corners.front().vertex, b.corners.front().vertex};
+    const Feature feature{FeatureKind::support_sets, least_name(a), least_name(b)};
     points.push_back({p.x(), p.y(), feature, a.height, axis.s});
   }
   const double cover =

@@ -44,6 +44,7 @@ struct ClipBuffers {
     Feature feature;
     Slope slope;
     int edge = -1;        ///< the subject's edge to the next corner
+    int place = -1;       ///< of the subject's corner where that edge begins, in its loop
     int side = -1;        ///< side of the window the edge to the next corner lies on, or -1: on the subject's own
     double distance = 0;  ///< inside the side at work [m]
   };

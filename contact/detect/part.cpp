@@ -6,6 +6,8 @@
 #include <limits>
 #include <tuple>
 
+#include "core/base/mirror_order.h"
+
 namespace nilas {
 
 namespace {
@@ -35,15 +37,25 @@ std::vector<EdgeSide> edge_sides(const ConvexPolytope& polytope) {
   return sides;
 }
 
+PartEdge edge_between(const ConvexPolytope& polytope, int i, int j, int face) {
+  const bool in_order = comes_before(polytope.vertices[i], polytope.vertices[j]);
+  PartEdge edge{in_order ? i : j, in_order ? j : i, face, face};
+  edge.along = polytope.vertices[edge.v1] - polytope.vertices[edge.v0];
+  edge.middle = 0.5 * (polytope.vertices[i] + polytope.vertices[j]);
+  return edge;
+}
+
 void add_edges(const ConvexPolytope& polytope, FacetedGeometry& facets) {
   std::vector<std::vector<int>> of_vertex(polytope.vertices.size()), of_face;
   for (const auto& loop : polytope.faces) of_face.emplace_back(loop.size(), -1);
-  for (const auto& [v0, v1, f, k] : edge_sides(polytope)) {
-    if (facets.edges.empty() || facets.edges.back().v0 != v0 || facets.edges.back().v1 != v1) {
+  std::pair<int, int> last(-1, -1);
+  for (const auto& [i, j, f, k] : edge_sides(polytope)) {
+    if (last != std::pair(i, j)) {
       const int e = static_cast<int>(facets.edges.size());
-      facets.edges.push_back({v0, v1, f, f, polytope.vertices[v1] - polytope.vertices[v0], Vec3::Zero()});
-      of_vertex[v0].push_back(e);
-      of_vertex[v1].push_back(e);
+      facets.edges.push_back(edge_between(polytope, i, j, f));
+      of_vertex[i].push_back(e);
+      of_vertex[j].push_back(e);
+      last = {i, j};
     }
     PartEdge& edge = facets.edges.back();
     edge.f1 = f;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/order_free_sum.h"
+
 namespace nilas {
 
 namespace {
@@ -29,13 +31,13 @@ struct Mean {
 };
 
 Mean mean_of(const Points& points) {
-  Mean mean;
+  OrderFreeSum u, v;
   for (const OverlayPoint& p : points) {
-    mean.u += p.u;
-    mean.v += p.v;
+    u.add(p.u);
+    v.add(p.v);
   }
   const auto count = static_cast<double>(points.size());
-  return {mean.u / count, mean.v / count};
+  return {u.value() / count, v.value() / count};
 }
 
 /// Rises with the angle of (u, v), without trigonometry.
@@ -125,10 +127,13 @@ class Images {
 struct Merit {
   double symmetry_v = 0, area = -std::numeric_limits<double>::infinity(), centring = 0, symmetry_u = 0, length = 0,
          forward = 0;
+  double closeness = 0;  ///< a factor of the area, and so of its rounding
 
   bool beats(const Merit& other, double tie) const {
-    for (const double Merit::*part :
-         {&Merit::symmetry_v, &Merit::area, &Merit::centring, &Merit::symmetry_u, &Merit::length, &Merit::forward})
+    const double area_tie = tie * std::max(closeness, other.closeness);
+    if (std::abs(symmetry_v - other.symmetry_v) > tie) return symmetry_v > other.symmetry_v;
+    if (std::abs(area - other.area) > area_tie) return area > other.area;
+    for (const double Merit::*part : {&Merit::centring, &Merit::symmetry_u, &Merit::length, &Merit::forward})
       if (std::abs(this->*part - other.*part) > tie) return this->*part > other.*part;
     return false;
   }
@@ -182,7 +187,8 @@ class SetChoice {
     const double distance = mean.u * mean.u + mean.v * mean.v;
     const double area = std::abs(cross(points_[four[0]], points_[four[2]], points_[four[1]], points_[four[3]]));
     merit.symmetry_v = across_.keep(four) ? reach_ * reach_ : 0.0;
-    merit.area = (area + k_spread_weight * (spread - k_spread_points * distance)) * closeness(four);
+    merit.closeness = closeness(four);
+    merit.area = (area + k_spread_weight * (spread - k_spread_points * distance)) * merit.closeness;
     merit.centring = -distance;
     merit.symmetry_u = along_.keep(four) ? reach_ * reach_ : 0.0;
     return merit;

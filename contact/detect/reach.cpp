@@ -2,19 +2,21 @@
 
 #include <algorithm>
 
+#include "core/base/order_free_sum.h"
+
 namespace nilas {
 
 namespace {
 
 Vec3 mean_free_velocity(const Bodies& bodies) {
-  Vec3 sum = Vec3::Zero();
+  OrderFreeVectorSum sum;
   double free = 0;
   for (int b = 0; b < bodies.size(); ++b)
     if (bodies.is_free(b)) {
-      sum += bodies.v_GB[static_cast<std::size_t>(b)];
+      sum.add(bodies.v_GB[static_cast<std::size_t>(b)]);
       free += 1;
     }
-  return free > 0 ? Vec3(sum / free) : sum;
+  return sum.value() / std::max(free, 1.0);
 }
 
 /// What bodies can reach by themselves and when others push them.

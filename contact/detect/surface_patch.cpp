@@ -146,16 +146,12 @@ void show_cylinder(const PatchView& view, const Projection& projection, SurfaceP
 }  // namespace
 
 ContactPlane contact_plane(const Vec3& n) {
-  constexpr double k_near_y = 0.9;  // [cosine]
+  constexpr double k_near_z = 0.9;  // [cosine]
+  const Vec3 axis = std::abs(n.z()) < k_near_z ? Vec3::UnitZ() : Vec3::UnitX();
   ContactPlane plane;
   plane.n = n;
-  if (std::abs(n.y()) < k_near_y) {
-    plane.t1 = Vec3::UnitY().cross(n).normalized();
-    plane.t2 = n.cross(plane.t1);
-  } else {
-    plane.t2 = Vec3::UnitX().cross(n).normalized();
-    plane.t1 = plane.t2.cross(n);
-  }
+  plane.t1 = (axis - axis.dot(n) * n).normalized();
+  plane.t2 = n.cross(plane.t1);
   return plane;
 }
 

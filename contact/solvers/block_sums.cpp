@@ -1,9 +1,8 @@
 #include "contact/solvers/block_sums.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "contact/solvers/order_free_sum.h"
+#include "core/base/order_free_sum.h"
 #include "core/base/parallel.h"
 
 namespace nilas {
@@ -93,12 +92,7 @@ double BlockSums::term(const Side& side, int j, const VecX& r) const {
 
 void BlockSums::gather_order_free(const Block& block, const VecX& r, double* z) const {
   for (int j = 0; j < block.size; ++j) {
-    double largest = std::abs(z[j]);
-    for (int k = block.first_side; k < block.last_side; ++k) {
-      const double x = std::abs(term(sides_[static_cast<std::size_t>(k)], j, r));
-      if (!(x <= largest)) largest = x;
-    }
-    OrderFreeSum sum(largest, block.last_side - block.first_side + 1);
+    OrderFreeSum sum;
     sum.add(z[j]);
     for (int k = block.first_side; k < block.last_side; ++k) sum.add(term(sides_[static_cast<std::size_t>(k)], j, r));
     z[j] = sum.value();

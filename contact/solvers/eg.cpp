@@ -6,8 +6,8 @@
 #include "contact/solvers/best_iterate.h"
 #include "contact/solvers/island_operator.h"
 #include "contact/solvers/law_cone.h"
-#include "contact/solvers/order_free_sum.h"
 #include "core/base/error.h"
+#include "core/base/order_free_sum.h"
 #include "core/base/parallel.h"
 
 namespace nilas {
@@ -88,7 +88,7 @@ class Extragradient {
   /// Sum of terms >= 0.
   double total(const VecX& terms) const {
     if (!order_free_) return std::accumulate(terms.begin(), terms.end(), 0.0);
-    OrderFreeSum sum(terms.maxCoeff<Eigen::PropagateNaN>(), terms.size());
+    OrderFreeSum sum;
     for (const double term : terms) sum.add(term);
     return sum.value();
   }

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "core/base/error.h"
+#include "core/base/order_free_sum.h"
 
 namespace nilas {
 
@@ -20,34 +21,40 @@ struct VolumeMoments {
 VolumeMoments moments_about(const TriangleMesh& mesh, const Vec3& reference) {
   // over the tetrahedron (0, a, b, c) with s = a + b + c: V s / 4 and V / 20 (s s^T + a a^T + b b^T + c c^T)
   constexpr double k_volume = 1.0 / 6.0, k_first = 1.0 / 4.0, k_second = 1.0 / 20.0;
-  VolumeMoments m;
+  OrderFreeSum volume;
+  OrderFreeVectorSum first, second_x, second_y, second_z;
   for (const auto& t : mesh.triangles) {
     const auto corner = [&](std::size_t k) -> Vec3 {
       return mesh.vertices[static_cast<std::size_t>(t[k])] - reference;
     };
     const Vec3 a = corner(0), b = corner(1), c = corner(2), s = a + b + c;
     const double v = k_volume * a.dot(b.cross(c));
-    m.volume += v;
-    m.first += k_first * v * s;
-    m.second += k_second * v * (s * s.transpose() + a * a.transpose() + b * b.transpose() + c * c.transpose());
+    volume.add(v);
+    first.add(k_first * v * s);
+    const Mat3 second = k_second * v * (s * s.transpose() + a * a.transpose() + b * b.transpose() + c * c.transpose());
+    second_x.add(second.col(0));
+    second_y.add(second.col(1));
+    second_z.add(second.col(2));
   }
+  VolumeMoments m{volume.value(), first.value(), Mat3::Zero()};
+  m.second << second_x.value(), second_y.value(), second_z.value();
   return m;
 }
 
 /// Shoelace area times two, and the centroid, both relative to `reference`.
 PolygonMoments area_and_centroid(const std::vector<Vec2>& outline, const Vec2& reference) {
-  double twice_area = 0;
-  Vec2 first = Vec2::Zero();
+  OrderFreeSum twice_area, first_x, first_y;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Vec2 a = outline[i] - reference, b = outline[(i + 1) % outline.size()] - reference;
     const double c = a.x() * b.y() - a.y() * b.x();
-    twice_area += c;
-    first += c * (a + b);
+    twice_area.add(c);
+    first_x.add(c * (a.x() + b.x()));
+    first_y.add(c * (a.y() + b.y()));
   }
   PolygonMoments m;
-  m.area = 0.5 * twice_area;
+  m.area = 0.5 * twice_area.value();
   m.centroid = reference;
-  if (twice_area != 0) m.centroid += first / (3 * twice_area);
+  if (m.area != 0) m.centroid += Vec2(first_x.value(), first_y.value()) / (6 * m.area);
   return m;
 }
 
@@ -55,16 +62,25 @@ PolygonMoments area_and_centroid(const std::vector<Vec2>& outline, const Vec2& r
 
 PolygonMoments polygon_moments(const std::vector<Vec2>& outline) {
   if (outline.empty()) return {};
-  // about a vertex first, then about the centroid itself, so that far-off outlines lose no digits
-  PolygonMoments m = area_and_centroid(outline, outline.front());
+  // about the middle of the bounding box first, then about the centroid itself, so that far-off outlines lose no digits
+  Vec2 low = outline.front(), high = low;
+  for (const Vec2& x : outline) {
+    low = low.cwiseMin(x);
+    high = high.cwiseMax(x);
+  }
+  PolygonMoments m = area_and_centroid(outline, 0.5 * (low + high));
   constexpr double k_square = 1.0 / 12.0, k_product = 1.0 / 24.0;
+  OrderFreeSum xx, yy, xy;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Vec2 a = outline[i] - m.centroid, b = outline[(i + 1) % outline.size()] - m.centroid;
     const double c = a.x() * b.y() - a.y() * b.x();
-    m.xx += k_square * c * (a.x() * a.x() + a.x() * b.x() + b.x() * b.x());
-    m.yy += k_square * c * (a.y() * a.y() + a.y() * b.y() + b.y() * b.y());
-    m.xy += k_product * c * (a.x() * b.y() + 2 * a.x() * a.y() + 2 * b.x() * b.y() + b.x() * a.y());
+    xx.add(c * (a.x() * a.x() + b.x() * b.x() + a.x() * b.x()));
+    yy.add(c * (a.y() * a.y() + b.y() * b.y() + a.y() * b.y()));
+    xy.add(c * (a.x() * b.y() + b.x() * a.y() + 2 * (a.x() * a.y() + b.x() * b.y())));
   }
+  m.xx = k_square * xx.value();
+  m.yy = k_square * yy.value();
+  m.xy = k_product * xy.value();
   return m;
 }
 

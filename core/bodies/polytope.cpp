@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/base/order_free_sum.h"
 #include "core/bodies/shape.h"
 
 namespace nilas {
@@ -13,17 +14,18 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Twice the area vector of a loop.
 Vec3 area_vector(const std::vector<Vec3>& vertices, const std::vector<int>& loop) {
-  Vec3 sum = Vec3::Zero();
-  const Vec3& origin = vertices[at(loop[0])];
-  for (std::size_t i = 1; i + 1 < loop.size(); ++i)
-    sum += (vertices[at(loop[i])] - origin).cross(vertices[at(loop[i + 1])] - origin);
-  return sum;
+  OrderFreeVectorSum middle, area;
+  for (const int v : loop) middle.add(vertices[at(v)]);
+  const Vec3 origin = middle.value() / static_cast<double>(loop.size());
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    area.add((vertices[at(loop[i])] - origin).cross(vertices[at(loop[(i + 1) % loop.size()])] - origin));
+  return area.value();
 }
 
 void fill_centre(ConvexPolytope& p) {
-  p.centre.setZero();
-  for (const auto& x : p.vertices) p.centre += x;
-  p.centre /= static_cast<double>(p.vertices.size());
+  OrderFreeVectorSum sum;
+  for (const auto& x : p.vertices) sum.add(x);
+  p.centre = sum.value() / static_cast<double>(p.vertices.size());
   p.radius = 0;
   for (const auto& x : p.vertices) p.radius = std::max(p.radius, (x - p.centre).norm());
 }

@@ -30,6 +30,7 @@ constexpr double k_growth = 0.002;      ///< of the scale per pass
 constexpr int k_settling_passes = 150;  ///< at full size
 
 constexpr int k_exchange_rounds = 250;         ///< of shaking, exchanging places and relaxing
+constexpr int k_exchanges = 3;                 ///< runs of so many rounds, each shaken anew
 constexpr int k_exchange_rounds_polygon = 20;  ///< before outlines are fitted
 constexpr int k_passes_per_round = 20;
 constexpr int k_trials_per_floe = 20;
@@ -111,8 +112,10 @@ class Packing {
 
   bool pack() {
     if (grow()) return true;
-    if (spec_.shape != FloeShape::polygon) return exchange(k_exchange_rounds);
-    return exchange(k_exchange_rounds_polygon) || fit();
+    if (spec_.shape == FloeShape::polygon) return exchange(k_exchange_rounds_polygon) || fit();
+    for (int run = 0; run < k_exchanges; ++run)
+      if (exchange(k_exchange_rounds)) return true;
+    return false;
   }
 
   bool relax(double scale, int passes) {

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "contact/detect/detector.h"
+#include "contact/registry.h"
 #include "core/base/error.h"
 #include "core/sim/contact_model.h"
 #include "core/sim/world.h"
@@ -20,7 +21,11 @@ static void build_modules(const Scene& scene, int threads, WorldParts& parts) {
     parts.modules.push_back(std::move(module));
   };
   if (hydro.buoyancy) add(make_buoyancy(*parts.water, threads), "<hydro><buoyancy>");
-  if (hydro.drag) add(make_drag(*parts.water, {hydro.drag->form, hydro.drag->skin}, threads), "<hydro><drag>");
+  // a solver that keeps mirrored scenes mirrored is of no use where their loads differ by rounding
+  const bool order_free = find_solver(scene.contact.solver).order_free;
+  if (hydro.drag)
+    add(make_drag(*parts.water, {hydro.drag->form, hydro.drag->skin}, threads, order_free),
+        order_free ? "<hydro><drag>, order-free for the solver" : "<hydro><drag>");
   if (hydro.virtual_drag)
     add(make_virtual_drag(hydro.virtual_drag->coefficient, hydro.virtual_drag->velocity), "<hydro><virtual_drag>");
   parts.info.has_hydro = hydro.buoyancy || hydro.drag;

@@ -48,6 +48,9 @@ ContactModel build_contact_model(const ContactScene& contact, double h, int thre
   model.tolerance = contact.tolerance;
   model.fixed_sweeps = contact.tolerance == 0;
   if (model.fixed_sweeps) model.correction.max_sweeps = std::min(model.correction.max_sweeps, contact.max_iterations);
+  model.correction.order_free = find_solver(contact.solver).order_free;
+  constexpr int k_extragradient_steps = 1000;  // each does less than a sweep
+  if (model.correction.order_free) model.correction.max_sweeps = k_extragradient_steps;
   model.split_impulse = contact.stabilisation == "split-impulse";
   model.warm_start = contact.warm_start;
   model.stop_on_failure = contact.on_failure == "stop" && !model.fixed_sweeps;  // they promise nothing

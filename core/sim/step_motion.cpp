@@ -1,5 +1,7 @@
 #include "core/sim/step_motion.h"
 
+#include "core/base/order_free_sum.h"
+
 namespace nilas {
 
 Vec3 relative_velocity(const StepMotion& motion, const Velocities& velocities, std::size_t contact) {
@@ -10,16 +12,17 @@ Vec3 relative_velocity(const StepMotion& motion, const Velocities& velocities, s
 }
 
 Wrench contact_impulse_on(const StepMotion& motion, int body) {
-  Wrench sum;
+  OrderFreeVectorSum force, torque;
   for (std::size_t i = 0; i < motion.points.size(); ++i) {
     const ContactPoint& c = motion.points[i];
     if (c.a != body && c.b != body) continue;
     const double sign = c.b == body ? 1 : -1;
     const Vec3 impulse = sign * motion.impulses[i];
-    sum += {impulse, (c.p - motion.p[static_cast<std::size_t>(body)]).cross(impulse)};
-    if (!motion.couples.empty()) sum.torque += sign * motion.couples[i];
+    force.add(impulse);
+    torque.add((c.p - motion.p[static_cast<std::size_t>(body)]).cross(impulse));
+    if (!motion.couples.empty()) torque.add(sign * motion.couples[i]);
   }
-  return sum;
+  return {force.value(), torque.value()};
 }
 
 }  // namespace nilas

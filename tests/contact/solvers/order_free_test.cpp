@@ -6,7 +6,6 @@
 
 #include "contact/registry.h"
 #include "contact/solvers/colouring.h"
-#include "contact/solvers/order_free_sum.h"
 #include "tests/support/problem_changes.h"
 #include "tests/support/problem_factory.h"
 
@@ -89,39 +88,6 @@ std::vector<ContactProblem> subjects() {
   all.push_back(all.front());
   all.back().law = Law::pyramid_k;
   return all;
-}
-
-TEST(OrderFreeSum, HasTheSameBitsInAnyOrderAndForTheNegative) {
-  RandomStream random(3, "sum");
-  std::vector<double> terms;
-  for (int k = 0; k < 1000; ++k)
-    terms.push_back(std::ldexp(random.normal(), static_cast<int>(random.bits() % 60) - 30));
-  double largest = 0;
-  for (const double x : terms) largest = std::max(largest, std::abs(x));
-  const auto sum_of = [&](double sign, std::ptrdiff_t room) {
-    OrderFreeSum sum(largest, room);
-    for (const double x : terms) sum.add(sign * x);
-    return sum.value();
-  };
-  long double exact = 0;
-  for (const double x : terms) exact += x;
-  const double first = sum_of(1, 1000);
-  EXPECT_NEAR(first, static_cast<double>(exact), 1e-15 * largest);
-  for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    const std::vector<double> before = terms;
-    const auto order = shuffled(1000, seed);
-    for (std::size_t k = 0; k < terms.size(); ++k) terms[k] = before[static_cast<std::size_t>(order[k])];
-    EXPECT_EQ(sum_of(1, 1000), first);
-    EXPECT_EQ(sum_of(-1, 1000), -first);
-  }
-}
-
-TEST(OrderFreeSum, OfNothingAndOfInfinity) {
-  OrderFreeSum nothing(0, 5);
-  nothing.add(0);
-  EXPECT_EQ(nothing.value(), 0);
-  OrderFreeSum infinite(std::numeric_limits<double>::infinity(), 5);
-  EXPECT_TRUE(std::isnan(infinite.value()));
 }
 
 TEST(OrderFree, PermutedContactsGiveTheSameBits) {

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/base/error.h"
+#include "core/base/random.h"
 #include "core/bodies/shape.h"
 #include "tests/core/bodies/solids.h"
 
@@ -16,6 +20,28 @@ void expect_equal(const MassProperties& a, const MassProperties& b, double share
   const double size = std::sqrt(b.inertia.trace() / b.mass);
   EXPECT_LE((a.com - b.com).norm(), share * size);
   EXPECT_LE((a.inertia - b.inertia).norm(), share * b.inertia.norm()) << a.inertia << "\n\n" << b.inertia;
+}
+
+/// The outline's first corner, and a mirror, which runs it the other way round, do not show in the bits.
+TEST(PolygonMoments, HaveMirroredBitsForMirroredOutlines) {
+  RandomStream random(4, "moments");
+  for (int k = 0; k < 200; ++k) {
+    std::vector<Vec2> outline;
+    for (int i = 0; i < 7; ++i) {
+      const double angle = 2 * k_pi * (i + random.uniform(-0.3, 0.3)) / 7, r = random.uniform(0.5, 1.5);
+      outline.emplace_back(3 + r * std::cos(angle), 40 + r * std::sin(angle));
+    }
+    std::vector<Vec2> image = outline;
+    for (Vec2& x : image) x.y() = -x.y();
+    std::reverse(image.begin(), image.end());
+    std::rotate(image.begin(), image.begin() + k % 7, image.end());
+    const PolygonMoments one = polygon_moments(outline), two = polygon_moments(image);
+    EXPECT_EQ(one.area, two.area);
+    EXPECT_EQ(one.centroid, Vec2(two.centroid.x(), -two.centroid.y()));
+    EXPECT_EQ(one.xx, two.xx);
+    EXPECT_EQ(one.yy, two.yy);
+    EXPECT_EQ(one.xy, -two.xy);
+  }
 }
 
 /// A triangle's second moments about its centroid: area / 36 times sums of squares of the edges' components.

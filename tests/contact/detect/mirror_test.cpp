@@ -1,0 +1,77 @@
+/// Mirrored bodies have mirrored contacts, to the last bit and however their corners are numbered.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "contact/detect/detector.h"
+#include "tests/contact/detect/bodies_of_tests.h"
+
+namespace nilas {
+namespace {
+
+Vec3 mirrored(const Vec3& x) { return {x.x(), -x.y(), x.z()}; }
+Quat mirrored(const Quat& q) { return {q.w(), -q.x(), q.y(), -q.z()}; }
+
+std::vector<Vec2> mirrored(std::vector<Vec2> outline, std::size_t first) {
+  for (Vec2& x : outline) x.y() = -x.y();
+  std::reverse(outline.begin(), outline.end());
+  std::rotate(outline.begin(), outline.begin() + static_cast<std::ptrdiff_t>(first % outline.size()), outline.end());
+  return outline;
+}
+
+using Row = std::tuple<double, double, double, double, double, double, double>;  ///< p, n, gap
+
+/// As a set: the order of a pair's points follows their names. Adding zero turns -0 into 0.
+std::vector<Row> rows(const std::vector<ContactPoint>& points, bool mirror) {
+  std::vector<Row> rows;
+  for (const ContactPoint& c : points) {
+    const Vec3 p = mirror ? mirrored(c.p) : c.p, n = mirror ? mirrored(c.n) : c.n;
+    rows.emplace_back(p.x(), p.y() + 0, p.z(), n.x(), n.y() + 0, n.z(), c.gap);
+  }
+  std::sort(rows.begin(), rows.end());
+  return rows;
+}
+
+struct MirrorCase {
+  const char* name;
+  double tilt;            ///< of the floes [rad]
+  double nearest, farthest;  ///< distance of the centres in radii
+};
+
+class MirroredPair : public testing::TestWithParam<MirrorCase> {};
+
+TEST_P(MirroredPair, HasMirroredPoints) {
+  RandomStream random(11, GetParam().name);
+  int touching = 0;
+  for (int k = 0; k < 5000; ++k) {
+    Bodies port, starboard;
+    const double thickness = random.uniform(0.02, 0.6), turn = random.uniform(0, 2 * k_pi);
+    const double distance = random.uniform(GetParam().nearest, GetParam().farthest);
+    Vec3 p(1.7, 0.3, 0.1);
+    for (int body = 0; body < 2; ++body) {
+      const auto outline = random_outline(random, 1);
+      const Quat q = random_tilt(random, GetParam().tilt);
+      add_body(port, floe_shape(outline, thickness), p, q);
+      add_body(starboard, floe_shape(mirrored(outline, static_cast<std::size_t>(k)), thickness), mirrored(p),
+               mirrored(q));
+      p += Vec3(distance * std::cos(turn), distance * std::sin(turn), random.uniform(-0.2, 0.2) * thickness);
+    }
+    ContactDetector one, two;
+    const auto points = one.detect(port, 0.05);
+    touching += points.empty() ? 0 : 1;
+    EXPECT_EQ(rows(points, true), rows(two.detect(starboard, 0.05), false)) << "pair " << k;
+    // once more, from what was remembered
+    EXPECT_EQ(rows(one.detect(port, 0.05), true), rows(two.detect(starboard, 0.05), false)) << "pair " << k;
+    EXPECT_EQ(one.counts().fcl_queries, two.counts().fcl_queries) << "pair " << k;
+  }
+  EXPECT_GT(touching, 300);
+}
+
+INSTANTIATE_TEST_SUITE_P(Floes, MirroredPair,
+                         testing::Values(MirrorCase{"flat", 0, 1.4, 2.1}, MirrorCase{"afloat", 0.01, 1.4, 2.1},
+                                         MirrorCase{"tilted", 0.6, 1.2, 2.1}, MirrorCase{"deep", 0.3, 0.6, 1.4}),
+                         [](const testing::TestParamInfo<MirrorCase>& one) { return std::string(one.param.name); });
+
+}  // namespace
+}  // namespace nilas
