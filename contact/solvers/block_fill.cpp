@@ -2,6 +2,7 @@
 
 #include <Eigen/OrderingMethods>
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace nilas {
@@ -55,8 +56,9 @@ ColumnLists given_upper(const std::vector<int>& row_start, const std::vector<int
   });
 }
 
-/// upper[k] = neighbours of k that come later, and those of every row whose first later neighbour is k.
-void find_fill(const ColumnLists& given, BlockFill& fill) {
+/// upper[k] = neighbours of k that come later, and those of every row whose first later neighbour is k. False when that
+/// are more than `most` in all; then the lists are not complete.
+bool find_fill(const ColumnLists& given, std::size_t most, BlockFill& fill) {
   const int n = fill.size();
   std::vector<int> first_child(at(n), -1), sibling(at(n), -1), seen(at(n), -1);
   auto& columns = fill.upper.columns;
@@ -77,7 +79,9 @@ void find_fill(const ColumnLists& given, BlockFill& fill) {
       first_child[at(*row)] = k;
     }
     fill.upper.start.push_back(columns.size());
+    if (columns.size() > most) return false;
   }
+  return true;
 }
 
 void choose_tail(BlockFill& fill) {
@@ -110,11 +114,17 @@ ColumnLists lower_of(const BlockFill& fill) {
 BlockFill block_fill(const std::vector<int>& row_start, const std::vector<int>& column) {
   BlockFill fill;
   order(row_start, column, fill);
-  find_fill(given_upper(row_start, column, fill), fill);
+  find_fill(given_upper(row_start, column, fill), std::numeric_limits<std::size_t>::max(), fill);
   choose_tail(fill);
   drop_tail(fill);
   fill.lower = lower_of(fill);
   return fill;
+}
+
+bool fills_at_most(std::size_t blocks, const std::vector<int>& row_start, const std::vector<int>& column) {
+  BlockFill fill;
+  order(row_start, column, fill);
+  return find_fill(given_upper(row_start, column, fill), blocks, fill);
 }
 
 }  // namespace nilas

@@ -32,4 +32,8 @@ struct BlockFill {
 /// Row i has blocks at `column[row_start[i] .. row_start[i + 1])`.
 BlockFill block_fill(const std::vector<int>& row_start, const std::vector<int>& column);
 
+/// Whether elimination fills at most so many blocks right of the diagonal, the dense part's included. Repeated columns
+/// are allowed here.
+bool fills_at_most(std::size_t blocks, const std::vector<int>& row_start, const std::vector<int>& column);
+
 }  // namespace nilas

@@ -40,9 +40,7 @@ class OrderFreeSum {
     return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + k_bias) << k_shift);
   }
   /// 1.5 2^52 units: numbers this large are multiples of the unit, and both signs round alike.
-  static double cut(int place) {
-    return 1.5 * power_of_two(k_width * place + std::numeric_limits<double>::digits - 1);
-  }
+  static double cut(int place) { return 1.5 * power_of_two(k_width * place + std::numeric_limits<double>::digits - 1); }
 
   /// Lifts the grid until x is below half of the unit above the highest one.
   void raise(double x) {

@@ -70,7 +70,7 @@ int main(int argc, char** argv) {
       std::printf("%-10s %9d %10.2f %10.2f %12.2g %10.0f  %s\n", name, contacts, 1e3 * run.seconds,
                   1e6 * run.seconds / contacts, run.law_map, 1e-6 * peak, to_string(run.status));
       std::fflush(stdout);
-      points.emplace_back(contacts, run.seconds);
+      if (run.status == SolveStatus::converged) points.emplace_back(contacts, run.seconds);
     }
     if (points.size() > 1) std::printf("%-10s exponent %.2f\n", name, exponent(points));
   }

@@ -35,6 +35,39 @@ TEST(Reducible, CountsTheBlocksOfW) {
   EXPECT_TRUE(is_reducible(problem, contacts));
 }
 
+/// Particles on a grid of the given sides, each touching the next along every side.
+ContactProblem lattice(int a, int b, int c) {
+  ContactProblem problem;
+  problem.h = 0.01;
+  const MatX rows = Mat3::Identity();
+  for (int k = 0; k < a * b * c; ++k) problem.add_block(Mat3::Identity());
+  const auto block = [&](int i, int j, int k) { return (i * b + j) * c + k; };
+  const auto touch = [&](int one, int other) {
+    problem.add_contact(one, -rows, other, rows, static_cast<std::uint64_t>(problem.num_contacts()) + 1);
+  };
+  for (int i = 0; i < a; ++i)
+    for (int j = 0; j < b; ++j)
+      for (int k = 0; k < c; ++k) {
+        if (i + 1 < a) touch(block(i, j, k), block(i + 1, j, k));
+        if (j + 1 < b) touch(block(i, j, k), block(i, j + 1, k));
+        if (k + 1 < c) touch(block(i, j, k), block(i, j, k + 1));
+      }
+  return problem;
+}
+
+TEST(Reducible, CountsTheFillOfLargeIslands) {
+  const auto whole = [](const ContactProblem& problem) {
+    std::vector<int> contacts(static_cast<std::size_t>(problem.num_contacts()));
+    std::iota(contacts.begin(), contacts.end(), 0);
+    return contacts;
+  };
+  const ContactProblem sheet = lattice(1, 120, 120), heap = lattice(32, 32, 32);
+  EXPECT_GT(sheet.num_contacts(), 25000);
+  EXPECT_TRUE(is_reducible(sheet, whole(sheet)));
+  EXPECT_GT(heap.num_contacts(), 90000);
+  EXPECT_FALSE(is_reducible(heap, whole(heap)));
+}
+
 TEST(Reducible, AutoSolvesWhatIsNotAndNewtonSaysSo) {
   const ContactProblem problem = rain(3000);
   const auto solve = [&](const char* name) {

@@ -35,7 +35,7 @@ std::vector<Row> rows(const std::vector<ContactPoint>& points, bool mirror) {
 
 struct MirrorCase {
   const char* name;
-  double tilt;            ///< of the floes [rad]
+  double tilt;               ///< of the floes [rad]
   double nearest, farthest;  ///< distance of the centres in radii
 };
 

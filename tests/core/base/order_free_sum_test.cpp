@@ -29,8 +29,8 @@ TEST(OrderFreeSum, HasTheSameBitsInAnyOrderAndForTheNegative) {
   for (const int range : {4, 60, 400}) {
     std::vector<double> terms;
     for (int k = 0; k < 1000; ++k)
-      terms.push_back(std::ldexp(random.normal(), static_cast<int>(random.bits() % static_cast<unsigned>(range)) -
-                                                      range / 2));
+      terms.push_back(
+          std::ldexp(random.normal(), static_cast<int>(random.bits() % static_cast<unsigned>(range)) - range / 2));
     double largest = 0;
     long double exact = 0;
     for (const double x : terms) {
