@@ -13,9 +13,8 @@ namespace nilas {
 
 namespace {
 
-/// e as a share of L, and the exponent k: where it starts, its step, its bounds.
+/// e as a share of L, and the exponent k: its step, its bounds.
 constexpr double k_regularisation = 1e-6;
-constexpr double k_first_exponent = 0.2;
 constexpr double k_exponent_step = 0.05;
 constexpr double k_largest_exponent = 1;
 /// The penalty moves when one residual is this many times the other.
@@ -50,7 +49,11 @@ double largest_eigenvalue(const Eigen::SparseMatrix<double>& w) {
 class Alternation {
  public:
   Alternation(const LocalProblem& island, const AdmmSettings& settings)
-      : island_(island), settings_(settings), problem_(mass_scaled(island)), factor_(problem_.symmetric) {}
+      : island_(island),
+        settings_(settings),
+        problem_(mass_scaled(island)),
+        factor_(problem_.symmetric),
+        exponent_(settings.first_exponent) {}
 
   ContactSolution run(const VecX& guess) {
     y_ = guess.size() > 0 ? project(problem_.scaled_impulses(guess)) : VecX(VecX::Zero(problem_.q.size()));
@@ -86,7 +89,11 @@ class Alternation {
       fallen_map_ = map;
       fallen_iteration_ = out_.iterations;
     }
+    const bool slow = settings_.least_fall > 0 && !(map <= settings_.least_fall * map_before_last_);
+    map_before_last_ = last_map_;
+    last_map_ = map;
     if (settings_.shared.tolerance <= 0) return;
+    if (slow) out_.status = SolveStatus::stalled;
     if (out_.iterations - fallen_iteration_ >= settings_.stall_iterations) out_.status = SolveStatus::stalled;
     if (best_map_ <= settings_.shared.tolerance) out_.status = SolveStatus::converged;
   }
@@ -137,13 +144,14 @@ class Alternation {
     Anderson mixer(settings_.anderson_depth);
     double least = std::numeric_limits<double>::infinity();
     VecX least_state;
+    const int period = settings_.least_fall > 0 ? 1 : k_measure_period;
     int plain_until = 0, pause = k_first_pause;
     while (out_.iterations < settings_.shared.max_iterations && out_.status == SolveStatus::iteration_limit &&
            !settings_.shared.out_of_time()) {
       const VecX before = state();
       step();
       ++out_.iterations;
-      if (out_.iterations % k_measure_period == 0 || out_.iterations == settings_.shared.max_iterations) offer(y_);
+      if (out_.iterations % period == 0 || out_.iterations == settings_.shared.max_iterations) offer(y_);
       const VecX after = state();
       if (!after.allFinite()) return;
       if (out_.iterations % k_balance_period == 0 && balance()) {
@@ -174,12 +182,14 @@ class Alternation {
   const AdmmSettings& settings_;
   MassScaled problem_;
   BlockCholesky factor_;
-  double largest_ = 0, regular_ = 0, exponent_ = k_first_exponent, penalty_ = 0;
+  double largest_ = 0, regular_ = 0, penalty_ = 0;
+  double exponent_;
   VecX y_, z_;
   double primal_ = 0, dual_ = 0;
   ContactSolution out_;
   VecX best_;
   double best_map_ = std::numeric_limits<double>::infinity();
+  double last_map_ = best_map_, map_before_last_ = best_map_;
   double fallen_map_ = std::numeric_limits<double>::infinity();
   int fallen_iteration_ = 0;
 };

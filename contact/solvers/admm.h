@@ -5,9 +5,10 @@
 ///   (W_s + (p + e) 1) x = (p + e) y - z - q - s - (W - W_s) y,   W_s = (W + W^T)/2,   s = mu |z_T| n
 ///   y <- P_K(x + z/p),   z <- z + p (x - y)
 /// At a fixed point x = y and z = -(u + s). Law ccp has no s. p = sqrt(L e) (L/e)^k with L the largest eigenvalue of
-/// W_s and e = 1e-6 L: k starts at 0.2 and moves by 0.05 (p by a factor of two) while primal and dual residual are more
-/// than ten apart; only then is the matrix factored again. (y, z/p) is accelerated (anderson.h); when the fixed-point
-/// residual grows twofold, the best point is taken up again and plain iterations follow, twice as many each time.
+/// W_s and e = 1e-6 L: k starts at 0.2, or as asked, and moves by 0.05 (p by a factor of two) while primal and dual
+/// residual are more than ten apart; only then is the matrix factored again. (y, z/p) is accelerated (anderson.h); when
+/// the fixed-point residual grows twofold, the best point is taken up again and plain iterations follow, twice as many
+/// each time.
 ///
 /// Cost per iteration: two triangular solves and a product with W. Iterations: 30 to 1000; few factorisations. Stalls
 /// where slipping contacts are redundant. Force limit and compliance are honoured.
@@ -22,6 +23,9 @@ struct AdmmSettings {
   SolverSettings shared;
   int anderson_depth = 10;      ///< 0: no acceleration
   int stall_iterations = 1000;  ///< stalled: law_map did not fall by a tenth within so many
+  double first_exponent = 0.2;  ///< k of the penalty
+  /// stalled: two iterations left more than this share of law_map; it is then measured in each. 0: not asked for.
+  double least_fall = 0;
 };
 
 class AdmmSolver final : public IslandSolver {

@@ -8,6 +8,7 @@
 #include "contact/law_map.h"
 #include "contact/operators.h"
 #include "contact/reducible.h"
+#include "contact/solvers/admm.h"
 #include "contact/solvers/apgd.h"
 #include "contact/solvers/continuation.h"
 #include "contact/solvers/ipm.h"
@@ -52,7 +53,13 @@ class Log {
   std::vector<Use> uses_;
 };
 
-bool ipm_knows(Law law) { return law == Law::coulomb || law == Law::ccp || law == Law::frictionless; }
+/// What admm and ipm know.
+bool is_cone(Law law) { return law == Law::coulomb || law == Law::ccp || law == Law::frictionless; }
+
+/// What a climb starts from: no impulses at all, or a guess from outside, and whether the first sweeps are behind it.
+struct Start {
+  bool cold = true, swept = false;
+};
 
 /// One island on its way up.
 class Climb {
@@ -60,18 +67,19 @@ class Climb {
   Climb(const LocalProblem& island, const AutoSettings& settings, Log& log)
       : island_(island), settings_(settings), log_(log) {}
 
-  ContactSolution run(const VecX& guess, bool swept) {
+  ContactSolution run(const VecX& guess, Start start) {
     best_.r = guess.size() > 0 ? guess : VecX(VecX::Zero(island_.q.size()));
     best_.status = SolveStatus::iteration_limit;
     best_map_ = measure(island_, best_.r).law_map_m_s;
-    const bool warm = guess.size() > 0 && !swept;
+    const bool warm = guess.size() > 0 && !start.swept;
     if (best_map_ <= settings_.shared.tolerance) best_.status = SolveStatus::converged;
-    if (!swept && goes_on()) sweep("nsgs", settings_.first_sweeps);
+    if (!start.swept && goes_on()) sweep("nsgs", settings_.first_sweeps);
+    if (start.cold && is_cone(island_.law) && goes_on() && is_stiff()) alternate();
     if (goes_on()) newton("newton", warm ? k_warm_weight : k_cold_weight, settings_.first_factorisations);
     if (goes_on()) sweep("more nsgs", settings_.more_sweeps);
     if (goes_on()) newton("wary newton", k_wary_weight, settings_.more_factorisations);
     if (goes_on() && island_.law != Law::frictionless) follow_friction();
-    if (goes_on() && ipm_knows(island_.law)) {
+    if (goes_on() && is_cone(island_.law)) {
       interior_point();
       if (goes_on()) newton("last newton", k_cold_weight, settings_.first_factorisations);
     }
@@ -92,6 +100,17 @@ class Climb {
 
   void sweep(const char* rung, int sweeps) {
     take(rung, "sweeps", NsgsSolver({.shared = stage(sweeps)}).solve(island_, best_.r));
+  }
+
+  bool is_stiff() const {
+    return best_map_ > settings_.stiff_share * measure(island_, VecX::Zero(best_.r.size())).law_map_m_s;
+  }
+
+  void alternate() {
+    AdmmSettings settings{.shared = stage(settings_.shared.max_iterations)};
+    settings.first_exponent = 0;  // a high penalty suits what sticks
+    settings.least_fall = settings_.stiff_least_fall;
+    take("admm", "iterations", AdmmSolver(settings).solve(island_, {}));
   }
 
   void newton(const char* rung, double weight, int factorisations) {
@@ -200,7 +219,7 @@ ContactSolution AutoSolver::solve(const LocalProblem& problem, const VecX& guess
   running.shared = settings_.shared.started();
   Log log;
   ContactSolution solution = solve_islands(problem, guess, [&](const LocalProblem& island, const VecX& start) {
-    return Climb(island, running, log).run(start, false);
+    return Climb(island, running, log).run(start, {guess.size() == 0, false});
   });
   describe(log, solution);
   return solution;
@@ -239,9 +258,10 @@ ContactSolution AutoSolver::solve(const ContactProblem& problem, const VecX& gue
   for (auto island = first_large; island != islands.end(); ++island)
     large = worse(large, solve_without_w(problem, *island, running, log, swept));
   islands.erase(first_large, islands.end());
-  ContactSolution solution = solve_islands(
-      problem, islands, swept.r,
-      [&](const LocalProblem& island, const VecX& start) { return Climb(island, running, log).run(start, true); });
+  ContactSolution solution =
+      solve_islands(problem, islands, swept.r, [&](const LocalProblem& island, const VecX& start) {
+        return Climb(island, running, log).run(start, {guess.size() == 0, true});
+      });
   solution.iterations += swept.iterations;
   solution.status = worse(solution.status, large);
   solution.history.insert(solution.history.begin(), swept.history.begin(), swept.history.end());
