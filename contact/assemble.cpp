@@ -1,5 +1,8 @@
 #include "contact/assemble.h"
 
+#include <algorithm>
+#include <optional>
+
 #include "contact/contact_frame.h"
 #include "contact/detect/contact_key.h"
 #include "core/base/error.h"
@@ -52,7 +55,8 @@ class Assembly {
   MatX moment_rows(int body, const Mat3& C, double sign, Vec3& w) const;
   Vec3 add_side(int body, const Mat3& C, const Vec3& p, double sign);
   Vec3 point_velocity(int body, const Vec3& p) const;
-  double bounce_or_gap(const ContactPoint& point, double restitution) const;
+  std::optional<double> bounce(const ContactPoint& point, double restitution) const;
+  double speed_asked(const ContactPoint& point) const;
 
   const Bodies& bodies_;
   const Wrenches& free_;
@@ -134,6 +138,7 @@ void Assembly::reserve_contacts(std::size_t count) {
   problem.force_limit.assign(count, std::numeric_limits<double>::infinity());
   problem.compliance.assign(count, 0.0);
   out_.C.reserve(count);
+  out_.speed_asked.reserve(count);
 }
 
 /// Appends the rows of one side of a contact at p; returns what its prescribed motion adds to u.
@@ -163,13 +168,18 @@ Vec3 Assembly::point_velocity(int body, const Vec3& p) const {
   return bodies_.v_GB[i] + bodies_.w_GB[i].cross(p - bodies_.p_GB[i]);
 }
 
-double Assembly::bounce_or_gap(const ContactPoint& point, double restitution) const {
-  if (restitution > 0) {
-    const double before = point.n.dot(point_velocity(point.b, point.p) - point_velocity(point.a, point.p));
-    const bool closes = point.gap <= 0 || before * settings_.h < -point.gap;
-    if (closes && before < -settings_.restitution_threshold) return restitution * before;
-  }
-  return point.gap > 0 ? point.gap / settings_.h : 0;
+std::optional<double> Assembly::bounce(const ContactPoint& point, double restitution) const {
+  if (!(restitution > 0)) return std::nullopt;
+  const double before = point.n.dot(point_velocity(point.b, point.p) - point_velocity(point.a, point.p));
+  const bool closes = point.gap <= 0 || before * settings_.h < -point.gap;
+  if (!closes || before >= -settings_.restitution_threshold) return std::nullopt;
+  return restitution * before;
+}
+
+double Assembly::speed_asked(const ContactPoint& point) const {
+  const VelocityStabilisation& stabilisation = settings_.stabilisation;
+  const double excess = -point.gap - stabilisation.slop;
+  return excess > 0 ? std::min(stabilisation.erp * excess / settings_.h, stabilisation.max_speed) : 0;
 }
 
 /// A pair's points follow each other, and names of materials are slow to compare.
@@ -189,7 +199,14 @@ void Assembly::add_contact(const ContactPoint& point, FrictionTable& friction) {
 
   Vec3 w = add_side(point.a, C, point.p, -1);
   w += add_side(point.b, C, point.p, 1);
-  w[0] += bounce_or_gap(point, pair.restitution);
+  double asked = 0;
+  if (const auto bounced = bounce(point, pair.restitution))
+    w[0] += *bounced;
+  else if (point.gap > 0)
+    w[0] += point.gap / settings_.h;
+  else
+    w[0] -= asked = speed_asked(point);
+  out_.speed_asked.push_back(asked);
   problem.w.segment<3>(3 * static_cast<Eigen::Index>(problem.pairs.size())) = w;
   problem.pairs.push_back({out_.block_of_body[a], out_.block_of_body[b]});
   problem.jacobian_offset.push_back(problem.jacobian_data.size());

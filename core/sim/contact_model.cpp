@@ -1,6 +1,7 @@
 #include "core/sim/contact_model.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "contact/registry.h"
 #include "contact/solvers/with_retry.h"
@@ -30,6 +31,30 @@ void demand_contact_choices(const Scene& scene) {
   }
 }
 
+static void set_stabilisation(const ContactScene& contact, ContactModel& model) {
+  const std::string& name = contact.stabilisation;
+  if (name == "baumgarte") model.assembly.stabilisation = {contact.erp, contact.slop, contact.max_speed};
+  if (name == "tasora") model.assembly.stabilisation = {1, contact.slop, contact.max_speed};
+  if (name == "split-impulse") {
+    model.position_step = PositionStep::split_impulse;
+    model.correction.erp = contact.erp;
+    model.correction.max_speed = contact.max_speed;
+    // a hundredth of a millimetre per step at 0.01 s: far below what the split impulse is to remove
+    constexpr double k_correction_tolerance = 1e-3;  // [m/s]
+    model.correction.tolerance = k_correction_tolerance;
+  }
+  if (name == "projection") {
+    model.position_step = PositionStep::projection;
+    model.correction.erp = 1;
+    model.correction.max_speed = std::numeric_limits<double>::infinity();
+    // over a step, no more than what the velocities may leave
+    constexpr double k_fixed_sweeps_tolerance = 1e-3;  // [m/s]
+    model.correction.tolerance = contact.tolerance > 0 ? contact.tolerance : k_fixed_sweeps_tolerance;
+    model.correction.max_sweeps = contact.max_iterations;
+  }
+  model.correction.slop = contact.slop;
+}
+
 ContactModel build_contact_model(const ContactScene& contact, double h, int threads) {
   ContactModel model;
   const ParsedLaw law = parse_law(contact.law);
@@ -37,21 +62,16 @@ ContactModel build_contact_model(const ContactScene& contact, double h, int thre
   model.assembly.law = law.law;
   model.assembly.facets = law.facets;
   model.assembly.axes = contact.axes_deg * k_deg;
+  set_stabilisation(contact, model);
   model.correction.h = h;
-  model.correction.erp = contact.erp;
-  model.correction.slop = contact.slop;
-  model.correction.max_speed = contact.max_speed;
-  // a hundredth of a millimetre per step at 0.01 s: far below what the split impulse is to remove
-  constexpr double k_correction_tolerance = 1e-3;  // [m/s]
-  model.correction.tolerance = k_correction_tolerance;
+  const SolverEntry& solver = find_solver(contact.solver);
+  model.correction.order_free = solver.order_free;
+  constexpr int k_extragradient_steps = 1000;  // each does less than a sweep
+  if (solver.order_free) model.correction.max_sweeps = std::max(model.correction.max_sweeps, k_extragradient_steps);
   // a scene that fixes its sweeps means these too
   model.tolerance = contact.tolerance;
   model.fixed_sweeps = contact.tolerance == 0;
   if (model.fixed_sweeps) model.correction.max_sweeps = std::min(model.correction.max_sweeps, contact.max_iterations);
-  model.correction.order_free = find_solver(contact.solver).order_free;
-  constexpr int k_extragradient_steps = 1000;  // each does less than a sweep
-  if (model.correction.order_free) model.correction.max_sweeps = k_extragradient_steps;
-  model.split_impulse = contact.stabilisation == "split-impulse";
   model.warm_start = contact.warm_start;
   model.stop_on_failure = contact.on_failure == "stop" && !model.fixed_sweeps;  // they promise nothing
   model.margin = contact.margin;
@@ -59,7 +79,7 @@ ContactModel build_contact_model(const ContactScene& contact, double h, int thre
   settings.tolerance = contact.tolerance;
   settings.max_iterations = contact.max_iterations;
   settings.threads = threads;
-  model.solver = find_solver(contact.solver).make(settings);
+  model.solver = solver.make(settings);
   if (contact.on_failure == "retry" && !model.fixed_sweeps)
     model.solver = std::make_unique<WithRetry>(std::move(model.solver), find_solver("auto").make(settings));
   // slower than ten times what the solver may leave is rest

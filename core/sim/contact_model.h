@@ -11,12 +11,15 @@
 
 namespace nilas {
 
+/// What moves the poses after the step's own motion.
+enum class PositionStep { none, split_impulse, projection };
+
 struct ContactModel {
   AssemblySettings assembly;
   CorrectionSettings correction;
   std::unique_ptr<ContactSolver> solver;          ///< with on_failure="retry" followed by auto
   std::optional<StaticFriction> static_friction;  ///< where some pair's static coefficient is above its kinetic one
-  bool split_impulse = false;
+  PositionStep position_step = PositionStep::none;
   bool warm_start = true;
   bool stop_on_failure = false;
   double tolerance = 0;       ///< of the solver, on law_map_m_s [m/s]

@@ -55,7 +55,10 @@ void EnergyAccount::velocity_step(const Bodies& bodies, const StepMotion& motion
   for (std::size_t i = 0; i < motion.points.size(); ++i) {
     const Vec3 mean = 0.5 * (relative_velocity(motion, motion.before, i) + relative_velocity(motion, motion.after, i));
     const double normal = motion.normal_impulses[i].dot(mean);
-    ledger_.impact -= normal;
+    // half of what the speed asked for adds to u_N: the other half is the mean with a velocity before that had none
+    const double asked = 0.5 * motion.speed_asked[i] * motion.normal_impulses[i].dot(motion.points[i].n);
+    ledger_.impact -= normal - asked;
+    ledger_.stabilisation -= asked;
     ledger_.friction -= motion.impulses[i].dot(mean) - normal;
     if (motion.couples.empty()) continue;
     const auto a = static_cast<std::size_t>(motion.points[i].a), b = static_cast<std::size_t>(motion.points[i].b);

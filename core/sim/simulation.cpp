@@ -11,6 +11,7 @@
 #include "contact/islands.h"
 #include "core/base/error.h"
 #include "core/base/hash.h"
+#include "core/base/order_free_sum.h"
 #include "core/sim/advance.h"
 #include "core/sim/contact_model.h"
 #include "core/sim/ledger.h"
@@ -140,6 +141,7 @@ StepMotion Simulation::World::velocity_step(const AssembledContacts& contacts, c
     motion.impulses.emplace_back(contacts.C[i] * r);
     motion.normal_impulses.emplace_back(contacts.C[i].col(0) * r[0]);
   }
+  motion.speed_asked = contacts.speed_asked;
   if (contacts.problem.has_moments()) add_couples(contacts, solution, motion);
   free_velocities(parts.bodies, free, h, motion.after);
   for (std::size_t b = 0; b < size(); ++b) {
@@ -173,10 +175,11 @@ void Simulation::World::advance_poses(StepMotion& motion) {
 
 Velocities Simulation::World::correct_positions(const StepMotion& motion, const AssembledContacts& contacts,
                                                 StepRecord& record) {
-  if (!model.split_impulse) return {};
+  if (model.position_step == PositionStep::none) return {};
   Velocities pseudo{std::vector<Vec3>(size(), Vec3::Zero()), std::vector<Vec3>(size(), Vec3::Zero())};
-  record.positions_corrected =
-      correction_velocities(contacts, motion.points, model.correction, pseudo.v, pseudo.w).converged;
+  const std::vector<ContactPoint> points =
+      model.position_step == PositionStep::projection ? carried_points(motion, parts.bodies) : motion.points;
+  record.positions_corrected = correction_velocities(contacts, points, model.correction, pseudo.v, pseudo.w).converged;
   displace(parts.bodies, pseudo, h);
   return pseudo;
 }
@@ -219,13 +222,16 @@ VesselRecord Simulation::World::vessel_record(const StepMotion& motion) const {
   const Wrench impulse = contact_impulse_on(motion, parts.vessel_index);
   record.contact = {impulse.force / h, impulse.torque / h};
   const auto vessel = static_cast<std::size_t>(parts.vessel_index);
+  OrderFreeVectorSum on_port, on_starboard;
   for (std::size_t i = 0; i < motion.points.size(); ++i) {
     const ContactPoint& c = motion.points[i];
     if (c.a != parts.vessel_index && c.b != parts.vessel_index) continue;
     const bool port = (motion.R[vessel].transpose() * (c.p - motion.p[vessel])).y() > 0;
     const double sign = c.b == parts.vessel_index ? 1 : -1;
-    (port ? record.contact_port : record.contact_starboard) += sign / h * motion.impulses[i];
+    (port ? on_port : on_starboard).add(sign / h * motion.impulses[i]);
   }
+  record.contact_port = on_port.value();
+  record.contact_starboard = on_starboard.value();
   record.state = parts.vessel->state();
   if (parts.vessel->on_carriage()) record.carriage = parts.vessel->carriage_loads();
   record.has_cells = parts.info.has_cells;

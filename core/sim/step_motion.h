@@ -24,11 +24,16 @@ struct StepMotion {
   std::vector<ContactPoint> points;
   std::vector<Vec3> impulses;         ///< per point, on body b, in G [N s]
   std::vector<Vec3> normal_impulses;  ///< the part of it along the normal
+  std::vector<double> speed_asked;    ///< per point: u_N that the stabilisation asked of the velocity step [m/s]
   std::vector<Vec3> couples;          ///< per point, on body b, in G [N m s]; empty without rolling friction
 };
 
 /// Velocity of body B's point relative to body A's at a contact point.
 Vec3 relative_velocity(const StepMotion& motion, const Velocities& velocities, std::size_t contact);
+
+/// The contact points where the bodies' present poses have carried them: each body's point moves with it, the normal
+/// with the mean of both, and the gap is what lies between.
+std::vector<ContactPoint> carried_points(const StepMotion& motion, const Bodies& bodies);
 
 /// Sum of the contact impulses on one body about its centre of mass at the step's start [N s, N m s].
 Wrench contact_impulse_on(const StepMotion& motion, int body);

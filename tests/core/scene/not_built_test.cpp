@@ -21,9 +21,6 @@ TEST(NotBuilt, EachIsRefusedWithItsPlace) {
   const std::vector<NotBuilt> cases{
       {"<contact integrator='moreau'/>", "<contact integrator>"},
       {"<contact preset='seed-2014' integrator='moreau'/>", "<contact integrator>"},
-      {"<contact stabilisation='baumgarte'/>", "<contact stabilisation>"},
-      {"<contact stabilisation='tasora'/>", "<contact stabilisation>"},
-      {"<contact stabilisation='projection'/>", "<contact stabilisation>"},
       {"<contact detection='speculative'/>", "<contact detection>"},
       {"<contact detection='continuous'/>", "<contact detection>"},
       {"<water><current profile='file'/></water>", "<water><current profile>"},
