@@ -128,13 +128,12 @@ ContactProblem correction_problem(const AssembledContacts& contacts, const Conta
   own.h = step.h;
   own.law = Law::frictionless;
   for (int k = 0; k < contacts.first_articulated_block; ++k) own.add_block(step.mass(k));
-  const ContactProblem::RowMajor none(3, 0);
+  const MatX none(3, 0);
   for (const auto& group : groups)
     for (const int c : group) {
       const auto i = static_cast<std::size_t>(c);
       const auto& pair = graph.pairs[i];
-      const auto jacobian_a = step.jacobian_a(c), jacobian_b = step.jacobian_b(c);
-      const MatX a = pair.a < 0 ? MatX(none) : MatX(jacobian_a), b = pair.b < 0 ? MatX(none) : MatX(jacobian_b);
+      const MatX a = pair.a < 0 ? none : MatX(step.jacobian_a(c)), b = pair.b < 0 ? none : MatX(step.jacobian_b(c));
       const int row = own.add_contact(pair.a, a, pair.b, b, step.key[i]);
       own.w[3 * static_cast<Eigen::Index>(row)] = -least_speed(points[i], settings);
     }

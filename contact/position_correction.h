@@ -15,7 +15,7 @@ struct CorrectionSettings {
   double slop = 0;          ///< penetration left alone [m]
   double max_speed = 1;     ///< of the separation [m/s]
   double tolerance = 1e-4;  ///< on u_N; 1e-4 m/s is 1 um in a step of 0.01 s [m/s]
-  int max_sweeps = 50;
+  int max_sweeps = 50;      ///< or extragradient steps
   /// By eg-order-free instead of Gauss-Seidel: the bits depend neither on the order of contacts and bodies nor, but for
   /// the sign, on a mirror.
   bool order_free = false;
@@ -25,7 +25,7 @@ struct PositionCorrection {
   VecX v;                 ///< nv pseudo velocities in the layout of the contact problem's blocks
   int contacts = 0;       ///< that took part
   bool converged = true;  ///< natural map of u_N against the least speeds at most the tolerance
-  int sweeps = 0;         ///< most of any group
+  int sweeps = 0;         ///< or steps; most of any group
 };
 
 /// Solves, without friction and from rest, for the smallest motion with

@@ -85,7 +85,8 @@ const std::vector<SolverEntry>& solver_registry() {
        "the reference: for accuracy, stacks, jams, redundant contacts and mass ratios.",
        all_laws, make<NewtonSolver, NewtonSettings>},
       {"auto",
-       "Climbs from nsgs over newton to ipm until the tolerance holds, island by island, and says what it used; the "
+       "Climbs from nsgs over admm and newton to ipm until the tolerance holds, island by island, and says what it "
+       "used; the "
        "default for every problem.",
        all_laws, make<AutoSolver, AutoSettings>, true},
 #ifdef NILAS_PEER_SOLVERS

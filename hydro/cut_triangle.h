@@ -38,22 +38,22 @@ class CutTriangle {
       return;
     }
     // Cut along either diagonal, and the mean of both: the same bits whichever way the triangle is wound.
-    const Part one = halves(area_of(next_cut_, next_, previous_), next_, area_of(next_cut_, previous_, previous_cut_),
-                            previous_cut_, next_cut_ + previous_);
-    const Part other = halves(area_of(previous_cut_, next_, previous_), previous_,
-                              area_of(previous_cut_, next_cut_, next_), next_cut_, previous_cut_ + next_);
+    const Halves one = halves(area_of(next_cut_, next_, previous_), next_, area_of(next_cut_, previous_, previous_cut_),
+                              previous_cut_, next_cut_ + previous_);
+    const Halves other = halves(area_of(previous_cut_, next_, previous_), previous_,
+                                area_of(previous_cut_, next_cut_, next_), next_cut_, previous_cut_ + next_);
     if (one.area > 0 && other.area > 0)
       visit(0.5 * (one.area + other.area), Vec3(0.5 * k_third * (one.triple + other.triple)), normal);
   }
 
  private:
   /// Two triangles on one diagonal: their area and three times their centroid.
-  struct Part {
+  struct Halves {
     double area;
     Vec3 triple;
   };
-  static Part halves(double first, const Vec3& first_corner, double second, const Vec3& second_corner,
-                     const Vec3& diagonal) {
+  static Halves halves(double first, const Vec3& first_corner, double second, const Vec3& second_corner,
+                       const Vec3& diagonal) {
     const double area = first + second;
     return {area, diagonal + first / area * first_corner + second / area * second_corner};
   }

@@ -9,6 +9,7 @@ namespace nilas {
 
 namespace {
 
+/// In the order of its terms; as cheap as can be.
 class PlainVectorSum {
  public:
   void add(const Vec3& x) { sum_ += x; }

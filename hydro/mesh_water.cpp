@@ -14,10 +14,7 @@ MeshWater::MeshWater(TriangleMesh mesh) : mesh_(std::move(mesh)), height_(mesh_.
   constexpr double k_third = 1.0 / 3.0;  // centroid of a triangle
   faces_.reserve(mesh_.triangles.size());
   for (auto& triangle : mesh_.triangles) {
-    const auto before = [&](int v, int w) {
-      return comes_before(mesh_.vertices[static_cast<std::size_t>(v)], mesh_.vertices[static_cast<std::size_t>(w)]);
-    };
-    std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end(), before), triangle.end());
+    triangle = from_first(triangle, mesh_.vertices);
     const auto& [i, j, k] = triangle;
     const Vec3& a = mesh_.vertices[static_cast<std::size_t>(i)];
     const Vec3& b = mesh_.vertices[static_cast<std::size_t>(j)];

@@ -7,10 +7,11 @@
 namespace nilas {
 
 /// Area and centroid of the part of a counter-clockwise polygon at heights < 0 (Sutherland and Hodgman 1974 against one
-/// plane). Concave polygons are exact too: the bridges along the water line between separate wet parts enclose nothing.
+/// plane): all corners, then close(), then the results. Concave polygons are exact too: the bridges along the water
+/// line between separate wet parts enclose nothing.
 class WetPolygon {
  public:
-  /// `reference`: a point in or near the wet part, from which no digits are lost. `last`: the corner before the first
+  /// `reference`: a point in or near the wet part, so that no digits are lost. `last`: the corner before the first
   /// one.
   WetPolygon(const Vec2& reference, const Vec2& last, double last_height)
       : reference_(reference), corner_(last), height_(last_height) {}

@@ -52,7 +52,7 @@ class PrismWater {
   enum class Cut { dry, submerged, sides_only, caps };
 
   Cut cut(const WaterPlane& plane) const;
-  /// A point of the surface as deep as any: the deepest vertex, or the middle of all that are.
+  /// A point as deep as any: the deepest vertex, or the middle of all that are.
   Vec3 deepest_point(const WaterPlane& plane) const;
   Submerged between_caps(const WaterPlane& plane) const;
   template <class Visit>

@@ -153,16 +153,22 @@ void cut_by_side(const Cutter& cutter, int side, const Side& line, double tolera
 }
 
 /// Of corners closer than the tolerance, which an area thinner than that has, one stays: rather a vertex than a
-/// crossing, otherwise the first in an order that a mirrored pair shares.
+/// crossing, otherwise the first in an order that a mirrored pair shares. The last in that order goes first, so the way
+/// round does not show.
 void drop_coincident(double tolerance, std::vector<Corner>& corners) {
   const auto rank = [](const Corner& c) { return std::tuple(c.feature.kind, c.u, std::abs(c.v), c.v); };
-  for (std::size_t i = 0; i < corners.size();) {
-    const std::size_t next = (i + 1) % corners.size();
-    const Corner &p = corners[i], &q = corners[next];
-    if (next == i || std::abs(p.u - q.u) + std::abs(p.v - q.v) > tolerance)
-      ++i;
-    else
-      corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(rank(p) < rank(q) ? next : i));
+  const auto meets_next = [&](std::size_t i) {
+    const Corner &p = corners[i], &q = corners[(i + 1) % corners.size()];
+    return std::abs(p.u - q.u) + std::abs(p.v - q.v) <= tolerance;
+  };
+  while (corners.size() > 1) {
+    std::size_t last = corners.size();
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      if (meets_next(i))
+        for (const std::size_t k : {i, (i + 1) % corners.size()})
+          if (last == corners.size() || rank(corners[last]) < rank(corners[k])) last = k;
+    if (last == corners.size()) return;
+    corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(last));
   }
 }
 

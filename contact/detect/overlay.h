@@ -52,7 +52,8 @@ struct ClipBuffers {
 };
 
 /// Appends to `points` the corners of the common area. `a_is_window` tells which loop cuts the other; the one seen more
-/// from the front should. Corners within `tolerance` [m] of a side of the window count as lying on it.
+/// from the front should. Corners within `tolerance` [m] of a side of the window count as lying on it, and of corners
+/// that close to each other one is kept.
 void clip(const SurfaceLoop& loop_a, const SurfaceLoop& loop_b, bool a_is_window, double tolerance,
           ClipBuffers& buffers, std::vector<OverlayPoint>& points);
 

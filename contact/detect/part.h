@@ -16,10 +16,10 @@ enum class PartKind { polytope, cylinder, sphere, plane };
 
 /// Edge of a polytope with the faces on its two sides.
 struct PartEdge {
-  int v0 = 0, v1 = 0;  ///< in an order that a mirrored part shares, whatever the numbers of its vertices
+  int v0 = 0, v1 = 0;  ///< in an order that a mirrored part shares, but for an edge that is its own image
   int f0 = 0, f1 = 0;
   Vec3 along = Vec3::Zero();   ///< from v0 to v1 [m]
-  Vec3 middle = Vec3::Zero();  ///< [m]
+  Vec3 middle = Vec3::Zero();  ///< of the edge, the same bits from either end [m]
   Vec3 arc = Vec3::Zero();     ///< normal of f1 x normal of f0, across the plane of the edge's normals
 };
 

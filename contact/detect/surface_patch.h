@@ -12,8 +12,9 @@ struct ContactPlane {
   Vec3 n = Vec3::UnitX(), t1 = Vec3::UnitY(), t2 = Vec3::UnitZ();
 };
 
-/// t1 lies in A's xz plane, or along x for normals near y: what is its own image in that plane, as ships are, shows a
-/// surface symmetric about t1. A pair mirrored in y = 0 has the mirrored t1 and the opposite t2.
+/// t1 is A's z axis, or its x axis for normals near z, as far as it lies in the plane: what is its own image in A's xz
+/// plane, as ships are, shows a surface symmetric about t1. A pair mirrored in y = 0 has the mirrored t1 and the
+/// opposite t2.
 ContactPlane contact_plane(const Vec3& n);
 
 /// Flat pieces of one part's surface; storage is kept between uses.

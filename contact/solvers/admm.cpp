@@ -92,8 +92,8 @@ class Alternation {
     const bool slow = settings_.least_fall > 0 && !(map <= settings_.least_fall * map_before_last_);
     map_before_last_ = last_map_;
     last_map_ = map;
-    if (settings_.shared.tolerance <= 0) return;
     if (slow) out_.status = SolveStatus::stalled;
+    if (settings_.shared.tolerance <= 0) return;
     if (out_.iterations - fallen_iteration_ >= settings_.stall_iterations) out_.status = SolveStatus::stalled;
     if (best_map_ <= settings_.shared.tolerance) out_.status = SolveStatus::converged;
   }

@@ -53,13 +53,15 @@ class Log {
   std::vector<Use> uses_;
 };
 
-/// What admm and ipm know.
-bool is_cone(Law law) { return law == Law::coulomb || law == Law::ccp || law == Law::frictionless; }
+bool known_to_admm_and_ipm(Law law) { return law == Law::coulomb || law == Law::ccp || law == Law::frictionless; }
 
 /// What a climb starts from: no impulses at all, or a guess from outside, and whether the first sweeps are behind it.
 struct Start {
   bool cold = true, swept = false;
 };
+
+/// Zeros tell nothing: a scene's first step guesses them.
+bool is_cold(const VecX& guess) { return guess.size() == 0 || guess.isZero(0); }
 
 /// One island on its way up.
 class Climb {
@@ -71,15 +73,15 @@ class Climb {
     best_.r = guess.size() > 0 ? guess : VecX(VecX::Zero(island_.q.size()));
     best_.status = SolveStatus::iteration_limit;
     best_map_ = measure(island_, best_.r).law_map_m_s;
-    const bool warm = guess.size() > 0 && !start.swept;
+    const bool warm = !start.cold && !start.swept;
     if (best_map_ <= settings_.shared.tolerance) best_.status = SolveStatus::converged;
     if (!start.swept && goes_on()) sweep("nsgs", settings_.first_sweeps);
-    if (start.cold && is_cone(island_.law) && goes_on() && is_stiff()) alternate();
+    if (start.cold && known_to_admm_and_ipm(island_.law) && goes_on() && is_stiff()) alternate();
     if (goes_on()) newton("newton", warm ? k_warm_weight : k_cold_weight, settings_.first_factorisations);
     if (goes_on()) sweep("more nsgs", settings_.more_sweeps);
     if (goes_on()) newton("wary newton", k_wary_weight, settings_.more_factorisations);
     if (goes_on() && island_.law != Law::frictionless) follow_friction();
-    if (goes_on() && is_cone(island_.law)) {
+    if (goes_on() && known_to_admm_and_ipm(island_.law)) {
       interior_point();
       if (goes_on()) newton("last newton", k_cold_weight, settings_.first_factorisations);
     }
@@ -108,7 +110,7 @@ class Climb {
 
   void alternate() {
     AdmmSettings settings{.shared = stage(settings_.shared.max_iterations)};
-    settings.first_exponent = 0;  // a high penalty suits what sticks
+    settings.first_exponent = 0;  // what sticks wants a lower penalty than admm starts with by itself
     settings.least_fall = settings_.stiff_least_fall;
     take("admm", "iterations", AdmmSolver(settings).solve(island_, {}));
   }
@@ -178,8 +180,8 @@ std::vector<std::vector<int>> unsolved(const ContactProblem& problem, const VecX
   return islands;
 }
 
-/// Climbs for an island whose W is too large to be formed: more sweeps, then the projected gradient where it knows the
-/// law, each with half of the iterations. The better impulses go into `whole.r`, iterations into `whole`.
+/// Climbs for an island whose W is too large to be formed or factorised: more sweeps, then the projected gradient where
+/// it knows the law, each with half of the iterations. The better impulses go into `whole.r`, iterations into `whole`.
 SolveStatus solve_without_w(const ContactProblem& problem, const std::vector<int>& island, const AutoSettings& settings,
                             Log& log, ContactSolution& whole) {
   const ContactProblem part = select(problem, island);
@@ -219,7 +221,7 @@ ContactSolution AutoSolver::solve(const LocalProblem& problem, const VecX& guess
   running.shared = settings_.shared.started();
   Log log;
   ContactSolution solution = solve_islands(problem, guess, [&](const LocalProblem& island, const VecX& start) {
-    return Climb(island, running, log).run(start, {guess.size() == 0, false});
+    return Climb(island, running, log).run(start, {is_cold(guess), false});
   });
   describe(log, solution);
   return solution;
@@ -240,7 +242,7 @@ ContactSolution AutoSolver::solve(const ContactProblem& problem, const VecX& gue
     const int all = sweeps.max_iterations;
     sweeps.max_iterations = std::min(settings_.first_sweeps, all);
     // half of the iterations is left for the next rungs
-    if (guess.size() > 0)
+    if (!is_cold(guess))
       sweeps.max_iterations = std::max(sweeps.max_iterations, std::min(settings_.warm_sweeps, all / 2));
   }
   ContactSolution swept = NsgsSolver({.shared = sweeps}).solve(problem, guess);
@@ -260,7 +262,7 @@ ContactSolution AutoSolver::solve(const ContactProblem& problem, const VecX& gue
   islands.erase(first_large, islands.end());
   ContactSolution solution =
       solve_islands(problem, islands, swept.r, [&](const LocalProblem& island, const VecX& start) {
-        return Climb(island, running, log).run(start, {guess.size() == 0, true});
+        return Climb(island, running, log).run(start, {is_cold(guess), true});
       });
   solution.iterations += swept.iterations;
   solution.status = worse(solution.status, large);

@@ -56,8 +56,8 @@ ColumnLists given_upper(const std::vector<int>& row_start, const std::vector<int
   });
 }
 
-/// upper[k] = neighbours of k that come later, and those of every row whose first later neighbour is k. False when that
-/// are more than `most` in all; then the lists are not complete.
+/// upper[k] = neighbours of k that come later, and those of every row whose first later neighbour is k. False when
+/// these are more than `most` in all; then the lists are not complete.
 bool find_fill(const ColumnLists& given, std::size_t most, BlockFill& fill) {
   const int n = fill.size();
   std::vector<int> first_child(at(n), -1), sibling(at(n), -1), seen(at(n), -1);

@@ -3,6 +3,7 @@
 /// is made symmetric. The last rows, where fill leaves few zeros, form one dense matrix: in three-dimensional packings
 /// most of the work lies there. Sources: Liu 1990 (elimination trees); Amestoy, Davis, Duff 1996 (approximate minimum
 /// degree, Eigen's code).
+#include <cstddef>
 #include <span>
 #include <vector>
 

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "core/base/error.h"
+#include "core/base/mirror_order.h"
 #include "core/base/order_free_sum.h"
 
 namespace nilas {
@@ -23,15 +24,17 @@ VolumeMoments moments_about(const TriangleMesh& mesh, const Vec3& reference) {
   constexpr double k_volume = 1.0 / 6.0, k_first = 1.0 / 4.0, k_second = 1.0 / 20.0;
   OrderFreeSum volume;
   OrderFreeVectorSum first, second_x, second_y, second_z;
-  for (const auto& t : mesh.triangles) {
+  for (const auto& triangle : mesh.triangles) {
+    const auto t = from_first(triangle, mesh.vertices);
     const auto corner = [&](std::size_t k) -> Vec3 {
       return mesh.vertices[static_cast<std::size_t>(t[k])] - reference;
     };
-    const Vec3 a = corner(0), b = corner(1), c = corner(2), s = a + b + c;
+    const Vec3 a = corner(0), b = corner(1), c = corner(2), s = a + (b + c);
     const double v = k_volume * a.dot(b.cross(c));
     volume.add(v);
     first.add(k_first * v * s);
-    const Mat3 second = k_second * v * (s * s.transpose() + a * a.transpose() + b * b.transpose() + c * c.transpose());
+    const Mat3 second =
+        k_second * v * ((s * s.transpose() + a * a.transpose()) + (b * b.transpose() + c * c.transpose()));
     second_x.add(second.col(0));
     second_y.add(second.col(1));
     second_z.add(second.col(2));
@@ -126,8 +129,13 @@ MassProperties cylinder_properties(double radius, double height, double mass) {
 
 MassProperties mesh_properties(const TriangleMesh& mesh, double density) {
   NILAS_DEMAND(!mesh.triangles.empty() && density > 0);
-  // first about a vertex, then about the centroid found, so that a far-off mesh loses no digits
-  const Vec3 near = mesh.vertices.front();
+  // first about the middle of the bounding box, then about the centroid found, so that a far-off mesh loses no digits
+  Vec3 low = mesh.vertices.front(), high = low;
+  for (const Vec3& x : mesh.vertices) {
+    low = low.cwiseMin(x);
+    high = high.cwiseMax(x);
+  }
+  const Vec3 near = 0.5 * (low + high);
   const VolumeMoments rough = moments_about(mesh, near);
   NILAS_DEMAND(rough.volume > 0);
   const Vec3 reference = near + rough.first / rough.volume;

@@ -30,7 +30,7 @@ constexpr double k_growth = 0.002;      ///< of the scale per pass
 constexpr int k_settling_passes = 150;  ///< at full size
 
 constexpr int k_exchange_rounds = 250;         ///< of shaking, exchanging places and relaxing
-constexpr int k_exchanges = 3;                 ///< runs of so many rounds, each shaken anew
+constexpr int k_exchange_runs = 3;             ///< of so many rounds, each shaken anew
 constexpr int k_exchange_rounds_polygon = 20;  ///< before outlines are fitted
 constexpr int k_passes_per_round = 20;
 constexpr int k_trials_per_floe = 20;
@@ -113,9 +113,13 @@ class Packing {
   bool pack() {
     if (grow()) return true;
     if (spec_.shape == FloeShape::polygon) return exchange(k_exchange_rounds_polygon) || fit();
-    for (int run = 0; run < k_exchanges; ++run)
-      if (exchange(k_exchange_rounds)) return true;
+    for (int run = 0; run < k_exchange_runs; ++run)
+      if (exchange(k_exchange_rounds) || overlaps_are_tolerated()) return true;
     return false;
+  }
+
+  bool overlaps_are_tolerated() const {
+    return deepest_overlap(floes_, bounds_) <= spec_.overlap_tolerance * spec_.mean;
   }
 
   bool relax(double scale, int passes) {
@@ -164,7 +168,7 @@ class Packing {
 
   /// Overlaps within the spec's tolerance are left; else says what concentration the same floes, made smaller, reach.
   void accept_or_refuse() {
-    if (deepest_overlap(floes_, bounds_) <= spec_.overlap_tolerance * spec_.mean) return;
+    if (overlaps_are_tolerated()) return;
     const std::size_t wanted = floes_.size();
     do {
       for (LooseFloe& floe : floes_) floe = with_area(floe, k_shrink * floe.area);

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
+
+#include "core/base/random.h"
 
 namespace nilas {
 namespace {
@@ -123,6 +126,42 @@ TEST(PositionCorrection, OrderFreeGivesTheSameMotionInAnyOrder) {
   friction.add("*", "*", {0.3, 0.3, 0});
   row.contacts = assemble(row.bodies, Wrenches(row.bodies.id.size()), row.points, friction, {.h = k_step}, {});
   EXPECT_EQ(row.speeds(), one);
+}
+
+/// One cube pressed from five sides: the sums over its contacts are what the order could show in.
+TEST(PositionCorrection, OrderFreeSumsManyContactsOfOneBody) {
+  Row row({});
+  row.add(2, Motion::free);
+  RandomStream random(8, "sides");
+  for (int k = 0; k < 7; ++k) {
+    ContactPoint c;
+    c.a = 0;
+    c.b = 1;
+    c.p = Vec3(2, 0, 0) + 0.5 * Vec3(random.normal(), random.normal(), random.normal());
+    c.n = Vec3(1, 0.3 * random.normal(), 0.3 * random.normal()).normalized();
+    c.gap = -random.uniform(0.002, 0.02);
+    c.key = static_cast<std::uint64_t>(k) + 1;
+    row.points.push_back(c);
+  }
+  row.settings.tolerance = 1e-9;
+  row.settings.order_free = true;
+  FrictionTable friction;
+  friction.add("*", "*", {0.3, 0.3, 0});
+  const auto correct = [&] {
+    row.contacts = assemble(row.bodies, Wrenches(row.bodies.id.size()), row.points, friction, {.h = k_step}, {});
+    const PositionCorrection out = position_correction(row.contacts, row.points, row.settings);
+    EXPECT_TRUE(out.converged);
+    return out.v;
+  };
+  const VecX first = correct();
+  EXPECT_GT(first.norm(), 0.01);
+  for (int k = 0; k < 6; ++k) {
+    std::rotate(row.points.begin(), row.points.begin() + 1 + k % 3, row.points.end());
+    EXPECT_EQ(correct(), first);
+  }
+  row.points[3].gap = std::numeric_limits<double>::quiet_NaN();
+  row.contacts = assemble(row.bodies, Wrenches(row.bodies.id.size()), row.points, friction, {.h = k_step}, {});
+  EXPECT_FALSE(position_correction(row.contacts, row.points, row.settings).converged);
 }
 
 TEST(PositionCorrection, IslandsWithoutDepthStayStill) {

@@ -16,8 +16,16 @@ Vec3 mirrored_axial(const Vec3& x) { return {-x.x(), x.y(), -x.z()}; }
 Quat mirrored(const Quat& q) { return {q.w(), -q.x(), q.y(), -q.z()}; }
 
 TriangleMesh mirrored(TriangleMesh mesh) {
+  // turned over, the vertices numbered backwards, and every triangle begun at another corner
   for (auto& x : mesh.vertices) x.y() = -x.y();
-  for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+  std::reverse(mesh.vertices.begin(), mesh.vertices.end());
+  const int last = static_cast<int>(mesh.vertices.size()) - 1;
+  std::size_t k = 0;
+  for (auto& t : mesh.triangles) {
+    t = {last - t[0], last - t[2], last - t[1]};
+    std::rotate(t.begin(), t.begin() + k++ % 3, t.end());
+  }
+  std::reverse(mesh.triangles.begin(), mesh.triangles.end());
   return mesh;
 }
 

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "contact/fclib_io.h"
+#include "tests/support/cone_problems.h"
 #include "tests/support/problem_factory.h"
 
 namespace nilas {
@@ -34,6 +35,18 @@ TEST(Auto, SaysWhatItUsed) {
   EXPECT_NE(solution.message.find("nsgs 20 sweeps"), std::string::npos) << solution.message;
   EXPECT_NE(solution.message.find("newton"), std::string::npos) << solution.message;
   EXPECT_EQ(solve(test::raft(6, 0.3, 1, 1), solution.r).message, "guess");
+}
+
+/// Sweeps hardly move tall stacks. Where two iterations do not help newton goes on. A guess of zeros tells nothing.
+TEST(Auto, TakesAdmmForStiffStacksFromCold) {
+  const ContactProblem stack = test::box_stack(std::vector<double>(12, 5.0), 0.4);
+  const ContactSolution cold = solve(stack);
+  EXPECT_EQ(cold.status, SolveStatus::converged);
+  EXPECT_NE(cold.message.find("admm"), std::string::npos) << cold.message;
+  EXPECT_EQ(cold.message.find("newton"), std::string::npos) << cold.message;
+  EXPECT_EQ(solve(stack, VecX::Zero(cold.r.size())).message, cold.message);
+  const ContactSolution raft = solve(test::raft(6, 0.3, 1, 1));
+  EXPECT_NE(raft.message.find("admm 2 iterations, newton"), std::string::npos) << raft.message;
 }
 
 TEST(Auto, StartsFromItsOwnSolutionWithoutAnIteration) {

@@ -22,6 +22,28 @@ void expect_equal(const MassProperties& a, const MassProperties& b, double share
   EXPECT_LE((a.inertia - b.inertia).norm(), share * b.inertia.norm()) << a.inertia << "\n\n" << b.inertia;
 }
 
+/// A renumbered mirror image, begun at other corners, of a lopsided tetrahedron far from the origin.
+TEST(MeshProperties, HaveMirroredBitsForMirroredMeshes) {
+  RandomStream random(6, "mesh");
+  for (int k = 0; k < 100; ++k) {
+    TriangleMesh mesh;
+    for (int i = 0; i < 4; ++i)
+      mesh.vertices.push_back(Vec3(3, 5, -2) + Vec3(random.normal(), random.normal(), random.normal()));
+    mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+    const Vec3 a = mesh.vertices[1] - mesh.vertices[0], b = mesh.vertices[2] - mesh.vertices[0];
+    if (a.cross(b).dot(mesh.vertices[3] - mesh.vertices[0]) < 0) std::swap(mesh.vertices[1], mesh.vertices[2]);
+    TriangleMesh image;
+    for (const Vec3& x : mesh.vertices) image.vertices.insert(image.vertices.begin(), Vec3(x.x(), -x.y(), x.z()));
+    for (const auto& t : mesh.triangles)
+      image.triangles.insert(image.triangles.begin(), {3 - t[1], 3 - t[0], 3 - t[2]});
+    const MassProperties one = mesh_properties(mesh, 900), two = mesh_properties(image, 900);
+    EXPECT_EQ(one.mass, two.mass);
+    EXPECT_EQ(one.com, Vec3(two.com.x(), -two.com.y(), two.com.z()));
+    const Vec3 signs(1, -1, 1);
+    EXPECT_EQ(one.inertia, Mat3(signs.asDiagonal() * two.inertia * signs.asDiagonal()));
+  }
+}
+
 /// The outline's first corner, and a mirror, which runs it the other way round, do not show in the bits.
 TEST(PolygonMoments, HaveMirroredBitsForMirroredOutlines) {
   RandomStream random(4, "moments");
