@@ -29,7 +29,7 @@ struct ContactScene {
   double tolerance = 1e-6;  ///< law_map_m_s; 0: always max_iterations sweeps
   int max_iterations = 1000;
   std::string on_failure = "record";
-  std::string integrator = "moreau";
+  std::string integrator = "semi-implicit-euler";
   double theta = 0.5;
   std::string stabilisation = "projection";
   double erp = 0.2;        ///< share of the penetration removed per step

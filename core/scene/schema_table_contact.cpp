@@ -53,15 +53,16 @@ static std::vector<AttributeSpec> time_stepping() {
       {.name = "integrator",
        .type = ValueType::choice,
        .choices = {"moreau", "semi-implicit-euler"},
-       .default_value = "moreau",
-       .not_built = {"moreau"},
-       .fallback = "semi-implicit-euler",
-       .doc = "How velocities and positions advance."},
+       .default_value = "semi-implicit-euler",
+       .doc = "How velocities and positions advance: impulses in the middle of the motion (moreau; not yet with a "
+              "vessel) or "
+              "before it."},
       {.name = "theta",
        .range = within(0, 1),
        .default_value = "0.5",
        .applies = {"integrator", {"moreau"}},
-       .doc = "Weight of the step's end in the theta method."},
+       .doc =
+           "Share of the step's motion that follows the impulses; 0.5 is of second order and keeps energies bounded."},
       {.name = "gyroscopic",
        .type = ValueType::boolean,
        .default_value = "true",

@@ -72,6 +72,9 @@ ContactModel build_contact_model(const ContactScene& contact, double h, int thre
   model.tolerance = contact.tolerance;
   model.fixed_sweeps = contact.tolerance == 0;
   if (model.fixed_sweeps) model.correction.max_sweeps = std::min(model.correction.max_sweeps, contact.max_iterations);
+  if (contact.integrator == "moreau") model.theta = contact.theta;
+  model.hit_when_met = model.theta < 1 && std::any_of(contact.friction.begin(), contact.friction.end(),
+                                                      [](const FrictionScene& pair) { return pair.restitution > 0; });
   model.warm_start = contact.warm_start;
   model.stop_on_failure = contact.on_failure == "stop" && !model.fixed_sweeps;  // they promise nothing
   model.margin = contact.margin;

@@ -20,6 +20,8 @@ struct ContactModel {
   std::unique_ptr<ContactSolver> solver;          ///< with on_failure="retry" followed by auto
   std::optional<StaticFriction> static_friction;  ///< where some pair's static coefficient is above its kinetic one
   PositionStep position_step = PositionStep::none;
+  double theta = 1;           ///< share of the step's motion that follows the impulses
+  bool hit_when_met = false;  ///< what can bounce is no contact before it touches
   bool warm_start = true;
   bool stop_on_failure = false;
   double tolerance = 0;       ///< of the solver, on law_map_m_s [m/s]

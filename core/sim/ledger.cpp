@@ -37,6 +37,8 @@ EnergyAccount::EnergyAccount(const std::vector<std::string>& work_names, double 
   ledger_.potential = potential;
 }
 
+void EnergyAccount::motion_before_impulses(double kinetic) { ledger_.integrator -= kinetic - ledger_.kinetic; }
+
 void EnergyAccount::velocity_step(const Bodies& bodies, const StepMotion& motion, const StepLoads& loads,
                                   const VesselAccount& vessel) {
   conservative_work_ = work(bodies, motion, *loads.gravity);

@@ -27,6 +27,8 @@ class EnergyAccount {
  public:
   EnergyAccount(const std::vector<std::string>& work_names, double kinetic, double potential);
 
+  /// Books what the motion before the impulses did to the kinetic energy, now `kinetic`.
+  void motion_before_impulses(double kinetic);
   /// Books the works and losses of a velocity step.
   void velocity_step(const Bodies& bodies, const StepMotion& motion, const StepLoads& loads,
                      const VesselAccount& vessel);

@@ -56,9 +56,11 @@ struct Simulation::World {
   double potential();
   double time() const { return start + static_cast<double>(steps) * h; }
 
+  void move_before_impulses();
   const Wrenches& evaluate_loads();
   std::vector<ArticulatedBlock> begin_vessel(const Wrenches& free);
   std::vector<ContactPoint> find_contacts();
+  bool will_bounce(const ContactPoint& c);
   StepMotion velocity_step(const AssembledContacts& contacts, const ContactSolution& solution, const Wrenches& free,
                            std::vector<ContactPoint> points);
   void advance_poses(StepMotion& motion);
@@ -96,11 +98,17 @@ double Simulation::World::potential() {
   return sum;
 }
 
+void Simulation::World::move_before_impulses() {
+  if (model.theta == 1) return;
+  advance(parts.bodies, {parts.bodies.v_GB, parts.bodies.w_GB}, (1 - model.theta) * h, gyroscopic, threads);
+  energy.motion_before_impulses(kinetic_energy(parts.bodies));
+}
+
 const Wrenches& Simulation::World::evaluate_loads() {
   free_loads = weight;
   for (std::size_t k = 0; k < parts.modules.size(); ++k) {
     std::fill(module_loads[k].begin(), module_loads[k].end(), Wrench{});
-    parts.modules[k]->add_forces(parts.bodies, time(), module_loads[k]);
+    parts.modules[k]->add_forces(parts.bodies, time() + (1 - model.theta) * h, module_loads[k]);
     for (std::size_t b = 0; b < size(); ++b) free_loads[b] += module_loads[k][b];
   }
   for (std::size_t b = 0; b < size(); ++b)
@@ -117,8 +125,20 @@ std::vector<ArticulatedBlock> Simulation::World::begin_vessel(const Wrenches& fr
 }
 
 std::vector<ContactPoint> Simulation::World::find_contacts() {
-  if (model.margin > 0) return detector.detect(parts.bodies, model.margin);
-  return detector.detect(parts.bodies, own_reach(parts.bodies, free_loads, h, k_reach_share));
+  auto points = model.margin > 0 ? detector.detect(parts.bodies, model.margin)
+                                 : detector.detect(parts.bodies, own_reach(parts.bodies, free_loads, h, k_reach_share));
+  // in the middle of the motion what bounces is hit when it is met: then a bounce is its own image in time
+  if (model.hit_when_met) std::erase_if(points, [&](const ContactPoint& c) { return c.gap > 0 && will_bounce(c); });
+  return points;
+}
+
+/// As assemble() judges it: slower approach than the threshold ends a series of bounces.
+bool Simulation::World::will_bounce(const ContactPoint& c) {
+  const double before = c.n.dot(parts.bodies.velocity_at(c.b, c.p) - parts.bodies.velocity_at(c.a, c.p));
+  if (before >= -model.assembly.restitution_threshold) return false;
+  const auto& material = parts.bodies.material;
+  return parts.friction.find(material[static_cast<std::size_t>(c.a)], material[static_cast<std::size_t>(c.b)])
+             .restitution > 0;
 }
 
 static void add_couples(const AssembledContacts& contacts, const ContactSolution& solution, StepMotion& motion) {
@@ -163,7 +183,7 @@ void Simulation::World::copy_vessel_state() {
 }
 
 void Simulation::World::advance_poses(StepMotion& motion) {
-  advance(parts.bodies, motion.after, h, gyroscopic, threads);
+  advance(parts.bodies, motion.after, model.theta * h, gyroscopic, threads);
   if (!parts.vessel || parts.vessel->fixed()) return;
   parts.vessel->finish(contact_impulse_on(motion, parts.vessel_index));
   const Vec6 twist = parts.vessel->velocity_after_impulses();
@@ -294,7 +314,8 @@ StepRecord Simulation::step() {
   StepRecord record;
   Stopwatch watch(record.ms);
 
-  // loads other than contact, at the start pose
+  // what moves before the impulses (moreau), then loads other than contact, at that pose
+  world.move_before_impulses();
   const Wrenches& free = world.evaluate_loads();
   watch.lap(Phase::hydro);
 

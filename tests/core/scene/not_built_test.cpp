@@ -19,8 +19,7 @@ TEST(NotBuilt, EachIsRefusedWithItsPlace) {
   folder.write("file", "");
   const std::string vessel = "<vessel><hull/><mass value='1'/>", field = "<ice><field region='0 0 1 1' ";
   const std::vector<NotBuilt> cases{
-      {"<contact integrator='moreau'/>", "<contact integrator>"},
-      {"<contact preset='seed-2014' integrator='moreau'/>", "<contact integrator>"},
+      {"<contact preset='seed-2014' detection='continuous'/>", "<contact detection>"},
       {"<contact detection='speculative'/>", "<contact detection>"},
       {"<contact detection='continuous'/>", "<contact detection>"},
       {"<water><current profile='file'/></water>", "<water><current profile>"},
@@ -48,8 +47,8 @@ TEST(NotBuilt, EachIsRefusedWithItsPlace) {
 TEST(NotBuilt, TheMessageSaysWhatToDo) {
   const SceneFolder folder;
   expect_fault(folder.faults(in_scene("<water><waves/></water>")), 2, "<water><waves>", {"remove the element"});
-  expect_fault(folder.faults(in_scene("<contact integrator='moreau'/>")), 2, "<contact integrator>",
-               {"built: semi-implicit-euler"});
+  expect_fault(folder.faults(in_scene("<contact detection='speculative'/>")), 2, "<contact detection>",
+               {"built: discrete"});
   expect_fault(folder.faults(in_scene("<output checkpoint_every='10'/>")), 2, "<output checkpoint_every>",
                {"remove the attribute or give 0"});
 }

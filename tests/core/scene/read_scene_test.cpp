@@ -196,7 +196,6 @@ TEST(ReadScene, DefaultsWithoutAModelFallBackAndSaySo) {
   EXPECT_EQ(scene.contact.detection, "discrete");
   EXPECT_EQ(scene.output.contacts, "none");
   const std::vector<std::string> expected{
-      "<contact integrator>: the default 'moreau' is not built in this version; 'semi-implicit-euler' is used.",
       "<contact detection>: the default 'continuous' is not built in this version; 'discrete' is used.",
       "<output contacts>: the default 'hull' is not built in this version; 'none' is used."};
   EXPECT_EQ(scene.notes, expected);

@@ -18,14 +18,15 @@ constexpr double k_step = 0.01, k_gravity = 9.81, k_depth = 1e-3, k_mass = 3;
 /// A box of 0.4 m on the fixed ground z = 0, `depth` deep.
 struct BoxOnGround {
   BoxOnGround(const std::string& stabilisation, double depth)
-      : text(folder.write("scene.xml", "<scene version='1'><time step='0.01' end='1'/>"
-                                       "<contact law='coulomb' solver='newton' tolerance='1e-12' stabilisation='" +
-                                           stabilisation +
-                                           "'><friction between='* *' static='0.3' kinetic='0.3'/></contact>"
-                                           "<body name='ground' shape='box' size='4 4 1' mass='1' position='0 0 -0.5' "
-                                           "fixed='true'/><body name='box' shape='box' size='0.4 0.4 0.4' mass='3' "
-                                           "position='0 0 " +
-                                           std::to_string(0.2 - depth) + "'/></scene>")),
+      : text(folder.write("scene.xml",
+                          "<scene version='1'><time step='0.01' end='1'/>"
+                          "<contact law='coulomb' solver='newton' tolerance='1e-12' stabilisation='" +
+                              stabilisation +
+                              "'><friction between='* *' static='0.3' kinetic='0.3'/></contact>"
+                              "<body name='ground' shape='box' size='4 4 1' mass='1' position='0 0 -0.5' "
+                              "fixed='true'/><body name='box' shape='box' size='0.4 0.4 0.4' mass='3' "
+                              "position='0 0 " +
+                              std::to_string(0.2 - depth) + "'/></scene>")),
         simulation(read_scene(text), 1, warnings) {}
 
   StepRecord step() {

@@ -1,0 +1,144 @@
+/// The theta scheme on impulses: order, energy, bounces, and the accounts.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/scene/read_scene.h"
+#include "core/sim/simulation.h"
+#include "tests/support/scratch_folder.h"
+
+namespace {
+
+using namespace nilas;
+
+struct Rig {
+  explicit Rig(const std::string& body)
+      : file(folder.write("scene.xml", "<scene version='1'>" + body + "</scene>")),
+        simulation(read_scene(file), 1, warnings) {}
+  StepRecord step() {
+    const StepRecord record = simulation.step();
+    EXPECT_LE(record.momentum_imbalance, 1e-12 * record.momentum_scale + 1e-15);
+    EXPECT_LE(record.angular_momentum_imbalance, 1e-12 * record.angular_momentum_scale + 1e-15);
+    return record;
+  }
+  double height() const { return simulation.bodies().p_GB.back().z(); }
+
+  test::ScratchFolder folder;
+  std::filesystem::path file;
+  WarningCounts warnings{make_logger("off", "")};
+  Simulation simulation;
+};
+
+std::string contact(const std::string& integrator, double restitution) {
+  return "<contact law='coulomb' solver='newton' tolerance='1e-13' stabilisation='projection' integrator='" + integrator +
+         "'><friction between='* *' static='0.3' kinetic='0.3' restitution='" + std::to_string(restitution) +
+         "'/></contact>";
+}
+
+std::string time(double step) { return "<time step='" + std::to_string(step) + "' end='1000'/>"; }
+
+TEST(Moreau, FreeFallIsExact) {
+  Rig rig(time(0.01) + contact("moreau", 0) + "<body shape='sphere' radius='0.1' mass='1' position='0 0 5'/>");
+  double start = 0;
+  for (int k = 1; k <= 100; ++k) {
+    const StepRecord record = rig.step();
+    const double t = 0.01 * k;
+    EXPECT_NEAR(rig.height(), 5 - 0.5 * 9.81 * t * t, 1e-13);
+    const double energy = record.ledger.kinetic + record.ledger.potential;
+    if (k == 1) start = energy;
+    EXPECT_NEAR(energy, start, 1e-12);
+    EXPECT_NEAR(record.ledger.imbalance, 0, 1e-12);
+  }
+}
+
+/// A bounce with e = 1 is its own image in time, so no height is ever won or lost.
+TEST(Moreau, AnElasticBallKeepsItsHeight) {
+  Rig rig(time(0.01) + contact("moreau", 1) +
+          "<body shape='box' size='4 4 1' mass='1' position='0 0 -0.5' fixed='true'/>"
+          "<body shape='sphere' radius='0.1' mass='1' position='0 0 0.25'/>");
+  int bounces = 0;
+  double highest = 0, before = 0, worst = 0;
+  while (bounces < 1000) {
+    rig.simulation.step();
+    const double up = rig.simulation.bodies().v_GB[1].z();
+    highest = std::max(highest, rig.height());
+    if (up > 0 && before < 0) {
+      // the highest of the steps' ends, where the ball stands still or nearly so; the first falls from 0.25
+      if (++bounces > 1) worst = std::max(worst, std::abs(highest - 0.25));
+      highest = 0;
+    }
+    before = up;
+  }
+  EXPECT_LE(worst, 1e-10);
+}
+
+/// A box that bobs in water: the heave is of second order, its energy bounded; semi-implicit Euler is of first order.
+TEST(Moreau, ABobbingBoxConvergesInSecondOrder) {
+  const auto height = [](const std::string& integrator, double step) {
+    Rig rig(time(step) + contact(integrator, 0) +
+            "<water density='1000' level='0'/><hydro><buoyancy/></hydro>"
+            "<body shape='box' size='1 1 0.4' mass='200' position='0 0 0.05'/>");
+    StepRecord record;
+    for (int k = 0; k < static_cast<int>(std::lround(1.5 / step)); ++k) record = rig.step();
+    EXPECT_NEAR(record.ledger.imbalance, 0, 1e-9);
+    return rig.height();
+  };
+  // draught 0.2 m; heave about z = 0 with w^2 = g / 0.2 m while the waterplane is whole
+  const double exact = 0.05 * std::cos(std::sqrt(9.81 / 0.2) * 1.5);
+  double last = 0;
+  for (const double step : {0.02, 0.01, 0.005, 0.0025}) {
+    const double error = std::abs(height("moreau", step) - exact);
+    if (last > 0) { EXPECT_NEAR(std::log2(last / error), 2, 0.1) << step; }
+    last = error;
+  }
+  const double coarse = std::abs(height("semi-implicit-euler", 0.005) - exact);
+  const double fine = std::abs(height("semi-implicit-euler", 0.0025) - exact);
+  EXPECT_NEAR(std::log2(coarse / fine), 1, 0.2);
+  EXPECT_LT(last, 0.02 * fine);
+}
+
+TEST(Moreau, ABoxAtRestStaysAtRest) {
+  Rig rig(time(0.01) + contact("moreau", 0.5) +
+          "<body shape='box' size='4 4 1' mass='1' position='0 0 -0.5' fixed='true'/>"
+          "<body shape='box' size='0.4 0.4 0.4' mass='3' position='0 0 0.2'/>");
+  StepRecord record;
+  for (int k = 0; k < 2000; ++k) record = rig.step();
+  EXPECT_NEAR(rig.height(), 0.2, 1e-3 * 0.01);
+  EXPECT_NEAR(record.ledger.imbalance, 0, 1e-11);
+}
+
+TEST(Moreau, ATopKeepsItsEnergy) {
+  Rig rig(time(0.01) + "<gravity value='0 0 0'/>" + contact("moreau", 0) +
+          "<body shape='box' size='1 0.6 0.3' mass='2' position='0 0 0' angular_velocity='0.3 0.9 0.3'/>");
+  const double start = rig.step().ledger.kinetic;
+  StepRecord record;
+  for (int k = 0; k < 20000; ++k) record = rig.simulation.step();
+  EXPECT_NEAR(record.ledger.kinetic, start, 1e-12 * start);
+}
+
+/// Newton's law on all contacts of one instant: (-1/3, 2/3, 2/3) v.
+TEST(Moreau, ImpactsAtOnceObeyNewtonsLawTogether) {
+  const auto ball = [](const char* x, const char* v) {
+    return std::string("<body shape='sphere' radius='0.1' mass='2' position='") + x + " 0 0' velocity='" + v + " 0 0'/>";
+  };
+  Rig rig(time(0.01) + "<gravity value='0 0 0'/>" + contact("moreau", 1) + ball("-0.202", "1") + ball("0", "0") +
+          ball("0.2", "0"));
+  rig.step();
+  const auto& v = rig.simulation.bodies().v_GB;
+  EXPECT_NEAR(v[0].x(), -1.0 / 3, 1e-12);
+  EXPECT_NEAR(v[1].x(), 2.0 / 3, 1e-12);
+  EXPECT_NEAR(v[2].x(), 2.0 / 3, 1e-12);
+}
+
+TEST(Moreau, RefusesAVessel) {
+  const test::ScratchFolder folder;
+  const auto file = folder.write("scene.xml",
+                                 "<scene version='1'><contact integrator='moreau'/><vessel><hull/><mass value='100'/>"
+                                 "</vessel></scene>");
+  WarningCounts warnings{make_logger("off", "")};
+  EXPECT_THROW(Simulation(read_scene(file), 1, warnings), InputError);
+}
+
+}  // namespace
