@@ -66,7 +66,8 @@ const std::vector<SolverEntry>& solver_registry() {
        convex_sets, make_order_free, false, true},
       {"apgd",
        "Accelerated projected gradient with De Saxce's outer loop, one product with W per iteration, O(contacts); 100 "
-       "to 20000 iterations; for stacks, mass ratios and fields alike where 1e-8 m/s is enough.",
+       "to 20000 iterations; for mass ratios and fields where 1e-8 m/s is enough, may stall at 1e-5 m/s on tall "
+       "stacks.",
        convex_sets, make<ApgdSolver, ApgdSettings>},
       {"enumerate",
        "Tries every combination of open, sticking and slipping of up to 8 contacts, 3^n dense systems; an oracle to "

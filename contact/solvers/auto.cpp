@@ -104,7 +104,16 @@ class Climb {
     take(rung, "sweeps", NsgsSolver({.shared = stage(sweeps)}).solve(island_, best_.r));
   }
 
+  /// Sweeps hardly moved it, and much of it sticks already: what slips or opens keeps admm busy for long.
   bool is_stiff() const {
+    int sticking = 0;
+    for (int c = 0; c < island_.num_contacts(); ++c) {
+      const Vec3 r = best_.r.segment<3>(3 * static_cast<Eigen::Index>(c));
+      constexpr double k_inside = 0.99;  // of the cone
+      const double slip = k_inside * island_.mu[static_cast<std::size_t>(c)] * r[0];
+      if (r[0] > 0 && r.tail<2>().norm() < slip) ++sticking;
+    }
+    if (sticking < settings_.sticking_share * island_.num_contacts()) return false;
     return best_map_ > settings_.stiff_share * measure(island_, VecX::Zero(best_.r.size())).law_map_m_s;
   }
 

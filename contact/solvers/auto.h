@@ -5,8 +5,10 @@
 ///   1  nsgs, 20 sweeps: enough for loose contact, and the state of most contacts for the next rung. Problems with
 ///      bodies are swept on their velocities, without W; only what is left is reduced to W. With a guess 250 sweeps: a
 ///      jam that moved little since the last step then seldom needs a factorisation
-///   2  from cold, where those sweeps left more than a hundredth of the residual of no impulses, as they do of tall
-///      stacks: admm from no impulses, one factorisation, as long as two iterations leave less than a fifth
+///   2  from cold, where those sweeps left more than a hundredth of the residual of no impulses and three contacts in
+///   ten
+///      stick, as in tall stacks: admm from no impulses, one factorisation, as long as two iterations leave less than a
+///      fifth
 ///   3  newton with little proximal weight where a guess came in, with more from cold
 ///   4  nsgs, 500 sweeps from the best so far, then newton with more weight
 ///   5  continuation in friction (continuation.h), for laws with friction
@@ -28,7 +30,8 @@ struct AutoSettings {
   SolverSettings shared;  ///< max_iterations counts sweeps and factorisations of an island together
   int first_sweeps = 20;
   int warm_sweeps = 250;          ///< of rung 1 with bodies and a guess, at most half of all iterations
-  double stiff_share = 0.01;      ///< of the residual of no impulses: what sends an island to rung 2
+  double stiff_share = 0.01;      ///< of the residual of no impulses: more than this sends an island to rung 2 ...
+  double sticking_share = 0.3;    ///< ... where at least this share of its contacts sticks
   double stiff_least_fall = 0.2;  ///< AdmmSettings::least_fall there
   int more_sweeps = 500;
   int first_factorisations = 80;   ///< of newton in rung 3 and after ipm

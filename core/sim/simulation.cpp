@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "contact/assemble.h"
 #include "contact/detect/detector.h"
@@ -27,6 +28,19 @@ namespace {
 /// points of a floe faster than what hit it.
 constexpr double k_reach_share = 1.5;
 
+/// Per body; infinite for a half space [m].
+std::vector<double> smallest_widths(const Bodies& bodies) {
+  std::vector<double> widths;
+  for (const auto& shape : bodies.shape) {
+    double width = std::numeric_limits<double>::infinity();
+    for (const auto& part : shape->parts) width = std::min(width, part.smallest_width);
+    if (shape->radius > 0) width = 2 * shape->radius;
+    if (shape->half_height > 0) width = std::min(width, 2 * shape->half_height);
+    widths.push_back(width);
+  }
+  return widths;
+}
+
 }  // namespace
 
 struct Simulation::World {
@@ -46,6 +60,7 @@ struct Simulation::World {
                        scene.contact.stabilisation + ", detection " + scene.contact.detection + ", integrator " +
                        scene.contact.integrator + (model.static_friction ? ", static friction above kinetic" : ""));
     module_loads.resize(parts.modules.size(), Wrenches(size()));
+    if (model.hit_when_met) width = smallest_widths(parts.bodies);
     weight.resize(size());
     for (std::size_t b = 0; b < size(); ++b) weight[b].force = parts.bodies.mass[b] * gravity;
     energy = EnergyAccount(parts.info.work_names, kinetic_energy(parts.bodies), potential());
@@ -60,7 +75,7 @@ struct Simulation::World {
   const Wrenches& evaluate_loads();
   std::vector<ArticulatedBlock> begin_vessel(const Wrenches& free);
   std::vector<ContactPoint> find_contacts();
-  bool will_bounce(const ContactPoint& c);
+  bool will_bounce_when_met(const ContactPoint& c);
   StepMotion velocity_step(const AssembledContacts& contacts, const ContactSolution& solution, const Wrenches& free,
                            std::vector<ContactPoint> points);
   void advance_poses(StepMotion& motion);
@@ -86,6 +101,7 @@ struct Simulation::World {
   WarmStart warm;
   Wrenches weight, free_loads;
   std::vector<Wrenches> module_loads;
+  std::vector<double> width;  ///< smallest of each body, where the contact model needs it [m]
   EnergyAccount energy;
   SolvedProblem last;
   std::size_t pairs_named = 0;  ///< of the pairs without friction, already told
@@ -128,14 +144,19 @@ std::vector<ContactPoint> Simulation::World::find_contacts() {
   auto points = model.margin > 0 ? detector.detect(parts.bodies, model.margin)
                                  : detector.detect(parts.bodies, own_reach(parts.bodies, free_loads, h, k_reach_share));
   // in the middle of the motion what bounces is hit when it is met: then a bounce is its own image in time
-  if (model.hit_when_met) std::erase_if(points, [&](const ContactPoint& c) { return c.gap > 0 && will_bounce(c); });
+  if (model.hit_when_met)
+    std::erase_if(points, [&](const ContactPoint& c) { return c.gap > 0 && will_bounce_when_met(c); });
   return points;
 }
 
-/// As assemble() judges it: slower approach than the threshold ends a series of bounces.
-bool Simulation::World::will_bounce(const ContactPoint& c) {
+/// As assemble() judges it: slower approach than the threshold ends a series of bounces. What could be half through a
+/// body when it is met bounces at once.
+bool Simulation::World::will_bounce_when_met(const ContactPoint& c) {
   const double before = c.n.dot(parts.bodies.velocity_at(c.b, c.p) - parts.bodies.velocity_at(c.a, c.p));
   if (before >= -model.assembly.restitution_threshold) return false;
+  constexpr double k_deepest_share = 0.5;
+  const double thinner = std::min(width[static_cast<std::size_t>(c.a)], width[static_cast<std::size_t>(c.b)]);
+  if (-before * h > k_deepest_share * thinner) return false;
   const auto& material = parts.bodies.material;
   return parts.friction.find(material[static_cast<std::size_t>(c.a)], material[static_cast<std::size_t>(c.b)])
              .restitution > 0;
@@ -193,12 +214,21 @@ void Simulation::World::advance_poses(StepMotion& motion) {
   copy_vessel_state();
 }
 
+/// A point that was hit deep leaves as it came; lifted out as well, it would win height in every bounce.
+static void leave_to_their_motion(const StepMotion& motion, std::vector<ContactPoint>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double speed = points[i].n.dot(relative_velocity(motion, motion.after, i));
+    if (points[i].gap < 0 && speed * motion.h >= -points[i].gap) points[i].gap = 0;
+  }
+}
+
 Velocities Simulation::World::correct_positions(const StepMotion& motion, const AssembledContacts& contacts,
                                                 StepRecord& record) {
   if (model.position_step == PositionStep::none) return {};
   Velocities pseudo{std::vector<Vec3>(size(), Vec3::Zero()), std::vector<Vec3>(size(), Vec3::Zero())};
-  const std::vector<ContactPoint> points =
+  std::vector<ContactPoint> points =
       model.position_step == PositionStep::projection ? carried_points(motion, parts.bodies) : motion.points;
+  if (model.hit_when_met) leave_to_their_motion(motion, points);
   record.positions_corrected = correction_velocities(contacts, points, model.correction, pseudo.v, pseudo.w).converged;
   displace(parts.bodies, pseudo, h);
   return pseudo;

@@ -74,7 +74,7 @@ int main(int argc, char** argv) {
   for (const char* name : {"nsgs", "eg", "eg-order-free", "apgd"}) {
     VecX r[2];
     const Times times = compare(rounds, threads, [&](int n) {
-      const auto solver = find_solver(name).make({.tolerance = 1e-12, .max_iterations = 150, .threads = n});
+      const auto solver = find_solver(name).make({.tolerance = 1e-12, .max_iterations = 600, .threads = n});
       r[n > 1 ? 1 : 0] = solver->solve(problem, {}).r;
     });
     same = same && r[0] == r[1];

@@ -37,7 +37,7 @@ TEST(Auto, SaysWhatItUsed) {
   EXPECT_EQ(solve(test::raft(6, 0.3, 1, 1), solution.r).message, "guess");
 }
 
-/// Sweeps hardly move tall stacks. Where two iterations do not help newton goes on. A guess of zeros tells nothing.
+/// Sweeps hardly move tall stacks, where all sticks; most of a raft slips. A guess of zeros tells nothing.
 TEST(Auto, TakesAdmmForStiffStacksFromCold) {
   const ContactProblem stack = test::box_stack(std::vector<double>(12, 5.0), 0.4);
   const ContactSolution cold = solve(stack);
@@ -46,7 +46,7 @@ TEST(Auto, TakesAdmmForStiffStacksFromCold) {
   EXPECT_EQ(cold.message.find("newton"), std::string::npos) << cold.message;
   EXPECT_EQ(solve(stack, VecX::Zero(cold.r.size())).message, cold.message);
   const ContactSolution raft = solve(test::raft(6, 0.3, 1, 1));
-  EXPECT_NE(raft.message.find("admm 2 iterations, newton"), std::string::npos) << raft.message;
+  EXPECT_EQ(raft.message.find("admm"), std::string::npos) << raft.message;
 }
 
 TEST(Auto, StartsFromItsOwnSolutionWithoutAnIteration) {
