@@ -133,7 +133,8 @@ class Climb {
   void follow_friction() {
     NewtonSettings settings{.shared = stage(settings_.shared.max_iterations)};
     settings.max_factorisations = settings_.path_factorisations;
-    settings.shared.keep_history = false;  // of other problems than this one
+    settings.plunge = settings.fall = 0.1;  // the sphere pile is not found with a slower fall
+    settings.shared.keep_history = false;   // of other problems than this one
     take("friction continuation", "iterations", continue_in_friction(island_, settings));
   }
 

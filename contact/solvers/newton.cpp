@@ -14,8 +14,8 @@ namespace {
 /// The proximal weight stays between these; below the first it is lost in rounding beside W', whose diagonal is 1.
 constexpr double k_least_weight = 1e-13;
 constexpr double k_most_weight = 10;
-/// Factors of the weight after a good inner solve in very few or few steps, a middling and a failed one.
-constexpr double k_plunge = 0.01, k_fall = 0.3, k_rise = 3, k_retreat = 10;
+/// Factors of the weight after a middling and a failed inner solve.
+constexpr double k_rise = 3, k_retreat = 10;
 /// A good inner solve of more steps than these leaves the weight as it is.
 constexpr int k_very_quick_steps = 3, k_quick_steps = 8;
 /// |F| fallen to this share makes an inner solve good, to the second one middling.
@@ -82,7 +82,7 @@ class Island {
       r_ = r;
       const int taken = out_.iterations - steps_before;
       if (taken <= k_quick_steps)
-        weight_ = std::max((taken <= k_very_quick_steps ? k_plunge : k_fall) * weight_, k_least_weight);
+        weight_ = std::max((taken <= k_very_quick_steps ? settings_.plunge : settings_.fall) * weight_, k_least_weight);
     } else if (after <= k_middling * before) {
       r_ = r;
       weight_ *= k_rise;
