@@ -54,9 +54,9 @@ struct AssembledContacts {
 /// the gyroscopic effect enters. Fixed bodies have no velocity.
 ///
 /// Normal rows of w: gap/h for gap > 0, so that the gap may close but not be crossed; for penetration minus the speed
-/// that the stabilisation asks for. With
-/// restitution e > 0, for a point that is closed or would close within the step (u_N^- h < -gap) faster than the
-/// threshold, e u_N^- instead, u_N^- being the relative normal velocity before the step: then u_N^+ = -e u_N^-.
+/// that the stabilisation asks for. With restitution e > 0, for a point that is closed or would close within the step
+/// (u_N^- h < -gap) faster than the threshold, e u_N^- instead, u_N^- being the relative normal velocity before the
+/// step: then u_N^+ = -e u_N^-.
 /// Moments against rolling and spinning follow all points, in their order, for pairs that have them and laws with
 /// friction.
 /// All rows: what prescribed motion adds. Friction pairs come from `friction`, which remembers those it lacks.

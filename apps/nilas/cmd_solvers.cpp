@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/nilas/commands.h"
+#include "apps/nilas/help_text.h"
 #include "contact/registry.h"
 
 namespace nilas {
@@ -16,7 +17,10 @@ static int list_solvers(bool json) {
       names.push_back(to_string(law));
     }
     list.push_back({{"name", entry.name}, {"laws", names}, {"summary", entry.summary}});
-    if (!json) std::cout << entry.name << "\n  laws: " << laws << "\n  " << entry.summary << "\n";
+    constexpr std::size_t k_indent = 2;
+    if (!json)
+      std::cout << entry.name << "\n  " << wrapped("laws: " + laws, k_indent) << "\n  "
+                << wrapped(entry.summary, k_indent) << "\n";
   }
   if (json) std::cout << list.dump(2) << "\n";
   return exit_done;

@@ -8,7 +8,8 @@ namespace {
 
 constexpr std::size_t k_columns = 80, k_name_columns = 32;
 
-/// `text` broken at blanks; every line but the first indented.
+}  // namespace
+
 std::string wrapped(const std::string& text, std::size_t indent) {
   std::istringstream words(text);
   std::string out;
@@ -25,6 +26,8 @@ std::string wrapped(const std::string& text, std::size_t indent) {
   }
   return out;
 }
+
+namespace {
 
 /// Name and description side by side, or one above the other where the name is long.
 std::string entry(const std::string& name, const std::string& description) {

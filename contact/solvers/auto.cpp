@@ -133,7 +133,7 @@ class Climb {
   void follow_friction() {
     NewtonSettings settings{.shared = stage(settings_.shared.max_iterations)};
     settings.max_factorisations = settings_.path_factorisations;
-    settings.plunge = settings.fall = 0.1;  // the sphere pile is not found with a slower fall
+    settings.plunge = settings.fall = 0.1;  // a slower fall, good in jams, loses the path in piles of spheres
     settings.shared.keep_history = false;   // of other problems than this one
     take("friction continuation", "iterations", continue_in_friction(island_, settings));
   }
@@ -229,18 +229,20 @@ void describe(const Log& log, ContactSolution& solution) {
 ContactSolution AutoSolver::solve(const LocalProblem& problem, const VecX& guess) const {
   AutoSettings running = settings_;
   running.shared = settings_.shared.started();
+  const bool cold = is_cold(guess);
   Log log;
   ContactSolution solution = solve_islands(problem, guess, [&](const LocalProblem& island, const VecX& start) {
-    return Climb(island, running, log).run(start, {is_cold(guess), false});
+    return Climb(island, running, log).run(start, {cold, false});
   });
   describe(log, solution);
   return solution;
 }
 
 ContactSolution AutoSolver::solve(const ContactProblem& problem, const VecX& guess) const {
-  NILAS_DEMAND(guess.size() == 0 || guess.size() == 3 * problem.num_contacts());
+  NILAS_DEMAND(guess.size() == 0 || guess.size() == 3 * static_cast<Eigen::Index>(problem.num_contacts()));
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const double tolerance = settings_.shared.tolerance;
+  const bool cold = is_cold(guess);
   const double guess_map = guess.size() > 0 ? measure(problem, guess).law_map_m_s : infinity;
   if (guess_map <= tolerance) return accepted(problem, guess);
   AutoSettings running = settings_;
@@ -252,8 +254,7 @@ ContactSolution AutoSolver::solve(const ContactProblem& problem, const VecX& gue
     const int all = sweeps.max_iterations;
     sweeps.max_iterations = std::min(settings_.first_sweeps, all);
     // half of the iterations is left for the next rungs
-    if (!is_cold(guess))
-      sweeps.max_iterations = std::max(sweeps.max_iterations, std::min(settings_.warm_sweeps, all / 2));
+    if (!cold) sweeps.max_iterations = std::max(sweeps.max_iterations, std::min(settings_.warm_sweeps, all / 2));
   }
   ContactSolution swept = NsgsSolver({.shared = sweeps}).solve(problem, guess);
   log.add("nsgs", "sweeps", swept.iterations);
@@ -272,7 +273,7 @@ ContactSolution AutoSolver::solve(const ContactProblem& problem, const VecX& gue
   islands.erase(first_large, islands.end());
   ContactSolution solution =
       solve_islands(problem, islands, swept.r, [&](const LocalProblem& island, const VecX& start) {
-        return Climb(island, running, log).run(start, {is_cold(guess), true});
+        return Climb(island, running, log).run(start, {cold, true});
       });
   solution.iterations += swept.iterations;
   solution.status = worse(solution.status, large);

@@ -1,5 +1,5 @@
 #pragma once
-/// Semi-implicit Euler for free rigid bodies: new velocities move the poses.
+/// The motion of free rigid bodies: velocities without contact, and the poses that velocities lead to.
 #include "core/bodies/bodies.h"
 #include "core/sim/step_motion.h"
 
