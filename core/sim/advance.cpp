@@ -1,19 +1,9 @@
 #include "core/sim/advance.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "core/base/parallel.h"
+#include "core/bodies/free_rotation.h"
 
 namespace nilas {
-
-Quat exponential(const Vec3& turn) {
-  const double angle = turn.norm();
-  constexpr double k_small_angle = 1e-4;  // [rad] below it sin(x/2)/x differs from its series by less than rounding
-  const double scale = angle < k_small_angle ? 0.5 - angle * angle / 48.0 : std::sin(0.5 * angle) / angle;
-  return {std::cos(0.5 * angle), scale * turn.x(), scale * turn.y(), scale * turn.z()};
-}
 
 void free_velocities(const Bodies& bodies, const std::vector<Wrench>& loads, double h, Velocities& out) {
   out.v = bodies.v_GB;
@@ -27,69 +17,6 @@ void free_velocities(const Bodies& bodies, const std::vector<Wrench>& loads, dou
   }
 }
 
-namespace {
-
-/// What a turn adds to a vector. As a change, its rounding is a share of the change: rotating the whole vector by
-/// nearly the same small angle step after step rounds the same way each time, and a million steps then show it.
-class TurnChange {
- public:
-  explicit TurnChange(const Vec3& turn) : turn_(turn) {
-    const double angle = turn.norm();
-    constexpr double k_small_angle = 1e-4;  // [rad]
-    if (angle < k_small_angle) {
-      along_ = 1 - angle * angle / 6;
-      across_ = 0.5 - angle * angle / 24;
-    } else {
-      const double half = std::sin(0.5 * angle) / angle;
-      along_ = std::sin(angle) / angle;
-      across_ = 2 * half * half;
-    }
-  }
-  Vec3 of(const Vec3& x) const {
-    const Vec3 once = turn_.cross(x);
-    return along_ * once + across_ * turn_.cross(once);
-  }
-  Vec3 backwards(const Vec3& x) const {
-    const Vec3 once = turn_.cross(x);
-    return across_ * turn_.cross(once) - along_ * once;
-  }
-
- private:
-  Vec3 turn_;
-  double along_ = 0, across_ = 0;  ///< sin(a)/a, (1 - cos(a))/a^2
-};
-
-/// With P = I w in body axes, m = (w + w_end)/2 there too:  R_end = R exp(h m),  P_end = exp(-h m) P.  Then R P is
-/// kept, and 2 dE = P_end . w_end - P . w = (P_end - P) . 2 m = 0, since a turn about m leaves what lies along m.
-void turn_once(Bodies& bodies, std::size_t b, double h) {
-  const Mat3 R = bodies.q_GB[b].toRotationMatrix();
-  const Vec3 w = bodies.w_GB[b], w_B = R.transpose() * w, momentum = bodies.inertia_B[b] * w_B;
-  Vec3 change = Vec3::Zero(), turn = h * w_B;  // of w_B
-  // The mean of both ends is a fixed point: each pass gains a factor of about h |w|, until rounding is left.
-  constexpr int k_most_passes = 50;
-  double last_move = std::numeric_limits<double>::infinity();
-  for (int pass = 0; pass < k_most_passes; ++pass) {
-    turn = h * (w_B + 0.5 * change);
-    const Vec3 next = bodies.inertia_inverse_B[b] * TurnChange(turn).backwards(momentum);
-    const double move = (next - change).squaredNorm();
-    change = next;
-    if (!(move < last_move)) break;
-    last_move = move;
-  }
-  const Vec3 w_end_in_old_axes = w + R * change;
-  bodies.w_GB[b] = w_end_in_old_axes + TurnChange(R * turn).of(w_end_in_old_axes);
-  bodies.q_GB[b] = (bodies.q_GB[b] * exponential(turn)).normalized();
-}
-
-void turn_with_angular_momentum(Bodies& bodies, std::size_t b, double h) {
-  constexpr double k_largest_turn = 0.5;  // [rad] up to which the mean is found quickly
-  const double turn = h * bodies.w_GB[b].norm();
-  const int parts = turn > k_largest_turn ? static_cast<int>(std::ceil(std::min(turn / k_largest_turn, 1e4))) : 1;
-  for (int part = 0; part < parts; ++part) turn_once(bodies, b, h / parts);
-}
-
-}  // namespace
-
 void advance(Bodies& bodies, const Velocities& velocities, double h, bool gyroscopic, int threads) {
   parallel_for(bodies.size(), threads, [&](std::ptrdiff_t i) {
     const int k = static_cast<int>(i);
@@ -98,7 +25,7 @@ void advance(Bodies& bodies, const Velocities& velocities, double h, bool gyrosc
     bodies.v_GB[b] = velocities.v[b];
     bodies.w_GB[b] = velocities.w[b];
     if (gyroscopic)
-      turn_with_angular_momentum(bodies, b, h);
+      turn_freely(bodies.q_GB[b], bodies.w_GB[b], bodies.inertia_B[b], bodies.inertia_inverse_B[b], h);
     else
       bodies.q_GB[b] = exponential(h * velocities.w[b]) * bodies.q_GB[b];
     bodies.set_pose(k, bodies.p_GB[b] + h * velocities.v[b], bodies.q_GB[b]);

@@ -23,15 +23,6 @@ Bodies one_body(const Vec3& moments, const Vec3& w) {
 
 Velocities velocities_of(const Bodies& bodies) { return {bodies.v_GB, bodies.w_GB}; }
 
-TEST(Exponential, TurnsByTheVectorsLength) {
-  const Vec3 axis = Vec3(1, 2, -2) / 3;
-  for (const double angle : {1e-9, 1e-5, 0.3, 3.0}) {
-    const Quat q = exponential(angle * axis);
-    EXPECT_NEAR(q.norm(), 1, 1e-15);
-    EXPECT_NEAR(2 * std::atan2(q.vec().norm(), q.w()), angle, 1e-15 + 1e-15 * angle);
-  }
-}
-
 TEST(Advance, AboutAPrincipalAxisIsExact) {
   Bodies bodies = one_body({1, 2, 3}, Vec3::Zero());
   bodies.w_GB[0] = bodies.R_GB[0] * Vec3(0, 0, 1.7);
