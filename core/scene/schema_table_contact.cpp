@@ -54,9 +54,7 @@ static std::vector<AttributeSpec> time_stepping() {
        .type = ValueType::choice,
        .choices = {"moreau", "semi-implicit-euler"},
        .default_value = "semi-implicit-euler",
-       .doc = "How velocities and positions advance: impulses in the middle of the motion (moreau; not yet with a "
-              "vessel) or "
-              "before it."},
+       .doc = "How velocities and positions advance: impulses in the middle of the motion (moreau) or before it."},
       {.name = "theta",
        .range = within(0, 1),
        .default_value = "0.5",

@@ -144,6 +144,7 @@ int build_vessel(const Scene& scene, WorldParts& parts) {
   model.w = vessel.angular_velocity;
   model.fixed = vessel.fixed;
   model.gyroscopic = scene.contact.gyroscopic;
+  if (scene.contact.integrator == "moreau") model.theta = scene.contact.theta;
   if (vessel.carriage) model.carriage = carriage_model(scene, model, length_of(hull.fluid));
   parts.vessel.emplace(model, scene.time.start);
 

@@ -95,10 +95,6 @@ WorldParts build_world(const Scene& scene, int threads, WarningCounts& warnings)
   WorldParts parts;
   parts.info.scene_name = scene.name;
   if (scene.fracture) throw InputError(scene.file.string() + ": <fracture>: breaking ice is not built in this version");
-  if (scene.vessel && scene.contact.integrator == "moreau")
-    throw InputError(
-        scene.file.string() +
-        ": <contact integrator>: 'moreau' does not move a <vessel> in this version; use semi-implicit-euler");
   build_water(scene, parts);
   build_friction(scene, parts);
   if (scene.vessel) parts.vessel_index = build_vessel(scene, parts);

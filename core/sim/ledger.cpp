@@ -10,7 +10,7 @@ bool moves(const Bodies& bodies, int b) { return bodies.motion[static_cast<std::
 
 double spin_energy(const Mat3& inertia, const Vec3& w) { return 0.5 * w.dot(inertia * w); }
 
-/// I w at the step's start attitude, in G.
+/// I w at the attitude where the contacts were found, in G.
 Vec3 spin_momentum(const Bodies& bodies, const StepMotion& motion, std::size_t b, const Vec3& w) {
   const Mat3& R = motion.R[b];
   return R * (bodies.inertia_B[b] * (R.transpose() * w));

@@ -41,6 +41,12 @@ std::vector<double> smallest_widths(const Bodies& bodies) {
   return widths;
 }
 
+/// A vessel on a carriage at the step's start: its momenta balance from there, not from where the contacts are found.
+struct VesselStart {
+  Vec3 v = Vec3::Zero(), w = Vec3::Zero();  ///< [m/s, rad/s]
+  Mat3 inertia = Mat3::Zero();              ///< in G [kg m^2]
+};
+
 }  // namespace
 
 struct Simulation::World {
@@ -72,6 +78,7 @@ struct Simulation::World {
   double time() const { return start + static_cast<double>(steps) * h; }
 
   void move_before_impulses();
+  void move_vessel_before_impulses();
   const Wrenches& evaluate_loads();
   std::vector<ArticulatedBlock> begin_vessel(const Wrenches& free);
   std::vector<ContactPoint> find_contacts();
@@ -82,7 +89,7 @@ struct Simulation::World {
   Velocities correct_positions(const StepMotion& motion, const AssembledContacts& contacts, StepRecord& record);
   void note_solution(const ContactSolution& solution, StepRecord& record) const;
   void copy_vessel_state();
-  VesselAccount vessel_account(const Mat3& inertia_before) const;
+  VesselAccount vessel_account() const;
   StepLoads step_loads() const;
   VesselRecord vessel_record(const StepMotion& motion) const;
   std::uint64_t state_hash() const;
@@ -103,6 +110,7 @@ struct Simulation::World {
   std::vector<Wrenches> module_loads;
   std::vector<double> width;  ///< smallest of each body, where the contact model needs it [m]
   EnergyAccount energy;
+  VesselStart vessel_start;
   SolvedProblem last;
   std::size_t pairs_named = 0;  ///< of the pairs without friction, already told
 };
@@ -115,9 +123,22 @@ double Simulation::World::potential() {
 }
 
 void Simulation::World::move_before_impulses() {
-  if (model.theta == 1) return;
-  advance(parts.bodies, {parts.bodies.v_GB, parts.bodies.w_GB}, (1 - model.theta) * h, gyroscopic, threads);
-  energy.motion_before_impulses(kinetic_energy(parts.bodies));
+  if (model.theta < 1)
+    advance(parts.bodies, {parts.bodies.v_GB, parts.bodies.w_GB}, (1 - model.theta) * h, gyroscopic, threads);
+  const bool vessel_moves = parts.vessel && !parts.vessel->fixed();
+  if (vessel_moves && !parts.vessel->on_carriage()) move_vessel_before_impulses();
+  if (model.theta < 1) energy.motion_before_impulses(kinetic_energy(parts.bodies));
+  // the energy of what the carriage moves is booked from end to end
+  if (vessel_moves && parts.vessel->on_carriage()) {
+    const auto b = static_cast<std::size_t>(parts.vessel_index);
+    vessel_start = {parts.bodies.v_GB[b], parts.bodies.w_GB[b], parts.bodies.inertia_G(parts.vessel_index)};
+    move_vessel_before_impulses();
+  }
+}
+
+void Simulation::World::move_vessel_before_impulses() {
+  parts.vessel->move_before_impulses(h);
+  copy_vessel_state();
 }
 
 const Wrenches& Simulation::World::evaluate_loads() {
@@ -176,6 +197,11 @@ StepMotion Simulation::World::velocity_step(const AssembledContacts& contacts, c
   motion.p = parts.bodies.p_GB;
   motion.R = parts.bodies.R_GB;
   motion.before = {parts.bodies.v_GB, parts.bodies.w_GB};
+  if (parts.vessel && parts.vessel->on_carriage()) {
+    const auto vessel = static_cast<std::size_t>(parts.vessel_index);
+    motion.before.v[vessel] = vessel_start.v;
+    motion.before.w[vessel] = vessel_start.w;
+  }
   motion.points = std::move(points);
   for (std::size_t i = 0; i < motion.points.size(); ++i) {
     const Vec3 r = solution.r.segment<3>(3 * static_cast<Eigen::Index>(i));
@@ -256,13 +282,13 @@ StepLoads Simulation::World::step_loads() const {
   return loads;
 }
 
-VesselAccount Simulation::World::vessel_account(const Mat3& inertia_before) const {
+VesselAccount Simulation::World::vessel_account() const {
   VesselAccount account;
   if (!parts.vessel || !parts.vessel->on_carriage()) return account;
   account.index = parts.vessel_index;
   account.on_carriage = true;
   account.carriage = parts.vessel->carriage_loads().about_com;
-  account.inertia_before = inertia_before;
+  account.inertia_before = vessel_start.inertia;
   account.inertia_after = parts.bodies.inertia_G(parts.vessel_index);
   return account;
 }
@@ -356,8 +382,6 @@ StepRecord Simulation::step() {
   watch.lap(Phase::detection);
 
   // one value holds the step's contact problem
-  const Mat3 vessel_inertia =
-      world.parts.vessel ? world.parts.bodies.inertia_G(world.parts.vessel_index) : Mat3::Zero();
   AssembledContacts contacts =
       assemble(world.parts.bodies, free, points, world.parts.friction, world.model.assembly, world.begin_vessel(free));
   watch.lap(Phase::assembly);
@@ -383,7 +407,7 @@ StepRecord Simulation::step() {
   watch.lap(Phase::integration);
 
   // accounts of energy and momentum
-  const VesselAccount vessel = world.vessel_account(vessel_inertia);
+  const VesselAccount vessel = world.vessel_account();
   const StepLoads loads = world.step_loads();
   world.energy.velocity_step(world.parts.bodies, motion, loads, vessel);
   world.energy.position_step(kinetic_energy(world.parts.bodies), world.potential(), pseudo, motion, loads);

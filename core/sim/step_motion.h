@@ -18,9 +18,9 @@ struct Velocities {
 /// One velocity step at the pose where the contacts were found. Body k takes part when it moves.
 struct StepMotion {
   double h = 0;              ///< [s]
-  std::vector<Vec3> p;       ///< centres of mass at the step's start [m]
-  std::vector<Mat3> R;       ///< attitudes R_GB at the step's start
-  Velocities before, after;  ///< around the impulses, before the pose moves
+  std::vector<Vec3> p;       ///< centres of mass where the contacts were found [m]
+  std::vector<Mat3> R;       ///< attitudes R_GB there
+  Velocities before, after;  ///< around the impulses, at that pose; of a vessel on a carriage: at both ends of the step
   std::vector<ContactPoint> points;
   std::vector<Vec3> impulses;         ///< per point, on body b, in G [N s]
   std::vector<Vec3> normal_impulses;  ///< the part of it along the normal
@@ -35,7 +35,7 @@ Vec3 relative_velocity(const StepMotion& motion, const Velocities& velocities, s
 /// with the mean of both, and the gap is what lies between.
 std::vector<ContactPoint> carried_points(const StepMotion& motion, const Bodies& bodies);
 
-/// Sum of the contact impulses on one body about its centre of mass at the step's start [N s, N m s].
+/// Sum of the contact impulses on one body about its centre of mass at the pose of the step's contacts [N s, N m s].
 Wrench contact_impulse_on(const StepMotion& motion, int body);
 
 }  // namespace nilas

@@ -11,6 +11,7 @@ class VesselMotion {
   VesselMotion(const VesselModel& model, double t0);
   virtual ~VesselMotion() = default;
 
+  void move_before_impulses(double h);
   VesselBlock begin(const Wrench& free, double h);
   void finish(const Wrench& contact_impulse);
 
@@ -24,6 +25,7 @@ class VesselMotion {
   double time() const { return time_; }
 
  protected:
+  virtual void move_before_step(double /*h*/) {}  ///< of length h [s]; nothing with semi-implicit Euler
   virtual VesselBlock begin_step() = 0;
   virtual void finish_step(const Wrench& contact_impulse) = 0;
 
@@ -34,9 +36,13 @@ class VesselMotion {
   Eigen::LLT<Mat3> inertia_factor_;
   VesselState state_;
   CarriageLoads loads_;
-  double time_;
+  double time_;   ///< of the last step's end
   Wrench free_;   ///< of the step under way
   double h_ = 0;  ///< of the step under way, 0 between steps
+
+ private:
+  double moved_for_ = 0;  ///< length of the step whose first motion is done, 0 between steps
+  bool moves_before_;
 };
 
 std::unique_ptr<VesselMotion> make_fixed_vessel(const VesselModel& model, double t0);

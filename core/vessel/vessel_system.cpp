@@ -6,7 +6,8 @@
 namespace nilas {
 
 VesselMotion::VesselMotion(const VesselModel& model, double t0)
-    : mass_(model.mass), inertia_factor_(model.mass.inertia), time_(t0) {
+    : mass_(model.mass), inertia_factor_(model.mass.inertia), time_(t0), moves_before_(model.theta.has_value()) {
+  NILAS_DEMAND(!model.theta || (*model.theta >= 0 && *model.theta <= 1));
   if (!model.fixed && !(model.mass.mass > 0)) throw InputError("vessel: the mass must be > 0 kg");
   if (!model.fixed && !physically_valid_inertia(model.mass.inertia))
     throw InputError(
@@ -17,8 +18,14 @@ VesselMotion::VesselMotion(const VesselModel& model, double t0)
   state_.pose.p = model.pose_V.p + state_.pose.q * model.mass.com;
 }
 
+void VesselMotion::move_before_impulses(double h) {
+  NILAS_DEMAND(h > 0 && h_ == 0 && moved_for_ == 0);
+  moved_for_ = h;
+  move_before_step(h);
+}
+
 VesselBlock VesselMotion::begin(const Wrench& free, double h) {
-  NILAS_DEMAND(h > 0 && h_ == 0);
+  NILAS_DEMAND(h > 0 && h_ == 0 && (moved_for_ == h || !moves_before_));
   free_ = free;
   h_ = h;
   return begin_step();
@@ -28,7 +35,7 @@ void VesselMotion::finish(const Wrench& contact_impulse) {
   NILAS_DEMAND(h_ > 0);
   finish_step(contact_impulse);
   time_ += h_;
-  h_ = 0;
+  h_ = moved_for_ = 0;
 }
 
 Mat3 VesselMotion::inertia_G() const {
@@ -99,6 +106,7 @@ bool VesselSystem::fixed() const { return implementation_->fixed; }
 bool VesselSystem::on_carriage() const { return implementation_->on_carriage; }
 std::vector<std::string> VesselSystem::built() const { return implementation_->built; }
 
+void VesselSystem::move_before_impulses(double h) { implementation_->motion->move_before_impulses(h); }
 VesselBlock VesselSystem::begin(const Wrench& free, double h) { return implementation_->motion->begin(free, h); }
 void VesselSystem::finish(const Wrench& contact_impulse) { implementation_->motion->finish(contact_impulse); }
 Vec6 VesselSystem::velocity_after_impulses() const { return implementation_->motion->velocity_after_impulses(); }

@@ -69,11 +69,14 @@ struct VesselModel {
   bool fixed = false;
   std::optional<CarriageModel> carriage;  ///< neither fixed nor carriage: free
   bool gyroscopic = true;
+  /// Share of a step's motion that follows its impulses (moreau); none: semi-implicit Euler.
+  std::optional<double> theta;
 };
 
 /// The vessel's block of the contact problem for one step. Its coordinates are the mean speeds over the step,
 /// (displacement / h), so a contact sees where the hull will be at the step's end, however stiff the cells are; along
-/// the cells they are also the speeds at the step's end (exponential_mode.h).
+/// the cells they are also the speeds at the step's end (exponential_mode.h). With theta, the displacement is that from
+/// the middle pose of this step to that of the next: theta h in this step, the rest in the next.
 struct VesselBlock {
   MatX mass;      ///< n x n, effective, symmetric positive definite; its inverse is the speeds' response to an impulse
   VecX f;         ///< n, mass * (mean speeds without contact)
@@ -82,7 +85,8 @@ struct VesselBlock {
 };
 
 /// Where the vessel is and how it moves. Frame B of the body arrays: axes of V, origin at the centre of mass. The part
-/// of the velocity that comes from the deflection of cells is the mean over the last step.
+/// of the velocity that comes from the deflection of cells is the mean over the last step; with theta, between the
+/// middle poses around its end.
 struct VesselState {
   Pose pose;              ///< of the centre-of-mass frame
   Vec3 v = Vec3::Zero();  ///< of the centre of mass in G [m/s]
@@ -90,14 +94,16 @@ struct VesselState {
 };
 
 /// What the carriage did to the vessel in one step: impulse over the step divided by its length, in G. Torques about
-/// the centre of mass and about the joint, the point of the carriage, both where they are at the step's end.
+/// the centre of mass and about the joint, the point of the carriage, both where they are at the step's end; with
+/// theta, halfway between its ends.
 struct CarriageLoads {
   Wrench about_com;
   Wrench about_joint;             ///< the same force
   std::array<double, 6> cells{};  ///< six-cells only: the readings that balance about_joint [N]
 };
 
-/// One step is: begin(), solve contacts, finish(). At a step's end the momenta obey, to rounding,
+/// One step is: move_before_impulses() (theta only), begin(), solve contacts, finish(). At a step's end the momenta
+/// obey, to rounding,
 ///   m (v+ - v-) = h (carriage + free) + contact impulse,
 ///   L+ - L- = h (torques) + contact angular impulse,  L = R I R^T w with each instant's own R.
 /// The exception is a free vessel with gyroscopic = false: its angular velocity is kept while it turns, so L is not.
@@ -119,11 +125,15 @@ class VesselSystem {
   /// Names of what was built: "vessel", "carriage", "force balance six-cells" ...
   std::vector<std::string> built() const;
 
-  /// Starts a step of length h [s] under `free`: weight, hydrodynamic and other loads about the centre of mass in G,
-  /// constant over the step. A fixed vessel (or one with no free coordinate) has a block of size 0 and a prescribed
-  /// mean twist.
+  /// The first part of a step of length h [s], up to the pose where loads and contacts act: (1 - theta) h with the
+  /// velocities that the vessel has. state() is then that of the middle pose, the carriage's velocity that of its
+  /// instant. Nothing moves with semi-implicit Euler. Throws SimulationError as finish() does.
+  void move_before_impulses(double h);
+  /// Starts a step of length h [s], with theta its impulses, under `free`: weight, hydrodynamic and other loads about
+  /// the centre of mass in G, constant over the step. A fixed vessel (or one with no free coordinate) has a block of
+  /// size 0 and a prescribed mean twist.
   VesselBlock begin(const Wrench& free, double h);
-  /// Ends it with the contact impulse about the centre of mass at the step's start, in G [N s, N m s]. Throws
+  /// Ends it with the contact impulse about the centre of mass where begin() was called, in G [N s, N m s]. Throws
   /// SimulationError when the vessel leaves finite numbers or the joint its range.
   void finish(const Wrench& contact_impulse);
   /// Twist (v; w) of the centre of mass just after the velocity step, before the pose moved: for energy accounts. On a

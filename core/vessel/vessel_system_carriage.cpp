@@ -3,10 +3,8 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/vessel/carried_vessel.h"
 #include "core/vessel/cells.h"
-#include "core/vessel/stiff_block.h"
-#include "core/vessel/vessel_motion.h"
-#include "core/vessel/vessel_tree.h"
 
 namespace nilas {
 
@@ -47,70 +45,37 @@ TreeJoint tree_joint(const VesselModel& model) {
   return joint;
 }
 
-/// Coordinates q: those of the tree's joint; u: their rates, along stiff coordinates as the mean over the last step.
-class CarriedVessel : public VesselMotion {
- public:
-  CarriedVessel(const VesselModel& model, double t0)
-      : VesselMotion(model, t0), motion_(model.carriage->motion), tree_(model.mass, tree_joint(model)) {
-    const CarriageModel& carriage = *model.carriage;
-    const int n = tree_.size();
-    const std::vector<int> axes = coordinate_axes(carriage);
-    has_three_angles_ = axes.size() >= 3 && axes[2] == 2;
-    stiffness_ = MatX::Zero(n, n);
-    if (carriage.balance == BalanceKind::six_cells) {
-      build_cells(carriage);
-    } else {
-      for (int i = 0; i < n; ++i) free_coordinates_.push_back(i);
-    }
-    q_ = VecX::Zero(n);
-    u_ = VecX::Zero(n);
-    now_ = motion_.at(t0);
-    tree_.set_carriage(now_);
-    tree_.set_coordinates(q_);
-    set_speeds(u_);
+}  // namespace
+
+CarriedVessel::CarriedVessel(const VesselModel& model, double t0)
+    : VesselMotion(model, t0), motion_(model.carriage->motion), tree_(model.mass, tree_joint(model)) {
+  const CarriageModel& carriage = *model.carriage;
+  const int n = tree_.size();
+  const std::vector<int> axes = coordinate_axes(carriage);
+  has_three_angles_ = axes.size() >= 3 && axes[2] == 2;
+  stiffness_ = MatX::Zero(n, n);
+  if (carriage.balance == BalanceKind::six_cells) {
+    build_cells(carriage);
+  } else {
+    for (int i = 0; i < n; ++i) free_coordinates_.push_back(i);
   }
+  q_ = VecX::Zero(n);
+  u_ = VecX::Zero(n);
+  now_ = motion_.at(t0);
+  place(now_, u_);
+}
 
-  /// The momenta balance between the two ends of the step, so this is the velocity at its end.
-  Vec6 velocity_after_impulses() const override {
-    Vec6 twist;
-    twist << state_.v, state_.w;
-    return twist;
-  }
-  void displace(const Vec6&, double) override {}
-  double spring_energy() const override { return 0.5 * q_.dot(stiffness_ * q_); }
-  VecX coordinates() const override {
-    VecX all(q_.size() + u_.size());
-    all << q_, u_;
-    return all;
-  }
+Vec6 CarriedVessel::velocity_after_impulses() const {
+  Vec6 twist;
+  twist << state_.v, state_.w;
+  return twist;
+}
 
- protected:
-  VesselBlock begin_step() override;
-  void finish_step(const Wrench& contact) override;
-
- private:
-  void build_cells(const CarriageModel& carriage);
-  void demand_regular() const;
-  void set_speeds(const VecX& u);
-  Vec6 momentum() const;
-  Vec6 mean_carriage_twist() const;
-  void keep_free_momentum(const Vec6& given_momentum);
-  void read_loads(const Vec6& reaction);
-
-  CarriageMotion motion_;
-  VesselTree tree_;
-  MatX stiffness_;                                  ///< n x n, constant: deflections of a force balance are small
-  double damping_time_ = 0;                         ///< cell damping / cell stiffness [s]
-  std::vector<int> free_coordinates_;               ///< along which the joint transmits nothing
-  std::optional<Eigen::PartialPivLU<Mat6>> cells_;  ///< wrench of unit tensions, six-cells only
-  bool has_three_angles_ = false;                   ///< then they are the first three coordinates
-
-  VecX q_, u_;
-  CarriageMotion::State now_, next_;  ///< of the carriage at both ends of the step under way
-  StiffBlock step_;
-  MatX jacobian_;
-  VecX u_without_contact_;
-};
+VecX CarriedVessel::coordinates() const {
+  VecX all(q_.size() + u_.size());
+  all << q_, u_;
+  return all;
+}
 
 void CarriedVessel::build_cells(const CarriageModel& carriage) {
   const std::string where = "force balance six-cells: ";
@@ -125,6 +90,12 @@ void CarriedVessel::build_cells(const CarriageModel& carriage) {
   damping_time_ = carriage.damping / carriage.stiffness;
 }
 
+void CarriedVessel::place(const CarriageMotion::State& carriage, const VecX& u) {
+  tree_.set_coordinates(q_);
+  tree_.set_carriage(carriage);
+  set_speeds(u);
+}
+
 void CarriedVessel::set_speeds(const VecX& u) {
   tree_.set_speeds(u);
   const Vec6 twist = tree_.twist();
@@ -137,15 +108,51 @@ Vec6 CarriedVessel::momentum() const {
   return p;
 }
 
-Vec6 CarriedVessel::mean_carriage_twist() const {
+Vec6 CarriedVessel::mean_carriage_twist(const CarriageMotion::State& next) const {
   const Vec3 arm = state_.pose.p - now_.p;
-  const double turn = next_.yaw - now_.yaw;
+  const double turn = next.yaw - now_.yaw;
   Vec6 twist;
-  twist << next_.p - now_.p + turned(turn) * arm - arm, 0, 0, turn;
+  twist << next.p - now_.p + turned(turn) * arm - arm, 0, 0, turn;
   return twist / h_;
 }
 
-VesselBlock CarriedVessel::begin_step() {
+void CarriedVessel::demand_regular(double t) const {
+  const std::string when = "at " + std::to_string(t) + " s ";
+  if (!q_.allFinite()) throw SimulationError(when + "the vessel's joint coordinates left finite numbers");
+  constexpr double k_gimbal_cosine = 1e-6;  // nearer to pitch 90 degrees, roll and yaw are one axis to rounding
+  if (has_three_angles_ && std::abs(std::cos(q_[1])) < k_gimbal_cosine)
+    throw SimulationError(when + "the joint's pitch is 90 degrees: roll and yaw have become one axis");
+}
+
+void CarriedVessel::read_loads(const Vec6& reaction, const Vec3& com, const CarriageMotion::State& carriage) {
+  loads_.about_com = {reaction.head<3>(), reaction.tail<3>()};
+  loads_.about_joint = loads_.about_com;
+  loads_.about_joint.torque += (com - carriage.p).cross(loads_.about_com.force);
+  if (!cells_) return;
+  const Quat to_carriage = turned(-carriage.yaw);
+  Vec6 transmitted;
+  transmitted << to_carriage * loads_.about_joint.torque, to_carriage * loads_.about_joint.force;
+  Eigen::Map<Vec6>(loads_.cells.data()) = cells_->solve(transmitted);
+}
+
+namespace {
+
+/// Semi-implicit Euler.
+class EulerCarriedVessel : public CarriedVessel {
+ public:
+  using CarriedVessel::CarriedVessel;
+
+ protected:
+  VesselBlock begin_step() override;
+  void finish_step(const Wrench& contact) override;
+
+ private:
+  void keep_free_momentum(const Vec6& given_momentum);
+
+  CarriageMotion::State next_;  ///< of the carriage at the end of the step under way
+};
+
+VesselBlock EulerCarriedVessel::begin_step() {
   next_ = motion_.at(time_ + h_);
   // the mean acceleration over the step, so that kinks of the motion keep the momenta exact
   CarriageMotion::State acceleration;
@@ -155,10 +162,10 @@ VesselBlock CarriedVessel::begin_step() {
   jacobian_ = tree_.jacobian();
   step_ = stiff_block(tree_.mass_matrix(), stiffness_, damping_time_, free_coordinates_, h_);
   u_without_contact_ = step_.decay * u_ + h_ * (step_.response * (force - stiffness_ * q_));
-  return {step_.mass, step_.mass * u_without_contact_, jacobian_, mean_carriage_twist()};
+  return {step_.mass, step_.mass * u_without_contact_, jacobian_, mean_carriage_twist(next_)};
 }
 
-void CarriedVessel::finish_step(const Wrench& contact) {
+void EulerCarriedVessel::finish_step(const Wrench& contact) {
   Vec6 impulse;
   impulse << contact.force, contact.torque;
   Vec6 given = impulse;
@@ -169,29 +176,19 @@ void CarriedVessel::finish_step(const Wrench& contact) {
   // new speeds, new pose
   u_ = u_without_contact_ + step_.response * (jacobian_.transpose() * impulse);
   q_ += h_ * u_;
-  demand_regular();
+  demand_regular(time_ + h_);
   now_ = next_;
-  tree_.set_coordinates(q_);
-  tree_.set_carriage(now_);
-  set_speeds(u_);
+  place(now_, u_);
 
   // what the momenta lack is what the carriage gave
   keep_free_momentum(before + given);
-  read_loads((momentum() - before - given) / h_);
-}
-
-void CarriedVessel::demand_regular() const {
-  const std::string when = "at " + std::to_string(time_ + h_) + " s ";
-  if (!q_.allFinite()) throw SimulationError(when + "the vessel's joint coordinates left finite numbers");
-  constexpr double k_gimbal_cosine = 1e-6;  // nearer to pitch 90 degrees, roll and yaw are one axis to rounding
-  if (has_three_angles_ && std::abs(std::cos(q_[1])) < k_gimbal_cosine)
-    throw SimulationError(when + "the joint's pitch is 90 degrees: roll and yaw have become one axis");
+  read_loads((momentum() - before - given) / h_, state_.pose.p, now_);
 }
 
 /// Chooses the speeds of the free coordinates so that at the new pose the reaction has no part along them. Where the
 /// axes turn with the vessel this differs from the speeds that moved it by O(h^2), and never adds energy: a pendulum
 /// about the joint loses the share h omega^2 of its energy per second.
-void CarriedVessel::keep_free_momentum(const Vec6& given_momentum) {
+void EulerCarriedVessel::keep_free_momentum(const Vec6& given_momentum) {
   if (free_coordinates_.empty()) return;
   const MatX mass = tree_.mass_matrix()(free_coordinates_, free_coordinates_);
   const VecX lack = tree_.jacobian().transpose() * (given_momentum - momentum());
@@ -199,21 +196,11 @@ void CarriedVessel::keep_free_momentum(const Vec6& given_momentum) {
   set_speeds(u_);
 }
 
-void CarriedVessel::read_loads(const Vec6& reaction) {
-  loads_.about_com = {reaction.head<3>(), reaction.tail<3>()};
-  loads_.about_joint = loads_.about_com;
-  loads_.about_joint.torque += (state_.pose.p - now_.p).cross(loads_.about_com.force);
-  if (!cells_) return;
-  const Quat to_carriage = turned(-now_.yaw);
-  Vec6 transmitted;
-  transmitted << to_carriage * loads_.about_joint.torque, to_carriage * loads_.about_joint.force;
-  Eigen::Map<Vec6>(loads_.cells.data()) = cells_->solve(transmitted);
-}
-
 }  // namespace
 
 std::unique_ptr<VesselMotion> make_carried_vessel(const VesselModel& model, double t0) {
-  return std::make_unique<CarriedVessel>(model, t0);
+  if (model.theta) return make_moreau_carried_vessel(model, t0);
+  return std::make_unique<EulerCarriedVessel>(model, t0);
 }
 
 }  // namespace nilas

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/bodies/free_rotation.h"
 #include "core/vessel/vessel_motion.h"
 #include "core/vessel/vessel_tree.h"
 
@@ -14,26 +15,17 @@ Quat rotation(const Vec3& turn) {
   return angle > 0 ? Quat(Eigen::AngleAxisd(angle, turn / angle)) : Quat::Identity();
 }
 
-/// Six speeds (w; v), semi-implicit Euler. With the gyroscopic term the angular momentum of the velocity step is kept
-/// to the last digit while the attitude turns about the mean of the angular velocities at both ends; without it the
-/// angular velocity is kept, and the angular momentum is not conserved.
+/// Six speeds (w; v), whose block of the contact problem is the body's own mass.
 class FreeVessel : public VesselMotion {
  public:
   FreeVessel(const VesselModel& model, double t0)
-      : VesselMotion(model, t0), tree_(model.mass), gyroscopic_(model.gyroscopic) {
+      : VesselMotion(model, t0), gyroscopic_(model.gyroscopic), tree_(model.mass) {
     state_.v = model.v;
     state_.w = model.w;
     after_ << state_.v, state_.w;
-    angular_momentum_ = inertia_G() * state_.w;
   }
 
   Vec6 velocity_after_impulses() const override { return after_; }
-
-  void displace(const Vec6& pseudo_twist, double h) override {
-    state_.pose.p += h * pseudo_twist.head<3>();
-    state_.pose.q = (rotation(h * pseudo_twist.tail<3>()) * state_.pose.q).normalized();
-    if (gyroscopic_) state_.w = turning(angular_momentum_);
-  }
 
   VecX coordinates() const override {
     VecX all(13);
@@ -57,14 +49,41 @@ class FreeVessel : public VesselMotion {
     return block;
   }
 
+  void keep_velocity_after_impulses() {
+    after_ << state_.v, state_.w;
+    if (!after_.allFinite())
+      throw SimulationError("at " + std::to_string(time_) + " s the vessel's velocity left finite numbers");
+  }
+
+  bool gyroscopic_;
+
+ private:
+  VesselTree tree_;
+  Vec6 after_;
+};
+
+/// With the gyroscopic term the angular momentum of the velocity step is kept to the last digit while the attitude
+/// turns about the mean of the angular velocities at both ends; without it the angular velocity is kept, and the
+/// angular momentum is not conserved.
+class EulerFreeVessel : public FreeVessel {
+ public:
+  EulerFreeVessel(const VesselModel& model, double t0) : FreeVessel(model, t0) {
+    angular_momentum_ = inertia_G() * state_.w;
+  }
+
+  void displace(const Vec6& pseudo_twist, double h) override {
+    state_.pose.p += h * pseudo_twist.head<3>();
+    state_.pose.q = (rotation(h * pseudo_twist.tail<3>()) * state_.pose.q).normalized();
+    if (gyroscopic_) state_.w = turning(angular_momentum_);
+  }
+
+ protected:
   void finish_step(const Wrench& contact) override {
     if (!gyroscopic_) angular_momentum_ = inertia_G() * state_.w;
     angular_momentum_ += h_ * free_.torque + contact.torque;
     state_.v += (h_ * free_.force + contact.force) / mass_.mass;
     state_.w = turning(angular_momentum_);
-    after_ << state_.v, state_.w;
-    if (!after_.allFinite())
-      throw SimulationError("at " + std::to_string(time_) + " s the vessel's velocity left finite numbers");
+    keep_velocity_after_impulses();
     state_.pose.p += h_ * state_.v;
     if (gyroscopic_)
       turn();
@@ -86,16 +105,50 @@ class FreeVessel : public VesselMotion {
     }
   }
 
-  VesselTree tree_;
-  bool gyroscopic_;
   Vec3 angular_momentum_;  ///< the conserved state of the rotation when gyroscopic, so that no rounding gathers in it
-  Vec6 after_;
+};
+
+/// (1 - theta) h before the impulses, theta h after them, turning as the floes do.
+class MoreauFreeVessel : public FreeVessel {
+ public:
+  MoreauFreeVessel(const VesselModel& model, double t0)
+      : FreeVessel(model, t0), theta_(*model.theta), inertia_inverse_(model.mass.inertia.inverse()) {}
+
+  void displace(const Vec6& pseudo_twist, double h) override {
+    const Vec3 angular_momentum = inertia_G() * state_.w;
+    state_.pose.p += h * pseudo_twist.head<3>();
+    state_.pose.q = (exponential(h * pseudo_twist.tail<3>()) * state_.pose.q).normalized();
+    if (gyroscopic_) state_.w = turning(angular_momentum);
+  }
+
+ protected:
+  void move_before_step(double h) override { move((1 - theta_) * h); }
+
+  void finish_step(const Wrench& contact) override {
+    state_.v += (h_ * free_.force + contact.force) / mass_.mass;
+    state_.w += turning(h_ * free_.torque + contact.torque);
+    keep_velocity_after_impulses();
+    move(theta_ * h_);
+  }
+
+ private:
+  void move(double h) {
+    state_.pose.p += h * state_.v;
+    if (gyroscopic_)
+      turn_freely(state_.pose.q, state_.w, mass_.inertia, inertia_inverse_, h);
+    else
+      state_.pose.q = (exponential(h * state_.w) * state_.pose.q).normalized();
+  }
+
+  double theta_;
+  Mat3 inertia_inverse_;
 };
 
 }  // namespace
 
 std::unique_ptr<VesselMotion> make_free_vessel(const VesselModel& model, double t0) {
-  return std::make_unique<FreeVessel>(model, t0);
+  if (model.theta) return std::make_unique<MoreauFreeVessel>(model, t0);
+  return std::make_unique<EulerFreeVessel>(model, t0);
 }
 
 }  // namespace nilas

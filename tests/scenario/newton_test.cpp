@@ -57,6 +57,23 @@ void verify_newton(const fs::path& run, double h) {
   EXPECT_LE(worst_torque, 1e-6);
 }
 
+/// theta 1/2, 1 and one between; cells on a ramp, and free axes that turn.
+TEST(Newton, Moreau) {
+  for (const std::string theta : {"0.5", "1", "0.7"}) {
+    const ScratchFolder folder;
+    const std::string options = " --quiet --out run --set contact/@integrator=moreau --set contact/@theta=" + theta;
+    const auto towed =
+        run_nilas("run '" + shipped_scene("towing.xml").string() + "' --until 3" + options, folder.path());
+    ASSERT_EQ(towed.exit_code, 0) << towed.err;
+    verify_newton(folder.path() / "run", 0.01);
+    const auto oblique = run_nilas("run '" + shipped_scene("oblique-towing.xml").string() +
+                                       "' --until 2 --force --set 'vessel/carriage/@free=heave roll pitch'" + options,
+                                   folder.path());
+    ASSERT_EQ(oblique.exit_code, 0) << oblique.err;
+    verify_newton(folder.path() / "run", 0.01);
+  }
+}
+
 TEST(Newton, TowingScene) {
   const ScratchFolder folder;
   const auto result =

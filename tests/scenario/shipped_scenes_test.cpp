@@ -58,6 +58,30 @@ TEST_P(ShippedScene, ClosesItsEnergyLedger) {
   EXPECT_LE(std::abs(steps["imbalance_J"][last]), 1e-10 * scale);
 }
 
+/// Moreau's scheme moves all of them, vessel and floes: the same invariants, with contacts.
+TEST_P(ShippedScene, KeepsItsInvariantsWithMoreau) {
+  const ScratchFolder folder;
+  const auto result = run_nilas("run '" + shipped_scene(GetParam().scene).string() +
+                                    "' --quiet --out run --set contact/@integrator=moreau --until " +
+                                    std::to_string(0.75 * GetParam().until),
+                                folder.path());
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Table steps(folder.path() / "run" / "steps.csv");
+  const std::size_t last = steps.rows() - 1;
+  double scale = std::abs(steps["kinetic_J"][0]) + std::abs(steps["potential_J"][0]);
+  for (const auto& name : steps.header())
+    if (name.rfind("work_", 0) == 0) scale += std::abs(steps[name][last]);
+  EXPECT_LE(std::abs(steps["imbalance_J"][last]), 1e-10 * scale);
+  double touching = 0;
+  for (std::size_t i = 0; i < steps.rows(); ++i) {
+    EXPECT_LE(steps["momentum_imbalance_Ns"][i], 1e-9 * steps["momentum_scale_Ns"][i]) << "row " << i;
+    EXPECT_LE(steps["angular_momentum_imbalance_Nms"][i], 1e-9 * steps["angular_momentum_scale_Nms"][i]) << "row " << i;
+    EXPECT_LT(steps["penetration_max_m"][i], 0.05 * GetParam().thickness) << "row " << i;
+    touching = std::max(touching, steps["contacts"][i]);
+  }
+  EXPECT_GT(touching, 0);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, ShippedScene,
                          ::testing::Values(Case{"towing.xml", 4, 0.04}, Case{"seed-2014.xml", 4, 0.04},
                                            Case{"presawn-a.xml", 4, 0.04}, Case{"presawn-b.xml", 4, 0.04},
@@ -70,9 +94,12 @@ INSTANTIATE_TEST_SUITE_P(All, ShippedScene,
                            return name;
                          });
 
-TEST(SameBits, OneAndTwoThreadsAndTwice) {
+class SameBitsOf : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(SameBitsOf, OneAndTwoThreadsAndTwice) {
   const ScratchFolder folder;
-  const std::string scene = "run '" + shipped_scene("towing.xml").string() + "' --quiet --until 3 ";
+  const std::string scene = "run '" + shipped_scene("towing.xml").string() +
+                            "' --quiet --until 3 --set contact/@integrator=" + GetParam() + " ";
   ASSERT_EQ(run_nilas(scene + "--out one --threads 1", folder.path()).exit_code, 0);
   ASSERT_EQ(run_nilas(scene + "--out two --threads 2", folder.path()).exit_code, 0);
   ASSERT_EQ(run_nilas(scene + "--out again --threads 2", folder.path()).exit_code, 0);
@@ -82,6 +109,8 @@ TEST(SameBits, OneAndTwoThreadsAndTwice) {
   EXPECT_EQ(two.text("state_hash"), again.text("state_hash"));
   EXPECT_EQ(read_text(folder.path() / "one/vessel.csv"), read_text(folder.path() / "two/vessel.csv"));
 }
+
+INSTANTIATE_TEST_SUITE_P(Integrators, SameBitsOf, ::testing::Values("semi-implicit-euler", "moreau"));
 
 TEST(SameBits, TheSceneAsRunRunsAgainToTheSameBits) {
   const ScratchFolder folder;

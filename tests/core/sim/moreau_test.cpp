@@ -4,7 +4,6 @@
 #include <cmath>
 #include <string>
 
-#include "core/base/error.h"
 #include "core/scene/read_scene.h"
 #include "core/sim/simulation.h"
 #include "tests/support/scratch_folder.h"
@@ -150,15 +149,6 @@ TEST(Moreau, ImpactsAtOnceObeyNewtonsLawTogether) {
   EXPECT_NEAR(v[0].x(), -1.0 / 3, 1e-12);
   EXPECT_NEAR(v[1].x(), 2.0 / 3, 1e-12);
   EXPECT_NEAR(v[2].x(), 2.0 / 3, 1e-12);
-}
-
-TEST(Moreau, RefusesAVessel) {
-  const test::ScratchFolder folder;
-  const auto file = folder.write("scene.xml",
-                                 "<scene version='1'><contact integrator='moreau'/><vessel><hull/><mass value='100'/>"
-                                 "</vessel></scene>");
-  WarningCounts warnings{make_logger("off", "")};
-  EXPECT_THROW(Simulation(read_scene(file), 1, warnings), InputError);
 }
 
 }  // namespace

@@ -47,9 +47,18 @@ inline VesselModel carried(BalanceKind balance, const std::array<bool, 6>& free 
 
 /// One step under a constant wrench, with an impulse.
 inline VesselBlock step(VesselSystem& system, const Wrench& load, double h, const Wrench& impulse = {}) {
+  system.move_before_impulses(h);
   VesselBlock block = system.begin(load, h);
   system.finish(impulse);
   return block;
+}
+
+/// One step under the wrench that the state at which loads act has.
+template <class Load>
+void step_under(VesselSystem& system, const Load& load, double h) {
+  system.move_before_impulses(h);
+  system.begin(load(system.state()), h);
+  system.finish({});
 }
 
 inline void run(VesselSystem& system, const Wrench& load, double h, int steps) {

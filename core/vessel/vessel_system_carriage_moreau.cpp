@@ -1,0 +1,126 @@
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/vessel/carried_vessel.h"
+
+namespace nilas {
+
+namespace {
+
+/// (1 - theta) h before the impulses, theta h after them; the carriage is where its motion says at every instant.
+class MoreauCarriedVessel : public CarriedVessel {
+ public:
+  MoreauCarriedVessel(const VesselModel& model, double t0) : CarriedVessel(model, t0), theta_(*model.theta) {}
+
+ protected:
+  void move_before_step(double h) override;
+  VesselBlock begin_step() override;
+  void finish_step(const Wrench& contact) override;
+
+ private:
+  VecX speeds_under(const VecX& force) const;
+  Vec6 momentum_at_end(const VecX& q_middle);
+  void keep_free_momentum(const VecX& q_middle, const Vec6& given_momentum);
+  void place_halfway(const VecX& q_end);
+
+  double theta_;
+  VecX q_start_;
+  Vec6 momentum_start_ = Vec6::Zero();
+  CarriageMotion::State start_, end_;  ///< of the carriage at both ends of the step under way
+  MatX free_mass_;                     ///< of the free coordinates at the middle pose
+};
+
+void MoreauCarriedVessel::move_before_step(double h) {
+  start_ = now_;
+  q_start_ = q_;
+  momentum_start_ = momentum();
+  q_ += (1 - theta_) * h * u_;
+  const double t = time_ + (1 - theta_) * h;
+  demand_regular(t);
+  now_ = motion_.at(t);
+  place(now_, u_);
+}
+
+VecX MoreauCarriedVessel::speeds_under(const VecX& force) const {
+  return step_.decay * u_ + h_ * (step_.response * (force - stiffness_ * q_));
+}
+
+VesselBlock MoreauCarriedVessel::begin_step() {
+  end_ = motion_.at(time_ + h_);
+  // the mean acceleration over the step, so that kinks of the motion keep the momenta exact
+  CarriageMotion::State acceleration;
+  acceleration.v = (end_.v - start_.v) / h_;
+  acceleration.yaw_rate = (end_.yaw_rate - start_.yaw_rate) / h_;
+  jacobian_ = tree_.jacobian();
+  const MatX mass = tree_.mass_matrix();
+  free_mass_ = mass(free_coordinates_, free_coordinates_);
+  step_ = stiff_block(mass, stiffness_, damping_time_, free_coordinates_, h_);
+  // Coriolis terms with the mean of the speeds at both ends: with those before alone they would be of first order
+  const VecX predicted = speeds_under(tree_.force(free_, acceleration));
+  tree_.set_speeds(0.5 * (u_ + predicted));
+  u_without_contact_ = speeds_under(tree_.force(free_, acceleration));
+  // this motion lasts until the impulses of the next step
+  return {step_.mass, step_.mass * u_without_contact_, jacobian_,
+          mean_carriage_twist(motion_.at(time_ + (1 - theta_) * h_ + h_))};
+}
+
+void MoreauCarriedVessel::finish_step(const Wrench& contact) {
+  Vec6 impulse;
+  impulse << contact.force, contact.torque;
+  Vec6 given = impulse;
+  given.head<3>() += h_ * free_.force;
+  given.tail<3>() += h_ * free_.torque;
+
+  const VecX q_middle = q_;
+  u_ = u_without_contact_ + step_.response * (jacobian_.transpose() * impulse);
+  keep_free_momentum(q_middle, momentum_start_ + given);
+
+  // what the momenta lack is what the carriage gave
+  const Vec6 reaction = (momentum_at_end(q_middle) - momentum_start_ - given) / h_;
+  place_halfway(q_);
+  read_loads(reaction, tree_.pose().p, motion_.at(time_ + 0.5 * h_));
+  now_ = end_;
+  place(now_, u_);
+}
+
+/// Moves the vessel to the step's end with the speeds u_.
+Vec6 MoreauCarriedVessel::momentum_at_end(const VecX& q_middle) {
+  q_ = q_middle + theta_ * h_ * u_;
+  demand_regular(time_ + h_);
+  place(end_, u_);
+  return momentum();
+}
+
+/// The tree between the step's ends, where the reaction is read; the state stays at the end.
+void MoreauCarriedVessel::place_halfway(const VecX& q_end) {
+  tree_.set_coordinates(0.5 * (q_start_ + q_end));
+  tree_.set_carriage(motion_.at(time_ + 0.5 * h_));
+}
+
+/// Chooses the speeds of the free coordinates, and with them the pose at the step's end, so that halfway between its
+/// ends the reaction has no part along these coordinates. Forward and backward in time this is the same condition.
+void MoreauCarriedVessel::keep_free_momentum(const VecX& q_middle, const Vec6& given_momentum) {
+  if (free_coordinates_.empty()) return;
+  const Eigen::LLT<MatX> mass(free_mass_);
+  // Each pass gains a factor of about h times the rate at which the axes turn, until rounding is left.
+  constexpr int k_most_passes = 50;
+  double last_move = std::numeric_limits<double>::infinity();
+  for (int pass = 0; pass < k_most_passes; ++pass) {
+    const Vec6 lack = given_momentum - momentum_at_end(q_middle);
+    place_halfway(q_);
+    const VecX along = tree_.jacobian().transpose() * lack;
+    const VecX change = mass.solve(VecX(along(free_coordinates_)));
+    const double move = change.dot(free_mass_ * change);
+    if (!(move < last_move)) break;
+    u_(free_coordinates_) += change;
+    last_move = move;
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<VesselMotion> make_moreau_carried_vessel(const VesselModel& model, double t0) {
+  return std::make_unique<MoreauCarriedVessel>(model, t0);
+}
+
+}  // namespace nilas
