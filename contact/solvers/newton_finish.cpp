@@ -187,7 +187,11 @@ FinishOutcome newton_finish(const MassScaled& problem, const VecX& scaled, doubl
          !clock.out_of_time()) {
     ++out.iterations;
     const VecX dr = finish.step(damping);
-    double t = dr.size() > 0 ? 1 : 0;
+    if (dr.size() == 0) {
+      damping *= k_change;
+      continue;
+    }
+    double t = 1;
     Size next = finish.evaluate(out.r + t * dr);
     while (t >= k_shortest && !(next.norm < (1 - k_descent * t) * size.norm)) {
       t *= 0.5;

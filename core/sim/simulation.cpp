@@ -401,7 +401,7 @@ StepRecord Simulation::step() {
   ++world.steps;
   record.contacts = contacts.problem.num_points();
   record.islands = static_cast<int>(find_islands(contacts.problem).size());
-  world.last = {std::move(contacts.problem), solution};
+  world.last = {std::move(contacts.problem), solution, {}, {}};
   world.demand_finite();
   world.name_unnamed_pairs();
   watch.lap(Phase::integration);
@@ -426,6 +426,8 @@ StepRecord Simulation::step() {
   record.angular_momentum_scale = balance.angular_scale;
   record.state_hash = world.state_hash();
   if (world.parts.vessel) record.vessel = world.vessel_record(motion);
+  world.last.points = std::move(motion.points);
+  world.last.impulses = std::move(motion.impulses);
   if (world.model.stop_on_failure && solution.status != SolveStatus::converged && record.contacts > 0)
     throw SimulationError(fmt::format("at {:g} s the contact solver stopped with status {}, law_map_m_s {:.3g}{}",
                                       record.t, to_string(solution.status), record.residuals.law_map_m_s,

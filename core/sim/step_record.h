@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/detect/contact_point.h"
 #include "contact/measure.h"
 #include "contact/solver.h"
 #include "core/base/math.h"
@@ -59,6 +60,8 @@ struct StepRecord {
 struct SolvedProblem {
   ContactProblem problem;
   ContactSolution solution;
+  std::vector<ContactPoint> points;  ///< where the contacts were found
+  std::vector<Vec3> impulses;        ///< per point, on body b, in G [N s]
 };
 
 /// What is known when a run begins.

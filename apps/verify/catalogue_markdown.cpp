@@ -1,0 +1,68 @@
+#include <fmt/format.h>
+
+#include "apps/verify/setting.h"
+#include "apps/verify/table.h"
+
+namespace nilas {
+
+namespace {
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+std::string inputs_text(const Case& one) {
+  std::string text;
+  for (const auto& input : one.inputs)
+    text += fmt::format("{}{} = {:g}{}{}", text.empty() ? "" : ", ", input.name, input.value,
+                        input.unit.empty() ? "" : " " + input.unit, input.name == one.varied ? " (and 10 % more)" : "");
+  return text;
+}
+
+std::string limit_text(const Case& one) {
+  std::string text;
+  for (std::size_t k = 0; k < one.integrators.size(); ++k) {
+    const double order = k < one.orders.size() ? one.orders[k] : 0;
+    text += fmt::format("{}{} {}", text.empty() ? "" : "; ", one.integrators[k],
+                        order > 0 ? fmt::format("order {:g} over five steps from {:g} s", order, one.step)
+                                  : fmt::format("error {:g} at {:g} s", one.tolerance, one.step));
+  }
+  return text;
+}
+
+constexpr const char* k_head = R"(# Cases of `nilas verify`
+
+Each case is a scene of `apps/scenes/verify`, run by the same engine as every scene, with the inputs below put in as `--set` would; so any of
+them can be run by hand. What is expected is computed from the inputs, for the law that is asked: the artefact of a wrong model is an expected
+value too. Every case runs again with one input 10 % larger. With `theta` = 1 (`semi-implicit-euler`) or 0.5 (`moreau`) formulas are those of the
+time step itself where they can be had; else the limit of small steps is expected at the order that is proven.
+
+    nilas verify                     the default set
+    nilas verify --all               every solver with every integrator
+    nilas verify --case D35 --json   one case, all rows
+    nilas verify --html --out DIR    DIR/verify.html with a plot per family, DIR/verify.csv
+
+An error is |measured - expected| over the scale of the quantity: the expected value, or where that is zero a typical one.
+
+This page is written by `nilas verify --markdown`.
+)";
+
+}  // namespace
+
+std::string catalogue_markdown() {
+  std::string text = k_head;
+  char family = 0;
+  for (const auto& one : catalogue()) {
+    if (one.family != family) text += fmt::format("\n## {} {}\n", one.family, family_title(one.family));
+    family = one.family;
+    text += fmt::format("\n**{} {}.** {}\n", one.id(), one.title, one.formula);
+    text += fmt::format("Inputs: {}. Scene `{}`. Laws: {}. Limit: {}. Source: {}.\n", inputs_text(one), one.scene,
+                        joined(one.laws), limit_text(one), one.source);
+    if (!one.note.empty()) text += one.note + "\n";
+  }
+  return text;
+}
+
+}  // namespace nilas

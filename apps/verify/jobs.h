@@ -1,0 +1,37 @@
+#pragma once
+/// Independent pieces of work on several threads.
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <functional>
+#include <thread>
+#include <vector>
+
+namespace nilas {
+
+/// Calls work(k) for k in [0, count), each once, in any order. `done` hears the share that has begun, on the calling
+/// thread alone. The first exception ends the rest and is thrown again.
+template <class Work>
+void run_jobs(std::size_t count, int threads, const Work& work, const std::function<void(double)>& done) {
+  std::atomic<std::size_t> next = 0;
+  std::atomic<bool> failed = false;
+  std::exception_ptr failure;
+  const auto take = [&](bool reports) {
+    for (std::size_t k = next++; k < count && !failed; k = next++) {
+      try {
+        work(k);
+      } catch (...) {
+        if (!failed.exchange(true)) failure = std::current_exception();
+      }
+      if (reports && done) done(static_cast<double>(k + 1) / static_cast<double>(count));
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    for (int k = 1; k < threads; ++k) others.emplace_back(take, false);
+    take(true);
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace nilas

@@ -1,0 +1,148 @@
+#include "apps/verify/limitations.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "apps/verify/recurrences.h"
+#include "apps/verify/scene_changes.h"
+
+namespace nilas {
+
+namespace {
+
+/// A case without formula: only what a Setting needs.
+Case scene_case(const std::string& scene) {
+  Case one;
+  one.scene = scene;
+  return one;
+}
+
+Trial trial(const std::string& scene, const Model& model, const Overrides& changes) {
+  const Case one = scene_case(scene);
+  return Setting(one, model, {}).trial(changes);
+}
+
+constexpr double k_speed = 2, k_mu = 0.3;
+
+void add_pyramid(std::vector<Limitation>& all) {
+  const Vec3 along = heading(30);
+  const double change = k_mu * k_gravity * 0.01;
+  const auto stop = [&](const std::string& law) {
+    Trial run = trial("block.xml", {law, "auto"}, of("block", "velocity", Vec3(k_speed * along)) + friction(k_mu));
+    run.run(static_cast<long>(k_speed / change) + 5);
+    return run.body("block").p;
+  };
+  const Vec3 box = stop("pyramid"), cone = stop("coulomb");
+  const double exact = stopping_way(k_speed, change, 0.01, 1);
+  const std::string scene = "`block.xml`, 2 m/s at 30 degrees to the tangents, mu 0.3";
+  const std::string name = "friction as a pyramid of two directions (`law=\"pyramid\"`), not a cone";
+  all.push_back({name, "way to rest [m]", scene, std::hypot(box.x(), box.y()), std::hypot(cone.x(), cone.y()), exact});
+  all.push_back({name, "direction of that way from the start's [deg]", scene, std::atan2(box.y(), box.x()) / k_deg - 30,
+                 std::atan2(cone.y(), cone.x()) / k_deg - 30, 0});
+}
+
+void add_gyroscopic(std::vector<Limitation>& all) {
+  const Vec3 w(0.5, 0, 1), moments(1, 2, 2.5);
+  const auto lost = [&](const std::string& kept) {
+    Trial run = trial("top.xml", {},
+                      of("top", "inertia", text(moments) + " 0 0 0") + of("top", "angular_velocity", w) +
+                          Overrides{{"contact/@gyroscopic", kept}});
+    run.run(1000);
+    const BodyState top = run.body("top");
+    const Vec3 start = moments.cwiseProduct(w);
+    return (top.inertia * top.w - start).norm() / start.norm();
+  };
+  all.push_back({"gyroscopic torque off (`gyroscopic=\"false\"`)", "angular momentum lost or turned in 10 s, share",
+                 "`top.xml`, spin (0.5, 0, 1) rad/s", lost("false"), lost("true"), 0});
+}
+
+void add_static_friction(std::vector<Limitation>& all) {
+  const auto speed = [&](double held) {
+    Trial run =
+        trial("block.xml", {},
+              of("block", "velocity", "0 0 0") + gravity({0.35 * k_gravity, 0, -k_gravity}) +
+                  Overrides{{"contact/friction[1]/@static", text(held)}, {"contact/friction[1]/@kinetic", "0.3"}});
+    run.run(50);
+    return run.body("block").v.x();
+  };
+  all.push_back({"static friction equal to kinetic friction (0.3), not 0.4", "speed after 0.5 s [m/s]",
+                 "`block.xml` at rest, pushed with 0.35 of its weight", speed(0.3), speed(0.4), 0});
+}
+
+void add_split_impulse(std::vector<Limitation>& all) {
+  const auto run_with = [&](const std::string& stabilisation, double& depth) {
+    Trial run = trial("block.xml", {},
+                      of("block", "velocity", "0 0 0") + of("block", "position", "0 0 0.099") +
+                          Overrides{{"contact/@stabilisation", stabilisation}, {"contact/@tolerance", "1e-9"}});
+    run.run(100);
+    depth = std::max(0.0, 0.1 - run.body("block").p.z());
+    const Ledger& now = run.last().ledger;
+    return now.kinetic + now.potential - run.initial_ledger().kinetic - run.initial_ledger().potential;
+  };
+  double split_depth = 0, depth = 0;
+  const double split = run_with("split-impulse", split_depth), projected = run_with("projection", depth);
+  const std::string scene = "`block.xml` at rest 1 mm deep in the floor", name = "split impulse, not projection";
+  all.push_back({name, "depth left after 1 s [m]", scene, split_depth, depth, 0});
+  all.push_back({name, "energy won beyond lifting the block by what it rose [J]", scene,
+                 split - 2 * k_gravity * (0.001 - split_depth), projected - 2 * k_gravity * (0.001 - depth), 0});
+}
+
+void add_fixed_sweeps(std::vector<Limitation>& all) {
+  const auto sunk = [&](const Model& model, const Overrides& more) {
+    Trial run = trial("heavy-on-light.xml", model,
+                      of("heavy", "mass", 100.0) + Overrides{{"contact/@stabilisation", "none"}} + more);
+    run.run(100);
+    return run.last().penetration_max;
+  };
+  const Overrides sweeps{
+      {"contact/@tolerance", "0"}, {"contact/@max_iterations", "50"}, {"contact/@warm_start", "false"}};
+  all.push_back({"50 sweeps of projected Gauss-Seidel (`solver=\"pgs\"`), not a tolerance", "penetration after 1 s [m]",
+                 "`heavy-on-light.xml`, 100 kg on 1 kg", sunk({"pyramid", "pgs"}, sweeps),
+                 sunk({"coulomb", "auto"}, {}), 0});
+}
+
+void add_discrete_detection(std::vector<Limitation>& all) {
+  const auto below = [&](double margin) {
+    Trial run = trial("ball.xml", {},
+                      of("ball", "radius", 0.05) + of("ball", "position", "0 0 0.35") +
+                          of("ball", "velocity", "0 0 -40") + Overrides{{"contact/@margin", text(margin)}});
+    run.run(5);
+    return std::max(0.0, 0.05 - run.body("ball").p.z());
+  };
+  all.push_back({"contacts only where bodies touch at the step's start (`margin=\"1e-9\"`), not within its way",
+                 "deepest way into the floor after 0.05 s [m]", "`ball.xml`, radius 0.05 m, 40 m/s down, step 0.01 s",
+                 below(1e-9), below(0), 0});
+}
+
+}  // namespace
+
+std::vector<Limitation> limitations() {
+  std::vector<Limitation> all;
+  add_pyramid(all);
+  add_gyroscopic(all);
+  add_static_friction(all);
+  add_split_impulse(all);
+  add_fixed_sweeps(all);
+  add_discrete_detection(all);
+  return all;
+}
+
+std::string limitations_markdown(const std::vector<Limitation>& all) {
+  std::string page =
+      "# What older tools' simplifications cost\n\n"
+      "Each line is one run made twice, with a simplification and without. The scenes are those of "
+      "`apps/scenes/verify`.\nBelow 1e-9 a number is rounding or what the solver's tolerance leaves, and written as 0. "
+      "This page is written by\n`nilas verify --limitations`.\n\n"
+      "| simplification | measured | scene | with it | without | exact |\n|---|---|---|---|---|---|\n";
+  const auto digits = [](double value) {
+    constexpr double k_nothing = 1e-9;
+    return std::abs(value) < k_nothing ? std::string("0") : fmt::format("{:.3g}", value);
+  };
+  for (const auto& one : all)
+    page += fmt::format("| {} | {} | {} | {} | {} | {} |\n", one.name, one.measured, one.scene, digits(one.with),
+                        digits(one.without), digits(one.exact));
+  return page;
+}
+
+}  // namespace nilas

@@ -1,0 +1,20 @@
+#pragma once
+/// What each simplification of older tools does to a number, beside the same run without it.
+#include <string>
+#include <vector>
+
+namespace nilas {
+
+struct Limitation {
+  std::string name;      ///< the simplification
+  std::string measured;  ///< what, with its unit
+  std::string scene;     ///< and what of it differs from the file
+  double with = 0, without = 0, exact = 0;
+};
+
+/// Runs all of them.
+std::vector<Limitation> limitations();
+/// The page docs/limitations.md; three digits, so that rounding does not change it.
+std::string limitations_markdown(const std::vector<Limitation>& all);
+
+}  // namespace nilas

@@ -1,0 +1,142 @@
+#include "apps/verify/page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "apps/verify/plot.h"
+#include "apps/verify/table.h"
+#include "core/base/error.h"
+
+namespace nilas {
+
+namespace {
+
+/// Errors of zero and below are drawn here.
+constexpr double k_floor = 1e-18;
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '&')
+      out += "&amp;";
+    else
+      out += c;
+  }
+  return out;
+}
+
+/// Cases along x, errors along y, a mark per solver, the allowed error as a bar.
+std::string family_script(char family, const std::vector<const Row*>& rows) {
+  std::vector<std::string> cases;
+  std::map<std::string, std::vector<const Row*>> by_solver;
+  for (const Row* row : rows) {
+    if (cases.empty() || cases.back() != row->id) cases.push_back(row->id);
+    by_solver[row->model.solver].push_back(row);
+  }
+  const auto place = [&](const Row* row) {
+    return static_cast<double>(std::find(cases.begin(), cases.end(), row->id) - cases.begin());
+  };
+  std::string data, drawn;
+  int mark = 0;
+  const double width = 0.7 / static_cast<double>(std::max<std::size_t>(by_solver.size(), 1));
+  data += "$allowed << EOD\n";
+  for (const Row* row : rows)
+    data += fmt::format("{} {} {}\n", place(row) - 0.4, std::max(row->tolerance, k_floor), place(row) + 0.4);
+  data += "EOD\n";
+  drawn = "$allowed using 1:2:($3-$1):(0) with vectors nohead lc rgb '#555555' lw 1.5 title 'allowed'";
+  for (const auto& [solver, own] : by_solver) {
+    ++mark;
+    data += fmt::format("$s{} << EOD\n", mark);
+    for (const Row* row : own)
+      data += fmt::format("{} {}\n", place(row) - 0.35 + width * (mark - 0.5),
+                          std::isfinite(row->error) ? std::max(row->error, k_floor) : 1.0);
+    data += "EOD\n";
+    drawn += fmt::format(", \\\n  $s{} using 1:2 with points pt {} ps 0.7 title '{}'", mark, mark, solver);
+  }
+  std::string ticks;
+  for (std::size_t k = 0; k < cases.size(); ++k) ticks += fmt::format("{}'{}' {}", k > 0 ? ", " : "", cases[k], k);
+  std::string script = data;
+  script += fmt::format(
+      "set logscale y\nset format y '10^{{%L}}'\nset yrange [{}:10]\nset xrange [-0.6:{}]\nset xtics ({})\n"
+      "set ylabel 'error'\nset grid y lc rgb '#dddddd'\nset key outside right noenhanced\nset colorsequence podo\n",
+      k_floor / 3, static_cast<double>(cases.size()) - 0.4, ticks);
+  for (const char* kind : {"svg", "png"}) {
+    const bool vector = kind == std::string("svg");
+    script += fmt::format(
+        "set terminal {}\nset output 'family-{}.{}'\nplot {}\n",
+        vector ? "svg size 960,380 font 'sans,12' background '#ffffff'" : "pngcairo size 1440,570 font 'sans,14'",
+        family, kind, drawn);
+  }
+  return script;
+}
+
+std::string family_table(const std::vector<const Row*>& rows) {
+  std::string html =
+      "<table><tr><th>case</th><th>quantity</th><th>input</th><th>law</th><th>solver</th><th>integrator</th>"
+      "<th>step [s]</th><th>measured</th><th>expected</th><th>error</th><th>allowed</th><th>order</th><th></th></tr>\n";
+  for (const Row* row : rows)
+    html += fmt::format(
+        "<tr class='{}'><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{:g}</td><td>{:.9g}</td>"
+        "<td>{:.9g}</td><td>{:.1e}</td><td>{:.1e}</td><td>{}</td><td>{}</td></tr>\n",
+        row->holds ? "holds" : "fails", row->id, escaped(row->quantity), escaped(row->input), row->model.law,
+        row->model.solver, row->model.integrator, row->model.step, row->measured, row->expected, row->error,
+        row->tolerance, row->proven_order > 0 ? fmt::format("{:.2f}", row->order) : "", row->holds ? "holds" : "FAILS");
+  return html + "</table>\n";
+}
+
+std::string contents(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  std::ostringstream text;
+  text << in.rdbuf();
+  std::string svg = text.str();
+  const auto start = svg.find("<svg");
+  return start == std::string::npos ? svg : svg.substr(start);
+}
+
+constexpr const char* k_style =
+    "body{font:14px/1.5 sans-serif;max-width:1100px;margin:2em auto;padding:0 1em;color:#222}"
+    "table{border-collapse:collapse;font-size:12px}td,th{padding:1px 6px;text-align:left;border-bottom:1px solid #ddd}"
+    "tr.fails{background:#fdd;font-weight:bold}summary{cursor:pointer;margin:.5em 0}svg{max-width:100%;height:auto}";
+
+}  // namespace
+
+void write_page(const std::filesystem::path& folder, const std::vector<Row>& rows) {
+  std::map<char, std::vector<const Row*>> families;
+  for (const auto& row : rows) families[row.family].push_back(&row);
+  const auto failed = std::count_if(rows.begin(), rows.end(), [](const Row& row) { return !row.holds; });
+  std::string html = fmt::format(
+      "<!doctype html><html lang='en'><head><meta charset='utf-8'><title>nilas verify</title><style>{}</style></head>"
+      "<body><h1>Cases with known answers</h1><p>{} rows, {} of them fail. A row is one quantity of a case with one "
+      "law, "
+      "solver and integrator; its error is |measured - expected| over the quantity's scale. In the pictures a mark is "
+      "a "
+      "row, the bar above it what is allowed, and errors of zero lie at the foot.</p>\n",
+      k_style, rows.size(), failed);
+  for (const auto& [family, own] : families) {
+    plot(folder, family_script(family, own));
+    html += fmt::format("<h2>{} {}</h2>\n", family, family_title(family));
+    html += contents(folder / fmt::format("family-{}.svg", family));
+    html += "<ul>";
+    for (const auto& one : catalogue()) {
+      const bool shown = std::any_of(own.begin(), own.end(), [&](const Row* row) { return row->id == one.id(); });
+      if (shown) html += fmt::format("<li><b>{}</b> {}: {}</li>\n", one.id(), escaped(one.title), escaped(one.formula));
+    }
+    html += fmt::format("</ul><details{}><summary>{} rows</summary>{}</details>\n", failed > 0 ? " open" : "",
+                        own.size(), family_table(own));
+  }
+  html += "</body></html>\n";
+  std::ofstream out(folder / "verify.html");
+  out << html;
+  if (!out.flush()) throw FileError("cannot write " + (folder / "verify.html").string());
+}
+
+}  // namespace nilas

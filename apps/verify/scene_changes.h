@@ -1,0 +1,40 @@
+#pragma once
+/// Overrides that many cases make.
+#include <string>
+
+#include "apps/verify/setting.h"
+
+namespace nilas {
+
+constexpr double k_gravity = 9.81;  ///< of scenes that name none [m/s^2]
+
+inline Overrides operator+(Overrides a, const Overrides& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+/// The first pair's coefficient, static and kinetic.
+inline Overrides friction(double coefficient) {
+  return {{"contact/friction[1]/@static", text(coefficient)}, {"contact/friction[1]/@kinetic", text(coefficient)}};
+}
+
+inline Overrides restitution(double coefficient) { return {{"contact/friction[1]/@restitution", text(coefficient)}}; }
+
+inline Overrides gravity(const Vec3& value) { return {{"gravity/@value", text(value)}}; }
+
+/// An attribute of a <body>.
+template <class Value>
+Overrides of(const std::string& body, const std::string& attribute, const Value& value) {
+  return {{"body[@name='" + body + "']/@" + attribute, text(value)}};
+}
+inline Overrides of(const std::string& body, const std::string& attribute, const std::string& value) {
+  return {{"body[@name='" + body + "']/@" + attribute, value}};
+}
+inline Overrides of(const std::string& body, const std::string& attribute, const char* value) {
+  return of(body, attribute, std::string(value));
+}
+
+/// A horizontal unit vector.
+inline Vec3 heading(double degrees) { return {std::cos(degrees * k_deg), std::sin(degrees * k_deg), 0}; }
+
+}  // namespace nilas

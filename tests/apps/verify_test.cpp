@@ -1,0 +1,81 @@
+/// `nilas verify` as a user runs it.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/support/program.h"
+
+namespace {
+
+using namespace nilas_test;
+
+
+const std::filesystem::path k_docs = std::filesystem::path(NILAS_SOURCE_DIR) / "docs";
+
+TEST(Verify, EveryRowOfTheDefaultSetHolds) {
+  const ScratchFolder folder;
+  const auto result = run_nilas("verify --quiet --html --out table", folder.path());
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+  const std::string page = read_text(folder.path() / "table/verify.html");
+  for (const char family : std::string("ABCDEFG")) {
+    EXPECT_NE(page.find(std::string("<h2>") + family + " "), std::string::npos);
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / ("table/family-" + std::string(1, family) + ".png")));
+  }
+  EXPECT_NE(page.find("<svg"), std::string::npos);
+  EXPECT_EQ(page.find("http-equiv"), std::string::npos);
+}
+
+TEST(Verify, RowsAreJson) {
+  const ScratchFolder folder;
+  const auto result = run_nilas("verify --case A5 --law pyramid --solver pgs --json", folder.path());
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  ASSERT_FALSE(json["rows"].empty());
+  for (const auto& row : json["rows"]) {
+    for (const char* name : {"case", "family", "law", "solver", "integrator", "step_s", "measured", "expected", "error",
+                             "tolerance", "order", "verdict"})
+      EXPECT_TRUE(row.contains(name)) << name;
+    EXPECT_EQ(row["law"], "pyramid");
+    EXPECT_EQ(row["solver"], "pgs");
+    EXPECT_EQ(row["verdict"], "holds");
+    EXPECT_LE(row["error"].get<double>(), row["tolerance"].get<double>());
+  }
+}
+
+TEST(Verify, WrongNamesAreBadInput) {
+  const ScratchFolder folder;
+  EXPECT_EQ(run_nilas("verify --case Q1", folder.path()).exit_code, 2);
+  EXPECT_EQ(run_nilas("verify --solver nwton", folder.path()).exit_code, 2);
+  const auto law = run_nilas("verify --law colomb", folder.path());
+  EXPECT_EQ(law.exit_code, 2);
+  EXPECT_NE(law.err.find("coulomb"), std::string::npos);
+}
+
+TEST(Verify, AFolderWithOthersFilesIsNotTouched) {
+  const ScratchFolder folder;
+  folder.write("mine/notes.txt", "mine");
+  EXPECT_EQ(run_nilas("verify --case A3 --solver auto --out mine", folder.path()).exit_code, 2);
+  EXPECT_EQ(run_nilas("verify --case A3 --solver auto --out mine --force --quiet", folder.path()).exit_code, 0);
+  EXPECT_EQ(read_text(folder.path() / "mine/notes.txt"), "mine");
+  EXPECT_EQ(read_text(folder.path() / "mine/verify.csv").substr(0, 12), "case,family,");
+}
+
+TEST(Verify, ThePagesAreThoseOfTheProgram) {
+  const ScratchFolder folder;
+  EXPECT_EQ(read_text(k_docs / "verification.md"), run_nilas("verify --markdown", folder.path()).out)
+      << "write it again: build/release/nilas verify --markdown > docs/verification.md";
+  EXPECT_EQ(read_text(k_docs / "limitations.md"), run_nilas("verify --limitations", folder.path()).out)
+      << "write it again: build/release/nilas verify --limitations > docs/limitations.md";
+}
+
+TEST(Verify, TheExtremesAreDrawn) {
+  const ScratchFolder folder;
+  const auto result = run_nilas("verify --extremes --case friction --solver auto --out map", folder.path());
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+  EXPECT_GT(std::filesystem::file_size(folder.path() / "map/extremes.png"), 1000u);
+  EXPECT_NE(read_text(folder.path() / "map/extremes.csv").find("friction"), std::string::npos);
+}
+
+}  // namespace
