@@ -59,4 +59,25 @@ std::vector<std::pair<std::string, std::string>> FrictionTable::unnamed_pairs() 
   return pairs;
 }
 
+void FrictionTable::save(StateWriter out) const {
+  const auto pairs = unnamed_pairs();
+  out.add("unnamed_pairs", pairs.size());
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    StateWriter pair = out.group(std::to_string(k));
+    pair.add("first", pairs[k].first);
+    pair.add("second", pairs[k].second);
+  }
+}
+
+void FrictionTable::restore(const StateReader& in) {
+  std::size_t count = 0;
+  in.get("unnamed_pairs", count);
+  for (std::size_t k = 0; k < count; ++k) {
+    std::string first, second;
+    in.group(std::to_string(k)).get("first", first);
+    in.group(std::to_string(k)).get("second", second);
+    find(first, second);
+  }
+}
+
 }  // namespace nilas

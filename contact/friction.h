@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/state.h"
+
 namespace nilas {
 
 struct FrictionPair {
@@ -27,6 +29,10 @@ class FrictionTable {
 
   /// Pairs that `find` met and nothing names, each once, in the order they were met.
   std::vector<std::pair<std::string, std::string>> unnamed_pairs() const;
+
+  /// The unnamed pairs, which are told once.
+  void save(StateWriter out) const;
+  void restore(const StateReader& in);
 
  private:
   struct Entry {

@@ -1,5 +1,6 @@
 #pragma once
-/// The few things of HDF5 that problem files need: named datasets of numbers and short texts, read with suspicion.
+/// The few things of HDF5 that problem files and checkpoints need: named datasets of numbers and short texts, read with
+/// suspicion.
 ///
 /// A file is taken into memory whole, so nothing is ever allocated beyond what it really holds: each dataset's extent
 /// is checked against its storage, its storage against the size of the file. Names are paths such as "fclib_local/W/x".
@@ -67,6 +68,16 @@ class Hdf5Reader {
   /// A text of fixed length, without the zeros that fill it; empty where there is none.
   std::string text(const std::string& name) const;
 
+  enum class Kind { numbers, integers, text, other };
+  /// What a dataset holds.
+  Kind kind(const std::string& name) const;
+  /// All numbers, bit for bit: also those that are not finite.
+  std::vector<double> exact_numbers(const std::string& name) const;
+  /// Integers of 64 bits.
+  std::vector<std::int64_t> wide_integers(const std::string& name) const;
+  /// Names of all datasets in a group and in the groups below it, from that group on.
+  std::vector<std::string> datasets(const std::string& group) const;
+
   [[noreturn]] void refuse(const std::string& name, const std::string& fault) const;
 
  private:
@@ -87,11 +98,13 @@ class Hdf5Writer {
   Hdf5Writer();
   void add_group(const std::string& name);
   void add(const std::string& name, const std::vector<int>& values);
+  void add(const std::string& name, const std::vector<std::int64_t>& values);
   void add(const std::string& name, const std::vector<double>& values);
   void add(const std::string& name, const VecX& values);
   void add(const std::string& name, const std::string& text);
-  /// Writes beside `path` and renames, so that a failure leaves no half file there. Throws FileError.
-  void save(const std::filesystem::path& path) const;
+  /// Writes beside `path` and renames, so that a failure leaves no half file there; `synced`: not even a stop of the
+  /// machine, since the bytes are on the disk before they get the name. Throws FileError.
+  void save(const std::filesystem::path& path, bool synced = false) const;
 
  private:
   void add(const std::string& name, std::int64_t type, std::size_t count, const void* values);

@@ -124,16 +124,21 @@ static bool is_real(hid_t type) {
   return is_one_of(type, {H5T_IEEE_F64LE, H5T_IEEE_F32LE, H5T_IEEE_F64BE, H5T_IEEE_F32BE});
 }
 
-std::vector<int> Hdf5Reader::integers(const std::string& name) const {
+std::vector<std::int64_t> Hdf5Reader::wide_integers(const std::string& name) const {
   const Dataset dataset = open(name);
   if (!is_integer(dataset.type.get())) refuse(name, "does not hold integers");
   check_storage(dataset, name);
-  std::vector<long long> wide(dataset.count);
-  if (!wide.empty() && H5Dread(dataset.id.get(), H5T_NATIVE_LLONG, H5S_ALL, H5S_ALL, H5P_DEFAULT, wide.data()) < 0)
+  std::vector<std::int64_t> wide(dataset.count);
+  if (!wide.empty() && H5Dread(dataset.id.get(), H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, wide.data()) < 0)
     refuse(name, "cannot be read; the file is damaged");
+  return wide;
+}
+
+std::vector<int> Hdf5Reader::integers(const std::string& name) const {
+  const std::vector<std::int64_t> wide = wide_integers(name);
   std::vector<int> values;
   values.reserve(wide.size());
-  for (const long long x : wide) {
+  for (const std::int64_t x : wide) {
     if (x < std::numeric_limits<int>::min() || x > std::numeric_limits<int>::max())
       refuse(name, "holds " + std::to_string(x) + ", beyond 32 bits");
     values.push_back(static_cast<int>(x));
@@ -189,6 +194,31 @@ std::string Hdf5Reader::text(const std::string& name) const {
   if (H5Dread(dataset.id.get(), dataset.type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0)
     refuse(name, "cannot be read; the file is damaged");
   return text.substr(0, text.find('\0'));
+}
+
+Hdf5Reader::Kind Hdf5Reader::kind(const std::string& name) const {
+  const Dataset dataset = open(name);
+  if (is_integer(dataset.type.get())) return Kind::integers;
+  if (is_real(dataset.type.get())) return Kind::numbers;
+  return H5Tget_class(dataset.type.get()) == H5T_STRING ? Kind::text : Kind::other;
+}
+
+std::vector<double> Hdf5Reader::exact_numbers(const std::string& name) const {
+  const VecX values = read_numbers(name);
+  return {values.begin(), values.end()};
+}
+
+std::vector<std::string> Hdf5Reader::datasets(const std::string& group) const {
+  if (!has(group)) refuse(group, "is missing");
+  const Hdf5Handle place(H5Gopen2(file_.get(), group.c_str(), H5P_DEFAULT), H5Gclose);
+  if (!place.good()) refuse(group, "is no group, or is damaged");
+  std::vector<std::string> names;
+  const auto visit = [](hid_t, const char* name, const H5O_info_t* info, void* list) -> herr_t {
+    if (info->type == H5O_TYPE_DATASET) static_cast<std::vector<std::string>*>(list)->emplace_back(name);
+    return 0;
+  };
+  if (H5Ovisit(place.get(), H5_INDEX_NAME, H5_ITER_INC, visit, &names) < 0) refuse(group, "is damaged");
+  return names;
 }
 
 }  // namespace nilas

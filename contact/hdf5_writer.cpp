@@ -1,4 +1,6 @@
+#include <fcntl.h>
 #include <hdf5.h>
+#include <unistd.h>
 
 #include <fstream>
 
@@ -41,6 +43,10 @@ void Hdf5Writer::add(const std::string& name, const std::vector<int>& values) {
   add(name, H5T_NATIVE_INT, values.size(), values.data());
 }
 
+void Hdf5Writer::add(const std::string& name, const std::vector<std::int64_t>& values) {
+  add(name, H5T_NATIVE_INT64, values.size(), values.data());
+}
+
 void Hdf5Writer::add(const std::string& name, const std::vector<double>& values) {
   add(name, H5T_NATIVE_DOUBLE, values.size(), values.data());
 }
@@ -57,7 +63,16 @@ void Hdf5Writer::add(const std::string& name, const std::string& text) {
   demand_made(data.good() && H5Dwrite(data.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()) >= 0, name);
 }
 
-void Hdf5Writer::save(const std::filesystem::path& path) const {
+/// Waits until what was written to a file, or into a folder, is on the disk.
+static bool sync(const std::filesystem::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool done = ::fsync(descriptor) == 0;
+  ::close(descriptor);
+  return done;
+}
+
+void Hdf5Writer::save(const std::filesystem::path& path, bool synced) const {
   H5Fflush(file_.get(), H5F_SCOPE_GLOBAL);
   const ssize_t size = H5Fget_file_image(file_.get(), nullptr, 0);
   demand_made(size > 0, path.string());
@@ -69,8 +84,12 @@ void Hdf5Writer::save(const std::filesystem::path& path) const {
   out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   out.close();
   std::error_code fault;
-  if (out) std::filesystem::rename(beside, path, fault);
-  if (out && !fault) return;
+  const bool written = out && (!synced || sync(beside));
+  if (written) std::filesystem::rename(beside, path, fault);
+  if (written && !fault) {
+    if (synced) sync(path.parent_path());  // the new name; some file systems refuse to sync a folder
+    return;
+  }
   std::error_code ignored;
   std::filesystem::remove(beside, ignored);
   throw FileError(path.string() + ": cannot be written");

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "contact/solver.h"
+#include "core/base/state.h"
 
 namespace nilas {
 
@@ -25,6 +26,10 @@ class StaticFriction {
 
   int rounds() const { return rounds_; }  ///< solves that the last step took
   static constexpr int k_most_rounds = 20;
+
+  /// Which keys slipped in the last step.
+  void save(StateWriter out) const { out.add("slipped", slipped_); }
+  void restore(const StateReader& in) { in.get("slipped", slipped_); }
 
  private:
   double slip_speed_;

@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
+
+#include "core/base/error.h"
 
 namespace nilas {
 
@@ -67,7 +70,25 @@ struct Leaf {
     object->setTranslation(box.centre);
     object->computeAABB();
   }
+
+  void set_box(const fcl::AABBd& box) {
+    shape->aabb_local = box;
+    object->setTranslation(Vec3::Zero());
+    object->computeAABB();
+  }
 };
+
+std::unique_ptr<Leaf> make_leaf(const Bodies& bodies, const Part& part, int index) {
+  auto leaf = std::make_unique<Leaf>();
+  leaf->part = index;
+  leaf->body = part.body;
+  leaf->reach = part.centre.norm() + part.bounding_radius;
+  leaf->shape = std::make_shared<fcl::Boxd>(1.0, 1.0, 1.0);
+  leaf->object = std::make_unique<fcl::CollisionObjectd>(leaf->shape);
+  leaf->object->setUserData(leaf.get());
+  leaf->moving = can_move(bodies, part);
+  return leaf;
+}
 
 }  // namespace
 
@@ -78,13 +99,17 @@ struct BroadPhase::Tree {
   std::size_t known_parts = 0;
   std::vector<PartPair> pairs;
 
-  void add_new_parts(const Bodies& bodies, const std::vector<Part>& parts, double margin);
+  /// Calls fit(leaf) for each part that is new and no plane.
+  template <class Fit>
+  void add_new_parts(const Bodies& bodies, const std::vector<Part>& parts, const Fit& fit);
+  std::vector<fcl::AABBd> boxes() const;
   void refit(const Bodies& bodies, const std::vector<Part>& parts, double margin);
   void list_tree_pairs();
   void list_plane_pairs(const Bodies& bodies, const std::vector<Part>& parts, double margin);
 };
 
-void BroadPhase::Tree::add_new_parts(const Bodies& bodies, const std::vector<Part>& parts, double margin) {
+template <class Fit>
+void BroadPhase::Tree::add_new_parts(const Bodies& bodies, const std::vector<Part>& parts, const Fit& fit) {
   std::vector<fcl::CollisionObjectd*> fresh;
   for (; known_parts < parts.size(); ++known_parts) {
     const Part& part = parts[known_parts];
@@ -92,21 +117,33 @@ void BroadPhase::Tree::add_new_parts(const Bodies& bodies, const std::vector<Par
       planes.push_back(static_cast<int>(known_parts));
       continue;
     }
-    auto leaf = std::make_unique<Leaf>();
-    leaf->part = static_cast<int>(known_parts);
-    leaf->body = part.body;
-    leaf->reach = part.centre.norm() + part.bounding_radius;
-    leaf->shape = std::make_shared<fcl::Boxd>(1.0, 1.0, 1.0);
-    leaf->object = std::make_unique<fcl::CollisionObjectd>(leaf->shape);
-    leaf->object->setUserData(leaf.get());
-    leaf->moving = can_move(bodies, part);
-    leaf->fit(bodies, part, 0.5 * margin);
+    auto leaf = make_leaf(bodies, part, static_cast<int>(known_parts));
+    fit(*leaf);
     fresh.push_back(leaf->object.get());
     leaves.push_back(std::move(leaf));
   }
   if (fresh.empty()) return;
   manager.registerObjects(fresh);
   manager.setup();
+}
+
+/// Of each leaf as the tree has it: FCL leaves a box in the tree as it is when the new one lies within it.
+std::vector<fcl::AABBd> BroadPhase::Tree::boxes() const {
+  if (leaves.empty()) return {};
+  using Node = fcl::detail::NodeBase<fcl::AABBd>;
+  std::vector<const Node*> nodes{manager.getTree().getRoot()};
+  std::map<const void*, const fcl::AABBd*> of_object;
+  while (!nodes.empty()) {
+    const Node* node = nodes.back();
+    nodes.pop_back();
+    if (node->isLeaf())
+      of_object[node->data] = &node->bv;
+    else
+      nodes.insert(nodes.end(), {node->children[0], node->children[1]});
+  }
+  std::vector<fcl::AABBd> boxes;
+  for (const auto& leaf : leaves) boxes.push_back(*of_object.at(leaf->object.get()));
+  return boxes;
 }
 
 void BroadPhase::Tree::refit(const Bodies& bodies, const std::vector<Part>& parts, double margin) {
@@ -158,12 +195,57 @@ BroadPhase& BroadPhase::operator=(BroadPhase&&) noexcept = default;
 const std::vector<PartPair>& BroadPhase::candidates(const Bodies& bodies, const std::vector<Part>& parts,
                                                     double margin) {
   tree_->refit(bodies, parts, margin);
-  tree_->add_new_parts(bodies, parts, margin);
+  tree_->add_new_parts(bodies, parts, [&](Leaf& leaf) { leaf.fit(bodies, parts[leaf.part], 0.5 * margin); });
   tree_->pairs.clear();
   tree_->list_tree_pairs();
   tree_->list_plane_pairs(bodies, parts, margin);
   std::sort(tree_->pairs.begin(), tree_->pairs.end());
   return tree_->pairs;
+}
+
+void BroadPhase::save(StateWriter out) const {
+  std::vector<Vec3> low, high, p;
+  std::vector<Mat3> R;
+  std::vector<double> fat;
+  for (const auto& box : tree_->boxes()) {
+    low.push_back(box.min_);
+    high.push_back(box.max_);
+  }
+  for (const auto& leaf : tree_->leaves) {
+    p.push_back(leaf->p);
+    R.push_back(leaf->R);
+    fat.push_back(leaf->fat);
+  }
+  out.add("low", low);
+  out.add("high", high);
+  out.add("made_at_p", p);
+  out.add("made_at_R", R);
+  out.add("fat", fat);
+}
+
+void BroadPhase::restore(const Bodies& bodies, const std::vector<Part>& parts, const StateReader& in) {
+  NILAS_DEMAND(tree_->known_parts == 0);
+  std::vector<Vec3> low, high, p;
+  std::vector<Mat3> R;
+  std::vector<double> fat;
+  in.get("low", low);
+  if (low.empty()) return;  // saved before the first call
+  const auto bounded =
+      std::count_if(parts.begin(), parts.end(), [](const Part& x) { return x.kind != PartKind::plane; });
+  const auto count = static_cast<std::size_t>(bounded);
+  in.get("low", low, count);
+  in.get("high", high, count);
+  in.get("made_at_p", p, count);
+  in.get("made_at_R", R, count);
+  in.get("fat", fat, count);
+  std::size_t k = 0;
+  tree_->add_new_parts(bodies, parts, [&](Leaf& leaf) {
+    leaf.p = p[k];
+    leaf.R = R[k];
+    leaf.fat = fat[k];
+    leaf.set_box(fcl::AABBd(low[k], high[k]));
+    ++k;
+  });
 }
 
 }  // namespace nilas

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact/detect/part.h"
+#include "core/base/state.h"
 #include "core/bodies/bodies.h"
 
 namespace nilas {
@@ -27,6 +28,11 @@ class BroadPhase {
   /// All pairs of parts of different bodies, at least one of which can move, that may be nearer than `margin` [m]; no
   /// pair of planes. `parts` may only grow from call to call. In rising order by bodies, then by parts.
   const std::vector<PartPair>& candidates(const Bodies& bodies, const std::vector<Part>& parts, double margin);
+
+  /// The boxes, and the poses they were made for.
+  void save(StateWriter out) const;
+  /// Goes on with them, before the first call of candidates(). Throws InputError when they are not those of `parts`.
+  void restore(const Bodies& bodies, const std::vector<Part>& parts, const StateReader& in);
 
  private:
   struct Tree;

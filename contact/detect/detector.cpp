@@ -35,6 +35,22 @@ struct FoundPoints {
   PairContacts contacts;
 };
 
+/// Whether the parts have the features that made the axis.
+bool is_of(const RememberedAxis& axis, const Part& a, const Part& b) {
+  const auto has = [](const auto& features, int i) { return i >= 0 && static_cast<std::size_t>(i) < features.size(); };
+  switch (axis.kind) {
+    case AxisKind::face_a:
+      return a.facets && has(a.facets->polytope->faces, axis.feature_a);
+    case AxisKind::face_b:
+      return b.facets && has(b.facets->polytope->faces, axis.feature_b);
+    case AxisKind::edges:
+      return a.facets && b.facets && has(a.facets->edges, axis.feature_a) && has(b.facets->edges, axis.feature_b);
+    case AxisKind::direction:
+      return true;
+  }
+  return false;
+}
+
 struct PairPlace {
   double strip = 0, along = 0;
   std::ptrdiff_t pair = 0;
@@ -64,6 +80,8 @@ struct ContactDetector::Implementation {
   void list_pairs(const Bodies& bodies, double margin);
   void search_pairs(const Bodies& bodies, const std::vector<double>& margins);
   std::vector<ContactPoint> collect();
+  void save_pairs(StateWriter out) const;
+  void restore_pairs(const StateReader& in);
 };
 
 void ContactDetector::Implementation::forget_all() {
@@ -154,6 +172,40 @@ std::vector<ContactPoint> ContactDetector::Implementation::collect() {
   return points;
 }
 
+void ContactDetector::Implementation::save_pairs(StateWriter out) const {
+  std::vector<int> names, axes;
+  std::vector<Vec3> separating;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    names.insert(names.end(), {pairs[i].part_a, pairs[i].part_b});
+    const RememberedAxis& axis = memory[i].contact_axis;
+    axes.insert(axes.end(), {static_cast<int>(axis.kind), axis.feature_a, axis.feature_b});
+    separating.push_back(memory[i].separating);
+  }
+  out.add("parts", names);
+  out.add("contact_axis", axes);
+  out.add("separating", separating);
+}
+
+void ContactDetector::Implementation::restore_pairs(const StateReader& in) {
+  std::vector<int> names, axes;
+  std::vector<Vec3> separating;
+  in.get("separating", separating);
+  const std::size_t count = separating.size();
+  in.get("parts", names, 2 * count);
+  in.get("contact_axis", axes, 3 * count);
+  pairs.clear();
+  memory.clear();
+  for (std::size_t i = 0; i < count; ++i) {
+    const int a = names[2 * i], b = names[2 * i + 1];
+    const auto known = [&](int part) { return part >= 0 && static_cast<std::size_t>(part) < parts.size(); };
+    if (!known(a) || !known(b)) in.refuse("parts", "names a part that this scene does not have");
+    const RememberedAxis axis{static_cast<AxisKind>(axes[3 * i]), axes[3 * i + 1], axes[3 * i + 2]};
+    if (!is_of(axis, parts[a], parts[b])) in.refuse("contact_axis", "names a feature that its parts do not have");
+    pairs.push_back({parts[a].body, parts[b].body, a, b});
+    memory.push_back({separating[i], axis});
+  }
+}
+
 ContactDetector::ContactDetector(int threads) : implementation_(std::make_unique<Implementation>()) {
   implementation_->threads = threads;
 }
@@ -183,5 +235,19 @@ std::vector<ContactPoint> ContactDetector::detect(const Bodies& bodies, const st
 }
 
 const DetectorCounts& ContactDetector::counts() const { return implementation_->counts; }
+
+void ContactDetector::save(StateWriter out) const {
+  const Implementation& work = *implementation_;
+  work.broad.save(out.group("boxes"));
+  work.save_pairs(out.group("pairs"));
+}
+
+void ContactDetector::restore(const Bodies& bodies, const StateReader& in) {
+  Implementation& work = *implementation_;
+  work.forget_all();
+  work.learn_bodies(bodies);
+  work.broad.restore(bodies, work.parts, in.group("boxes"));
+  work.restore_pairs(in.group("pairs"));
+}
 
 }  // namespace nilas

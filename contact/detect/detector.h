@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact/detect/contact_point.h"
+#include "core/base/state.h"
 #include "core/bodies/bodies.h"
 
 namespace nilas {
@@ -33,6 +34,12 @@ class ContactDetector {
   /// The points whose gap the bodies' own reach (contact/detect/reach.h, one length per body [m]) may close.
   std::vector<ContactPoint> detect(const Bodies& bodies, const std::vector<double>& own_reach);
   const DetectorCounts& counts() const;  ///< of the last call
+
+  /// The coherence caches: the boxes of the broad phase, and what each pair remembers.
+  void save(StateWriter out) const;
+  /// Goes on as the detector that was saved after a call with these bodies, wherever they were. Throws InputError when
+  /// the state is one of other bodies.
+  void restore(const Bodies& bodies, const StateReader& in);
 
  private:
   struct Implementation;

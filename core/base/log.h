@@ -6,11 +6,17 @@
 #include <memory>
 #include <string>
 
+#include "core/base/state.h"
+
 namespace nilas {
+
+/// What a logger does with a file that is there already.
+enum class LogFile { replace, append };
 
 /// A logger that writes to the console (stderr) at `level` and, when `file` is not empty, everything to that file.
 /// Levels: trace debug info warn error off. Throws FileError when the file cannot be opened.
-std::shared_ptr<spdlog::logger> make_logger(const std::string& level, const std::string& file);
+std::shared_ptr<spdlog::logger> make_logger(const std::string& level, const std::string& file,
+                                            LogFile existing = LogFile::replace);
 
 /// Warnings by kind: the first of a kind is logged, all are counted.
 class WarningCounts {
@@ -20,6 +26,10 @@ class WarningCounts {
   /// Logs how often each kind occurred beyond the first.
   void summarise() const;
   const std::map<std::string, long>& counts() const { return counts_; }
+
+  void save(StateWriter out) const;
+  /// What was told before counts as told.
+  void restore(const StateReader& in);
 
  private:
   std::shared_ptr<spdlog::logger> logger_;

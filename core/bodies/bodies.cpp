@@ -53,4 +53,25 @@ Vec3 Bodies::velocity_at(int b, const Vec3& point_G) const {
   return v_GB[k] + w_GB[k].cross(point_G - p_GB[k]);
 }
 
+void Bodies::save(StateWriter out) const {
+  out.add("id", id);
+  out.add("p_GB", p_GB);
+  out.add("q_GB", q_GB);
+  out.add("R_GB", R_GB);
+  out.add("v_GB", v_GB);
+  out.add("w_GB", w_GB);
+}
+
+void Bodies::restore(const StateReader& in) {
+  std::vector<std::int64_t> saved;
+  in.get("id", saved);
+  if (saved != id) in.refuse("id", "these are not the bodies of this scene");
+  const std::size_t count = id.size();
+  in.get("p_GB", p_GB, count);
+  in.get("q_GB", q_GB, count);
+  in.get("R_GB", R_GB, count);
+  in.get("v_GB", v_GB, count);
+  in.get("w_GB", w_GB, count);
+}
+
 }  // namespace nilas

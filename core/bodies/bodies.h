@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/math.h"
+#include "core/base/state.h"
 #include "core/bodies/mass_properties.h"
 #include "core/bodies/shape.h"
 
@@ -56,6 +57,11 @@ struct Bodies {
   Mat3 inertia_G(int b) const;                         ///< R I R^T
   Mat3 inertia_inverse_G(int b) const;                 ///< R I^-1 R^T
   Vec3 velocity_at(int b, const Vec3& point_G) const;  ///< of the body point now at point_G [m/s]
+
+  /// Poses and velocities.
+  void save(StateWriter out) const;
+  /// Throws InputError when the state is one of other bodies.
+  void restore(const StateReader& in);
 };
 
 }  // namespace nilas

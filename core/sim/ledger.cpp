@@ -105,6 +105,42 @@ void EnergyAccount::position_step(double kinetic, double potential, const Veloci
                       ledger_.fracture + ledger_.crushing + ledger_.integrator - works - start_;
 }
 
+void EnergyAccount::save(StateWriter out) const {
+  out.add("kinetic", ledger_.kinetic);
+  out.add("potential", ledger_.potential);
+  out.add("works", ledger_.works);
+  out.add("friction", ledger_.friction);
+  out.add("impact", ledger_.impact);
+  out.add("stabilisation", ledger_.stabilisation);
+  out.add("fracture", ledger_.fracture);
+  out.add("crushing", ledger_.crushing);
+  out.add("integrator", ledger_.integrator);
+  out.add("imbalance", ledger_.imbalance);
+  out.add("start", start_);
+  out.add("put_in", put_in_);
+  out.add("kinetic_after_velocity", kinetic_after_velocity_);
+  out.add("conservative_work", conservative_work_);
+  out.add("potential_before", potential_before_);
+}
+
+void EnergyAccount::restore(const StateReader& in) {
+  in.get("kinetic", ledger_.kinetic);
+  in.get("potential", ledger_.potential);
+  in.get("works", ledger_.works, ledger_.works.size());
+  in.get("friction", ledger_.friction);
+  in.get("impact", ledger_.impact);
+  in.get("stabilisation", ledger_.stabilisation);
+  in.get("fracture", ledger_.fracture);
+  in.get("crushing", ledger_.crushing);
+  in.get("integrator", ledger_.integrator);
+  in.get("imbalance", ledger_.imbalance);
+  in.get("start", start_);
+  in.get("put_in", put_in_);
+  in.get("kinetic_after_velocity", kinetic_after_velocity_);
+  in.get("conservative_work", conservative_work_);
+  in.get("potential_before", potential_before_);
+}
+
 double kinetic_energy(const Bodies& bodies) {
   double sum = 0;
   for (int k = 0; k < bodies.size(); ++k) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/state.h"
 #include "core/sim/step_motion.h"
 #include "core/sim/step_record.h"
 
@@ -39,6 +40,10 @@ class EnergyAccount {
   const Ledger& ledger() const { return ledger_; }
   /// Initial kinetic energy plus the sum of absolute works: the scale of imbalance_J [J].
   double energy_put_in() const { return put_in_; }
+
+  void save(StateWriter out) const;
+  /// Throws InputError when the state has other works.
+  void restore(const StateReader& in);
 
  private:
   Ledger ledger_;

@@ -95,6 +95,8 @@ struct Simulation::World {
   std::uint64_t state_hash() const;
   void demand_finite() const;
   void name_unnamed_pairs();
+  void save(StateWriter out) const;
+  void restore(const StateReader& in);
 
   WorldParts parts;
   WarningCounts& warnings;
@@ -350,6 +352,31 @@ void Simulation::World::name_unnamed_pairs() {
   }
 }
 
+/// Modules keep nothing but what they would compute again from the poses.
+void Simulation::World::save(StateWriter out) const {
+  out.add("steps", steps);
+  parts.bodies.save(out.group("bodies"));
+  if (parts.vessel) parts.vessel->save(out.group("vessel"));
+  parts.friction.save(out.group("friction"));
+  out.add("pairs_named", pairs_named);
+  detector.save(out.group("detector"));
+  if (model.static_friction) model.static_friction->save(out.group("static_friction"));
+  warm.save(out.group("warm_start"));
+  energy.save(out.group("energy"));
+}
+
+void Simulation::World::restore(const StateReader& in) {
+  in.get("steps", steps);
+  parts.bodies.restore(in.group("bodies"));
+  if (parts.vessel) parts.vessel->restore(in.group("vessel"));
+  parts.friction.restore(in.group("friction"));
+  in.get("pairs_named", pairs_named);
+  detector.restore(parts.bodies, in.group("detector"));
+  if (model.static_friction) model.static_friction->restore(in.group("static_friction"));
+  warm.restore(in.group("warm_start"));
+  energy.restore(in.group("energy"));
+}
+
 static void note_penetration(const std::vector<ContactPoint>& points, StepRecord& record) {
   int count = 0;
   for (const auto& c : points) {
@@ -441,5 +468,8 @@ const RunInfo& Simulation::info() const { return world_->parts.info; }
 const Ledger& Simulation::initial_ledger() const { return world_->energy.ledger(); }
 const SolvedProblem& Simulation::last_problem() const { return world_->last; }
 int Simulation::vessel_index() const { return world_->parts.vessel_index; }
+long Simulation::steps() const { return world_->steps; }
+void Simulation::save(StateWriter out) const { world_->save(out); }
+void Simulation::restore(const StateReader& in) { world_->restore(in); }
 
 }  // namespace nilas

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/base/log.h"
+#include "core/base/state.h"
 #include "core/bodies/bodies.h"
 #include "core/scene/scene.h"
 #include "core/sim/step_record.h"
@@ -28,6 +29,13 @@ class Simulation {
   /// Of the last step; empty before the first.
   const SolvedProblem& last_problem() const;
   int vessel_index() const;  ///< in bodies(), -1 without a vessel
+  long steps() const;        ///< done since the start
+
+  /// All that the next steps depend on, between two steps. What follows from the scene alone is not in it.
+  void save(StateWriter out) const;
+  /// Goes on from what a simulation of the same scene saved: the next steps give the same bits, whatever the number of
+  /// threads. last_problem() stays empty until the next step. Throws InputError when the state is one of another scene.
+  void restore(const StateReader& in);
 
  private:
   struct World;

@@ -24,4 +24,24 @@ void WarmStart::keep(const std::vector<std::uint64_t>& keys, const VecX& r) {
   std::sort(sorted_.begin(), sorted_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
 }
 
+void WarmStart::save(StateWriter out) const {
+  std::vector<std::uint64_t> keys;
+  std::vector<Vec3> impulses;
+  for (const auto& [key, impulse] : sorted_) {
+    keys.push_back(key);
+    impulses.push_back(impulse);
+  }
+  out.add("key", keys);
+  out.add("impulse", impulses);
+}
+
+void WarmStart::restore(const StateReader& in) {
+  std::vector<std::uint64_t> keys;
+  std::vector<Vec3> impulses;
+  in.get("key", keys);
+  in.get("impulse", impulses, keys.size());
+  sorted_.clear();
+  for (std::size_t i = 0; i < keys.size(); ++i) sorted_.emplace_back(keys[i], impulses[i]);
+}
+
 }  // namespace nilas

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact/problem.h"
+#include "core/base/state.h"
 
 namespace nilas {
 
@@ -13,6 +14,9 @@ class WarmStart {
   /// 3 nc impulses: those of last step for keys that persist, zero for new contacts.
   VecX guess(const std::vector<std::uint64_t>& keys) const;
   void keep(const std::vector<std::uint64_t>& keys, const VecX& r);
+
+  void save(StateWriter out) const;
+  void restore(const StateReader& in);
 
  private:
   std::vector<std::pair<std::uint64_t, Vec3>> sorted_;

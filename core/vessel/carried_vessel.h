@@ -21,6 +21,8 @@ class CarriedVessel : public VesselMotion {
   VecX coordinates() const override;
 
  protected:
+  void save_motion(StateWriter& out) const override;
+  void restore_motion(const StateReader& in) override;
   /// Throws SimulationError, naming the instant t [s], where q_ has left finite numbers or the joint its range.
   void demand_regular(double t) const;
   /// The tree and the state at q_ with the carriage at `carriage` and speeds u.

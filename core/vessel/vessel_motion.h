@@ -24,10 +24,16 @@ class VesselMotion {
   const CarriageLoads& loads() const { return loads_; }
   double time() const { return time_; }
 
+  void save(StateWriter out) const;
+  void restore(const StateReader& in);
+
  protected:
   virtual void move_before_step(double /*h*/) {}  ///< of length h [s]; nothing with semi-implicit Euler
   virtual VesselBlock begin_step() = 0;
   virtual void finish_step(const Wrench& contact_impulse) = 0;
+  /// What the next step depends on beyond state and time.
+  virtual void save_motion(StateWriter& out) const = 0;
+  virtual void restore_motion(const StateReader& in) = 0;
 
   Mat3 inertia_G() const;                            ///< R I R^T of the present pose
   Vec3 turning(const Vec3& angular_momentum) const;  ///< the angular velocity with it at the present pose

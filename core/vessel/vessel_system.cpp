@@ -38,6 +38,35 @@ void VesselMotion::finish(const Wrench& contact_impulse) {
   h_ = moved_for_ = 0;
 }
 
+void VesselMotion::save(StateWriter out) const {
+  NILAS_DEMAND(h_ == 0);
+  out.add("time", time_);
+  out.add("q", state_.pose.q);
+  out.add("p", state_.pose.p);
+  out.add("v", state_.v);
+  out.add("w", state_.w);
+  out.add("force", loads_.about_com.force);
+  out.add("torque_about_com", loads_.about_com.torque);
+  out.add("torque_about_joint", loads_.about_joint.torque);
+  out.add("cells", loads_.cells);
+  save_motion(out);
+}
+
+void VesselMotion::restore(const StateReader& in) {
+  NILAS_DEMAND(h_ == 0);
+  in.get("time", time_);
+  in.get("q", state_.pose.q);
+  in.get("p", state_.pose.p);
+  in.get("v", state_.v);
+  in.get("w", state_.w);
+  in.get("force", loads_.about_com.force);
+  in.get("torque_about_com", loads_.about_com.torque);
+  loads_.about_joint.force = loads_.about_com.force;
+  in.get("torque_about_joint", loads_.about_joint.torque);
+  in.get("cells", loads_.cells);
+  restore_motion(in);
+}
+
 Mat3 VesselMotion::inertia_G() const {
   const Mat3 R = state_.pose.q.toRotationMatrix();
   return R * mass_.inertia * R.transpose();
@@ -64,6 +93,8 @@ class FixedVessel : public VesselMotion {
  protected:
   VesselBlock begin_step() override { return {MatX(0, 0), VecX(0), MatX(6, 0), Vec6::Zero()}; }
   void finish_step(const Wrench&) override {}
+  void save_motion(StateWriter&) const override {}
+  void restore_motion(const StateReader&) override {}
 };
 
 std::unique_ptr<VesselMotion> make_motion(const VesselModel& model, double t0) {
@@ -114,5 +145,7 @@ void VesselSystem::displace(const Vec6& pseudo_twist, double h) { implementation
 const CarriageLoads& VesselSystem::carriage_loads() const { return implementation_->motion->loads(); }
 double VesselSystem::spring_energy() const { return implementation_->motion->spring_energy(); }
 VecX VesselSystem::coordinates() const { return implementation_->motion->coordinates(); }
+void VesselSystem::save(StateWriter out) const { implementation_->motion->save(out); }
+void VesselSystem::restore(const StateReader& in) { implementation_->motion->restore(in); }
 
 }  // namespace nilas

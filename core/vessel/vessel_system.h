@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/math.h"
+#include "core/base/state.h"
 #include "core/bodies/mass_properties.h"
 
 namespace nilas {
@@ -145,8 +146,13 @@ class VesselSystem {
   const CarriageLoads& carriage_loads() const;  ///< of the last step
   /// Energy stored in the cells [J].
   double spring_energy() const;
-  /// All coordinates and speeds, for the state hash and for restarts.
+  /// All coordinates and speeds, for the state hash.
   VecX coordinates() const;
+
+  /// Between two steps only.
+  void save(StateWriter out) const;
+  /// Goes on as the system of the same model that was saved. Throws InputError when the state is one of another.
+  void restore(const StateReader& in);
 
  private:
   struct Implementation;

@@ -77,6 +77,27 @@ VecX CarriedVessel::coordinates() const {
   return all;
 }
 
+void CarriedVessel::save_motion(StateWriter& out) const {
+  out.add("coordinates", q_);
+  out.add("speeds", u_);
+  out.add("carriage_p", now_.p);
+  out.add("carriage_yaw", now_.yaw);
+  out.add("carriage_v", now_.v);
+  out.add("carriage_yaw_rate", now_.yaw_rate);
+}
+
+void CarriedVessel::restore_motion(const StateReader& in) {
+  in.get("coordinates", q_);
+  in.get("speeds", u_);
+  in.get("carriage_p", now_.p);
+  in.get("carriage_yaw", now_.yaw);
+  in.get("carriage_v", now_.v);
+  in.get("carriage_yaw_rate", now_.yaw_rate);
+  tree_.set_coordinates(q_);
+  tree_.set_carriage(now_);
+  tree_.set_speeds(u_);
+}
+
 void CarriedVessel::build_cells(const CarriageModel& carriage) {
   const std::string where = "force balance six-cells: ";
   if (!(carriage.stiffness > 0)) throw InputError(where + "stiffness must be > 0 N/m");

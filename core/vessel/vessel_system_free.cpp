@@ -49,6 +49,9 @@ class FreeVessel : public VesselMotion {
     return block;
   }
 
+  void save_motion(StateWriter& out) const override { out.add("after_impulses", after_); }
+  void restore_motion(const StateReader& in) override { in.get("after_impulses", after_); }
+
   void keep_velocity_after_impulses() {
     after_ << state_.v, state_.w;
     if (!after_.allFinite())
@@ -89,6 +92,15 @@ class EulerFreeVessel : public FreeVessel {
       turn();
     else
       state_.pose.q = (rotation(h_ * state_.w) * state_.pose.q).normalized();
+  }
+
+  void save_motion(StateWriter& out) const override {
+    FreeVessel::save_motion(out);
+    out.add("angular_momentum", angular_momentum_);
+  }
+  void restore_motion(const StateReader& in) override {
+    FreeVessel::restore_motion(in);
+    in.get("angular_momentum", angular_momentum_);
   }
 
  private:

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "core/base/error.h"
 #include "tests/contact/detect/bodies_of_tests.h"
 
 namespace nilas {
@@ -227,6 +228,54 @@ TEST(Detector, CountsWhatItDid) {
   EXPECT_EQ(detector.counts().cached_separations, 0);
   EXPECT_TRUE(detector.detect(bodies, 0.01).empty());
   EXPECT_EQ(detector.counts().cached_separations, 1);
+}
+
+/// A detector that goes on from a saved state lists the same pairs and finds the same points; a new one does not list
+/// the same pairs, since its boxes were made at other poses.
+TEST(Detector, GoesOnAsItWasSaved) {
+  const auto floes = crowd(120, 5);
+  Bodies bodies = bodies_of(floes, in_order(floes.size()));
+  add_body(bodies, plane_shape(), Vec3(0, 0, -0.3), Quat::Identity(), Motion::fixed);
+  constexpr double k_margin = 0.01;
+  ContactDetector whole;
+  State state;
+  for (int step = 0; step < 15; ++step) {
+    drift(bodies, step);
+    whole.detect(bodies, k_margin);
+  }
+  whole.save(StateWriter(state));
+  ContactDetector rest, fresh;
+  rest.restore(bodies, StateReader(state));
+  State again;
+  rest.save(StateWriter(again));
+  EXPECT_EQ(again.entries, state.entries);
+  int differences = 0;
+  for (int step = 15; step < 40; ++step) {
+    drift(bodies, step);
+    const auto points = whole.detect(bodies, k_margin);
+    expect_same_bits(rest.detect(bodies, k_margin), points);
+    EXPECT_EQ(rest.counts().candidate_pairs, whole.counts().candidate_pairs) << step;
+    EXPECT_EQ(rest.counts().kept_axes, whole.counts().kept_axes) << step;
+    EXPECT_EQ(rest.counts().cached_separations, whole.counts().cached_separations) << step;
+    fresh.detect(bodies, k_margin);
+    differences += fresh.counts().candidate_pairs != whole.counts().candidate_pairs;
+  }
+  EXPECT_GT(differences, 0);
+}
+
+TEST(Detector, RefusesAStateOfOtherParts) {
+  const auto floes = crowd(10, 5);
+  const Bodies ten = bodies_of(floes, in_order(10)), nine = bodies_of(floes, in_order(9));
+  ContactDetector detector, other;
+  detector.detect(ten, 0.01);
+  State state;
+  detector.save(StateWriter(state));
+  EXPECT_THROW(other.restore(nine, StateReader(state)), InputError);
+  State wrong_axis = state;
+  auto& axes = std::get<std::vector<std::int64_t>>(wrong_axis.entries.at("pairs/contact_axis"));
+  axes.at(0) = 0;  // of a face that no floe has
+  axes.at(1) = 1000;
+  EXPECT_THROW(other.restore(ten, StateReader(wrong_axis)), InputError);
 }
 
 }  // namespace

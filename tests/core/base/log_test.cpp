@@ -37,6 +37,17 @@ TEST(MakeLogger, WritesDetailsToTheFileAtAnyConsoleLevel) {
   std::filesystem::remove(file);
 }
 
+TEST(MakeLogger, AppendsWhereAsked) {
+  const auto file = std::filesystem::temp_directory_path() / ("nilas_append_" + std::to_string(::getpid()) + ".log");
+  make_logger("off", file.string())->info("first");
+  make_logger("off", file.string(), LogFile::append)->info("second");
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  EXPECT_NE(text.str().find("first"), std::string::npos);
+  EXPECT_NE(text.str().find("second"), std::string::npos);
+  std::filesystem::remove(file);
+}
+
 TEST(MakeLogger, AFileThatCannotBeOpenedIsAFileError) {
   EXPECT_THROW(make_logger("off", "/dev/null/x.log"), FileError);
 }
