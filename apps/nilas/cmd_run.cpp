@@ -1,14 +1,18 @@
 #include <sys/utsname.h>
 
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <ctime>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "apps/nilas/commands.h"
+#include "apps/nilas/resume.h"
 #include "apps/nilas/scene_flags.h"
 #include "core/base/error.h"
+#include "core/output/claim_folder.h"
 #include "core/output/closing_account.h"
 #include "core/output/console.h"
 #include "core/output/run_folder.h"
@@ -24,7 +28,7 @@ void request_stop(int) { stop_requested = 1; }
 
 struct RunOptions {
   SceneFlags scene;
-  std::string out, log_level = "info";
+  std::string out, resume, log_level = "info";
   int threads = 1;
   bool force = false, json = false, quiet = false;
 };
@@ -51,6 +55,9 @@ std::map<std::string, std::string> versions() {
           {"compiler", NILAS_COMPILER}};
 }
 
+/// What must be the same for a run to go on with the same bits.
+std::string program() { return "nilas " NILAS_VERSION " built by " NILAS_COMPILER; }
+
 /// How a run ended.
 struct Ending {
   std::string status = "done";
@@ -64,20 +71,31 @@ class Run {
       : options_(options),
         scene_(read_flagged_scene(options.scene)),
         folder_(options.out.empty() ? default_folder(scene_) : options.out, options.force),
-        logger_(make_logger(options.quiet ? "warn" : options.log_level, folder_.log_file().string())),
+        logger_(make_logger(console_level(), folder_.log_file().string())),
+        warnings_(logger_) {}
+
+  /// The rest of a run.
+  Run(const RunOptions& options, StoppedRun stopped)
+      : options_(options),
+        scene_(std::move(stopped.scene)),
+        folder_(stopped.folder),
+        goes_on_(true),
+        checkpoint_(std::move(stopped.checkpoint)),
+        logger_(make_logger(console_level(), folder_.log_file().string(), LogFile::append)),
         warnings_(logger_) {}
 
   int execute() {
-    const double started = steady_seconds();
     const auto built = build();
     Simulation& simulation = *built;
     say_what_was_built(simulation.info());
-    folder_.open(scene_, simulation.info(), warnings_);
-    folder_.start(scene_.time.start, simulation.initial_ledger(), simulation.bodies());
     Console console(std::cout, console_style(options_.quiet || options_.json), scene_.time.start, scene_.time.end);
     console.make_room_for(*logger_);
+    if (checkpoint_)
+      go_on(simulation, console);
+    else
+      begin(simulation);
     const Ending ending = advance(simulation, console);
-    const double wall = steady_seconds() - started;
+    const double wall = wall_seconds();
     if (!ending.message.empty()) logger_->error("{}", ending.message);
     warnings_.summarise();
     const auto summary = folder_.finish(summary_input(ending, wall), simulation.bodies());
@@ -87,32 +105,73 @@ class Run {
   }
 
  private:
+  std::string console_level() const { return options_.quiet ? "warn" : options_.log_level; }
+  /// Of all sessions of the run.
+  double wall_seconds() const { return wall_before_ + steady_seconds() - started_; }
+
   std::unique_ptr<Simulation> build() {
     try {
       return std::make_unique<Simulation>(scene_, options_.threads, warnings_);
     } catch (...) {
-      folder_.abandon();
+      if (!goes_on_) folder_.abandon();
       throw;
     }
   }
 
+  void begin(const Simulation& simulation) {
+    if (goes_on_) {
+      logger_->info("stopped before its first checkpoint: the run begins again");
+      clear_after(folder_.path(), -1);
+    }
+    folder_.open(scene_, simulation.info(), warnings_);
+    folder_.start(scene_.time.start, simulation.initial_ledger(), simulation.bodies());
+  }
+
+  void go_on(Simulation& simulation, Console& console) {
+    const StateReader in(*checkpoint_);
+    simulation.restore(in.group("simulation"));
+    folder_.resume(scene_, simulation.info(), warnings_, simulation.bodies(), in.group("outputs"));
+    warnings_.restore(in.group("warnings"));
+    in.get("wall_s", wall_before_);
+    steps_saved_ = simulation.steps();
+    logger_->info("goes on from {:g} s", simulation.time());
+    console.go_on_from(simulation.time());
+    checkpoint_.reset();
+  }
+
+  void write_checkpoint(const Simulation& simulation) {
+    const double begun = steady_seconds();
+    State state;
+    StateWriter out(state);
+    simulation.save(out.group("simulation"));
+    warnings_.save(out.group("warnings"));
+    out.add("wall_s", wall_seconds());
+    folder_.write_checkpoint({program(), scene_.fingerprint}, std::move(state));
+    steps_saved_ = simulation.steps();
+    logger_->debug("checkpoint at {:g} s, written in {:.1f} ms", simulation.time(), 1e3 * (steady_seconds() - begun));
+  }
+
   Ending advance(Simulation& simulation, Console& console) {
-    const long steps = number_of_steps(scene_.time);
+    const long steps = number_of_steps(scene_.time), done = simulation.steps();
+    const double every = scene_.output.checkpoint_every;
+    const long checkpoint_steps = every > 0 ? std::max(1L, std::lround(every / scene_.time.step)) : 0;
     stop_requested = 0;
     std::signal(SIGINT, request_stop);
     std::signal(SIGTERM, request_stop);
     std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is then an error of the write, with a message
     try {
-      for (long k = 0; k < steps && !stop_requested; ++k) {
+      for (long k = done; k < steps && !stop_requested; ++k) {
         const StepRecord record = simulation.step();
         folder_.store(record, simulation.last_problem());
         folder_.record(record, simulation.bodies());
-        console.progress(simulation.time(), k + 1);
+        console.progress(simulation.time(), k + 1 - done);
+        if (checkpoint_steps > 0 && (k + 1) % checkpoint_steps == 0) write_checkpoint(simulation);
       }
     } catch (const SimulationError& e) {
       folder_.store_last(simulation.last_problem());
       return {"failed", exit_numerics, e.what()};
     }
+    if (checkpoint_steps > 0 && steps_saved_ != simulation.steps()) write_checkpoint(simulation);
     if (stop_requested)
       return {"interrupted", exit_interrupted, "interrupted at " + std::to_string(simulation.time()) + " s"};
     return {};
@@ -142,16 +201,45 @@ class Run {
   const RunOptions& options_;
   Scene scene_;
   RunFolder folder_;
+  bool goes_on_ = false;             ///< the folder holds the run's beginning
+  std::optional<State> checkpoint_;  ///< to go on from
+  long steps_saved_ = -1;            ///< in the newest checkpoint
+  double started_ = steady_seconds(), wall_before_ = 0;
   std::shared_ptr<spdlog::logger> logger_;
   WarningCounts warnings_;
 };
+
+/// Throws InputError for flags that would change what a run has done already.
+void demand_resumable(const CLI::App& command) {
+  for (const char* flag : {"scene", "--dt", "--solver", "--law", "--seed", "--set", "--out", "--force"})
+    if (command.get_option(flag)->count() > 0)
+      throw InputError(std::string("--resume: a run goes on as it began, in its own folder; remove ") + flag +
+                       " (allowed: --until, --checkpoint-every, --threads, --json, --quiet, --log-level)");
+}
+
+int resume_run(const RunOptions& options) {
+  StoppedRun stopped = find_stopped_run(options.resume, options.scene, program());
+  if (stopped.summary.empty()) return Run(options, std::move(stopped)).execute();
+  if (options.json)
+    std::cout << stopped.summary;
+  else if (!options.quiet)
+    std::cout << options.resume << ": the run is done already; --until goes on beyond its end\n";
+  return exit_done;
+}
 
 }  // namespace
 
 void add_run(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("run", "simulates a scene to its end and writes a run folder");
   auto options = std::make_shared<RunOptions>();
-  add_scene_flags(*command, options->scene);
+  auto* scene = add_scene_flags(*command, options->scene)->required(false);
+  command
+      ->add_option("--checkpoint-every", options->scene.checkpoint_every,
+                   "simulated time between checkpoints instead of the scene's; 0: none [s]")
+      ->check(at_least(0));
+  command->add_option("--resume", options->resume,
+                      "in place of a scene: goes on with the run in this folder from its newest checkpoint; --until "
+                      "beyond its end makes it longer");
   command->add_option("--out", options->out, "run folder (default: the scene's, else runs/<scene>-<time>)");
   command->add_option("--threads", options->threads, "threads; the results do not depend on it")
       ->check(CLI::Range(1, 256))
@@ -162,7 +250,15 @@ void add_run(CLI::App& app, Action& action) {
   command->add_option("--log-level", options->log_level, "of the console")
       ->check(CLI::IsMember({"debug", "info", "warn", "error", "off"}))
       ->capture_default_str();
-  command->callback([&action, options] { action = [options] { return Run(*options).execute(); }; });
+  command->callback([&action, options, command, scene] {
+    const bool resumes = command->get_option("--resume")->count() > 0;
+    if (!resumes && scene->count() == 0) throw CLI::RequiredError("scene");
+    action = [options, command, resumes] {
+      if (!resumes) return Run(*options).execute();
+      demand_resumable(*command);
+      return resume_run(*options);
+    };
+  });
 }
 
 }  // namespace nilas

@@ -6,8 +6,8 @@
 
 namespace nilas {
 
-void add_scene_flags(CLI::App& command, SceneFlags& flags) {
-  command.add_option("scene", flags.file, "scene file (XML)")->required();
+CLI::Option* add_scene_flags(CLI::App& command, SceneFlags& flags) {
+  auto* scene = command.add_option("scene", flags.file, "scene file (XML)")->required();
   command.add_option("--until", flags.until, "end time instead of the scene's [s]");
   command.add_option("--dt", flags.dt, "time step instead of the scene's [s]");
   command.add_option("--solver", flags.solver, "contact solver instead of the scene's (see `nilas solvers`)");
@@ -18,6 +18,7 @@ void add_scene_flags(CLI::App& command, SceneFlags& flags) {
                   "PATH=VALUE: overrides one attribute, e.g. contact/@tolerance=1e-8 or "
                   "\"body[@name='box']/@mass=2\" (repeatable)")
       ->allow_extra_args(false);
+  return scene;
 }
 
 Scene read_flagged_scene(const SceneFlags& flags) {
@@ -27,6 +28,8 @@ Scene read_flagged_scene(const SceneFlags& flags) {
   if (flags.dt) overrides.emplace_back("time/@step", fmt::format("{}", *flags.dt));
   if (flags.solver) overrides.emplace_back("contact/@solver", *flags.solver);
   if (flags.law) overrides.emplace_back("contact/@law", *flags.law);
+  if (flags.checkpoint_every)
+    overrides.emplace_back("output/@checkpoint_every", fmt::format("{}", *flags.checkpoint_every));
   if (flags.seed) overrides.emplace_back("seed/@value", fmt::format("{}", *flags.seed));
   return read_scene(flags.file, overrides);
 }

@@ -12,13 +12,13 @@ namespace nilas {
 struct SceneFlags {
   std::string file;
   std::vector<std::string> set;
-  std::optional<double> until, dt;
+  std::optional<double> until, dt, checkpoint_every;
   std::optional<std::string> solver, law;
   std::optional<long> seed;
 };
 
-/// Adds SCENE and the override flags to a command.
-void add_scene_flags(CLI::App& command, SceneFlags& flags);
+/// Adds SCENE and the override flags to a command. Returns SCENE's.
+CLI::Option* add_scene_flags(CLI::App& command, SceneFlags& flags);
 /// Reads the scene with the overrides applied. Throws InputError for a --set that is not PATH=VALUE.
 Scene read_flagged_scene(const SceneFlags& flags);
 

@@ -4,7 +4,8 @@
 
 namespace nilas {
 
-BodiesCsv::BodiesCsv(const std::filesystem::path& path) : file_(path) {
+BodiesCsv::BodiesCsv(const std::filesystem::path& path, std::optional<std::int64_t> keep) : file_(path, "", keep) {
+  if (keep) return;
   file_.append(csv_header({"time_s", "id", "name", "x_m", "y_m", "z_m", "qw", "qx", "qy", "qz", "vx_m_s", "vy_m_s",
                            "vz_m_s", "wx_rad_s", "wy_rad_s", "wz_rad_s"}));
 }

@@ -13,12 +13,13 @@ constexpr int k_bodies_csv_default_limit = 200;
 
 class BodiesCsv {
  public:
-  /// Throws FileError.
-  explicit BodiesCsv(const std::filesystem::path& path);
+  /// `keep`: as of OutputFile. Throws FileError, InputError.
+  explicit BodiesCsv(const std::filesystem::path& path, std::optional<std::int64_t> keep = {});
   /// All bodies at time t [s], 17 significant digits. The rows of one instant reach the file together. Throws
   /// FileError.
   void rows(double t, const Bodies& bodies);
   void finish() { file_.close(); }
+  const OutputFile& file() const { return file_; }
 
  private:
   OutputFile file_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <optional>
 #include <regex>
 #include <system_error>
 #include <vector>
@@ -17,18 +18,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Everything that a run writes beside its trajectory folder; ".part" is left where one was killed while writing.
+/// Files that are replaced as a whole are left so where a run was killed while writing.
+constexpr const char* k_half_written = ".part";
+
+/// Everything that a run writes beside its trajectory folder.
 const std::vector<std::string>& own_files() {
-  static const std::vector<std::string> names{"scene.xml",      "vessel.csv",       "steps.csv",   "contacts.h5",
-                                              "trajectory.pvd", "events.csv",       "replay.html", "report.html",
-                                              "summary.json",   "bodies.csv",       "nilas.log",   "checkpoint.h5",
-                                              "scene.xml.part", "summary.json.part"};
+  static const std::vector<std::string> names{"scene.xml",      "vessel.csv", "steps.csv",   "contacts.h5",
+                                              "trajectory.pvd", "events.csv", "replay.html", "report.html",
+                                              "summary.json",   "bodies.csv", "nilas.log",   "checkpoint.h5"};
   return names;
 }
 
-bool is_own_frame(const std::string& name) {
-  static const std::regex pattern(R"(step-\d{6,}\.vtp(\.part)?)");
-  return std::regex_match(name, pattern);
+/// Step of a trajectory frame, or of one half written; nothing for other files.
+std::optional<long> step_of_frame(const std::string& name) {
+  static const std::regex pattern(R"(step-(\d{6,18})\.vtp(\.part)?)");
+  std::smatch match;
+  if (!std::regex_match(name, match, pattern)) return std::nullopt;
+  return std::stol(match[1]);
 }
 
 [[noreturn]] void fail(const fs::path& path, const std::string& what, const std::string& reason) {
@@ -42,12 +48,12 @@ void remove_file(const fs::path& path) {
   if (error) fail(path, "remove the file of an earlier run", error.message());
 }
 
-void remove_frames(const fs::path& folder) {
+void remove_frames_after(const fs::path& folder, long step) {
   std::error_code error;
   if (!fs::is_directory(fs::symlink_status(folder, error))) return;
   std::vector<fs::path> frames;
   for (const auto& entry : fs::directory_iterator(folder, error))
-    if (is_own_frame(entry.path().filename().string())) frames.push_back(entry.path());
+    if (step_of_frame(entry.path().filename().string()).value_or(step) > step) frames.push_back(entry.path());
   for (const auto& frame : frames) remove_file(frame);
 }
 
@@ -72,8 +78,17 @@ void claim_folder(const fs::path& folder, bool force) {
                      ": the output folder is not empty; choose another by --out, or give --force to "
                      "replace the outputs of an earlier run in it");
   if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(folder, "write into the output folder", std::strerror(errno));
-  for (const auto& name : own_files()) remove_file(folder / name);
-  remove_frames(folder / "trajectory");
+  for (const auto& name : own_files()) {
+    remove_file(folder / name);
+    remove_file(folder / (name + k_half_written));
+  }
+  remove_frames_after(folder / "trajectory", -1);
+}
+
+void clear_after(const fs::path& folder, long step) {
+  remove_file(folder / "summary.json");
+  for (const auto& name : own_files()) remove_file(folder / (name + k_half_written));
+  remove_frames_after(folder / "trajectory", step);
 }
 
 }  // namespace nilas

@@ -1,5 +1,5 @@
 #pragma once
-/// Takes a folder for a run without harming what else is there.
+/// Takes a folder for a run, or for the rest of one, without harming what else is there.
 #include <filesystem>
 
 namespace nilas {
@@ -7,5 +7,9 @@ namespace nilas {
 /// Creates `folder` and its parents. Throws InputError when it holds anything, unless `force`: then the files that a
 /// run of Nilas writes are removed and all others stay. Throws FileError when it cannot be made or written.
 void claim_folder(const std::filesystem::path& folder, bool force);
+
+/// Removes what a run that goes on after `step` writes again as a whole: the summary, trajectory frames of later steps,
+/// and what was left half written. Throws FileError.
+void clear_after(const std::filesystem::path& folder, long step);
 
 }  // namespace nilas

@@ -51,7 +51,7 @@ double steady_seconds() {
 
 double Progress::share() const { return t_end > t_start ? std::clamp((t - t_start) / (t_end - t_start), 0.0, 1.0) : 1; }
 
-double Progress::real_time_factor() const { return wall > 0 ? (t - t_start) / wall : 0; }
+double Progress::real_time_factor() const { return wall > 0 ? now() / wall : 0; }
 
 std::string duration_text(double seconds) {
   constexpr double k_minute = 60, k_hour = 3600;
@@ -68,7 +68,8 @@ std::string progress_text(const Progress& progress, int width, bool bar) {
   constexpr int k_longest_bar = 24, k_brackets = 3;
   const double share = progress.share(),
                rate = progress.wall > 0 ? static_cast<double>(progress.steps) / progress.wall : 0;
-  const std::string left = share > 0 ? duration_text(progress.wall * (1 - share) / share) : "?";
+  const std::string left =
+      progress.now() > 0 ? duration_text(progress.wall * (progress.t_end - progress.t) / progress.now()) : "?";
   std::string text = fmt::format("{:3.0f} %  {:.2f}/{:g} s  {:.3g} steps/s  {:.3g} x real time  {} left",
                                  std::floor(k_percent * share + k_rounding), progress.t, progress.t_end, rate,
                                  progress.real_time_factor(), left);
@@ -102,7 +103,7 @@ void Console::make_room_for(spdlog::logger& logger) {
 void Console::progress(double t, long steps) {
   if (style_ == ConsoleStyle::silent) return;
   const double now = clock_();
-  const Progress state{t, t_start_, t_end_, steps, now - wall_start_};
+  const Progress state{t, t_start_, t_end_, steps, now - wall_start_, before_};
   if (style_ == ConsoleStyle::terminal) {
     if (now - last_drawn_ < k_redraw_interval) return;
     last_drawn_ = now;

@@ -24,10 +24,12 @@ double steady_seconds();
 struct Progress {
   double t = 0, t_start = 0, t_end = 0;  ///< simulated [s]
   long steps = 0;
-  double wall = 0;  ///< [s] since the first step began
+  double wall = 0;    ///< [s] since the first step began
+  double before = 0;  ///< simulated by an earlier session of the run, which `steps` and `wall` know nothing of [s]
 
-  double share() const;             ///< 0 .. 1
-  double real_time_factor() const;  ///< simulated over wall time
+  double now() const { return t - t_start - before; }  ///< simulated by this session [s]
+  double share() const;                                ///< of the whole run, 0 .. 1
+  double real_time_factor() const;                     ///< simulated over wall time
 };
 /// Percent, simulated and total time, step rate, real-time factor, remaining time; with a bar where the width has room
 /// for it. At most `width` characters.
@@ -44,7 +46,9 @@ class Console {
 
   /// Makes `logger` erase the progress line before its messages.
   void make_room_for(spdlog::logger& logger);
-  /// Draws when it is time to: at most 10 times a second on a terminal, once per 5 % else.
+  /// Tells that the run begins at time t [s], after what an earlier session did.
+  void go_on_from(double t) { before_ = t - t_start_; }
+  /// `steps` of this session. Draws when it is time to: at most 10 times a second on a terminal, once per 5 % else.
   void progress(double t, long steps);
   /// Erases the progress line and prints `text`, unless silent.
   void close(const std::string& text);
@@ -53,7 +57,7 @@ class Console {
  private:
   std::ostream& out_;
   ConsoleStyle style_;
-  double t_start_, t_end_;
+  double t_start_, t_end_, before_ = 0;
   WallClock clock_;
   double wall_start_;
   double last_drawn_;

@@ -18,9 +18,11 @@ constexpr mode_t k_file_mode = 0666;  // cut by the user's umask
 
 }  // namespace
 
-OutputFile::OutputFile(std::filesystem::path path, std::string tail) : path_(std::move(path)), tail_(std::move(tail)) {
-  descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, k_file_mode);
+OutputFile::OutputFile(std::filesystem::path path, std::string tail, std::optional<std::int64_t> keep)
+    : path_(std::move(path)), tail_(std::move(tail)) {
+  descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | (keep ? 0 : O_CREAT | O_TRUNC), k_file_mode);
   if (descriptor_ < 0) fail(errno);
+  if (keep) cut_to(*keep);
 }
 
 OutputFile::~OutputFile() {
@@ -35,6 +37,10 @@ void OutputFile::append(std::string_view piece) {
     fail(error_number);
   }
   body_end_ += static_cast<off_t>(piece.size());
+}
+
+void OutputFile::sync() const {
+  if (::fdatasync(descriptor_) != 0) fail(errno);
 }
 
 void OutputFile::close() {
@@ -59,6 +65,17 @@ void OutputFile::cut_back() {
   if (body_end_ > 0) write_at(body_end_, tail_);
   const off_t end = body_end_ > 0 ? body_end_ + static_cast<off_t>(tail_.size()) : 0;
   if (::ftruncate(descriptor_, end) != 0) return;
+}
+
+void OutputFile::cut_to(std::int64_t bytes) {
+  const off_t size = ::lseek(descriptor_, 0, SEEK_END);
+  if (size < 0) fail(errno);
+  if (size < bytes)
+    throw InputError(path_.string() + ": holds " + std::to_string(size) + " bytes, less than the " +
+                     std::to_string(bytes) + " that the checkpoint goes on from");
+  body_end_ = bytes;
+  if (!write_at(body_end_, tail_) || ::ftruncate(descriptor_, body_end_ + static_cast<off_t>(tail_.size())) != 0)
+    fail(errno);
 }
 
 void OutputFile::fail(int error_number) const {

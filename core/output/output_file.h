@@ -2,7 +2,9 @@
 /// Files that stay complete while they grow: whatever ends the run, a reader finds whole rows only.
 #include <sys/types.h>
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,8 +14,9 @@ namespace nilas {
 /// killed process. An optional tail (closing tags) follows the newest piece and is overwritten by the next one.
 class OutputFile {
  public:
-  /// Creates the file or empties it. Throws FileError.
-  explicit OutputFile(std::filesystem::path path, std::string tail = "");
+  /// Creates the file or empties it; `keep`: goes on after so many bytes of the file that is there, which holds
+  /// complete pieces up to there. Throws FileError, and InputError where it holds less.
+  explicit OutputFile(std::filesystem::path path, std::string tail = "", std::optional<std::int64_t> keep = {});
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
@@ -21,12 +24,17 @@ class OutputFile {
   /// Appends a piece. When it does not fit (full disk) the file is cut back to its last complete piece. Throws
   /// FileError.
   void append(std::string_view piece);
+  /// Of complete pieces.
+  std::int64_t bytes() const { return body_end_; }
+  /// Returns when all pieces are on the disk. Throws FileError.
+  void sync() const;
   /// Closes the file; some file systems report a full disk only here. Throws FileError.
   void close();
 
  private:
   bool write_at(off_t offset, std::string_view text);
   void cut_back();
+  void cut_to(std::int64_t bytes);
   [[noreturn]] void fail(int error_number) const;
 
   std::filesystem::path path_;

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "core/base/state.h"
 #include "core/sim/step_record.h"
 
 namespace nilas {
@@ -17,6 +18,10 @@ class ProblemFiles {
   void step(const StepRecord& record, const SolvedProblem& solved);
   /// The problem at which the world left finite numbers, as last.hdf5, whatever the scene asks for. Throws FileError.
   void last(const SolvedProblem& solved) const;
+
+  /// Which step's problem is the worst so far. Files of later steps are written again.
+  void save(StateWriter out) const { out.add("worst_law_map_m_s", worst_); }
+  void restore(const StateReader& in) { in.get("worst_law_map_m_s", worst_); }
 
  private:
   void write(const std::string& name, const SolvedProblem& solved) const;

@@ -9,18 +9,58 @@
 
 namespace nilas {
 
+/// Where a file of a run that goes on is to be cut; nothing for a new run.
+static std::optional<std::int64_t> kept_bytes(const StateReader* from, const std::string& file) {
+  if (from == nullptr) return std::nullopt;
+  std::int64_t bytes = 0;
+  from->group("bytes").get(file, bytes);
+  return bytes;
+}
+
 struct RunFolder::Outputs {
-  Outputs(const std::filesystem::path& folder, const OutputScene& asked, const RunInfo& run_info, WarningCounts& counts)
+  Outputs(const std::filesystem::path& folder, const OutputScene& asked, const RunInfo& run_info, WarningCounts& counts,
+          const StateReader* from)
       : info(run_info),
         warnings(counts),
         channels(info),
         statistics(info),
-        steps(folder / "steps.csv", info),
+        steps(folder / "steps.csv", info, kept_bytes(from, "steps.csv")),
         problems(folder, asked.problems),
         snapshot_every(asked.trajectory_every),
         bodies_asked(asked.bodies) {
-    if (info.has_vessel) vessel.emplace(folder / "vessel.csv", channels);
-    if (snapshot_every > 0) trajectory.emplace(folder);
+    if (info.has_vessel) vessel.emplace(folder / "vessel.csv", channels, kept_bytes(from, "vessel.csv"));
+    if (snapshot_every > 0) trajectory.emplace(folder, kept_bytes(from, "trajectory.pvd"));
+    if (from != nullptr) restore(*from);
+  }
+
+  void open_bodies(const std::filesystem::path& folder, int count, const StateReader* from) {
+    if (snapshot_every > 0 && bodies_asked.value_or(count <= k_bodies_csv_default_limit))
+      bodies.emplace(folder / "bodies.csv", kept_bytes(from, "bodies.csv"));
+  }
+
+  /// Calls for every file that grows.
+  template <class Call>
+  void for_each_file(const Call& call) const {
+    call("steps.csv", steps.file());
+    if (vessel) call("vessel.csv", vessel->file());
+    if (bodies) call("bodies.csv", bodies->file());
+    if (trajectory) call("trajectory.pvd", trajectory->list());
+  }
+
+  void save(StateWriter out) const {
+    StateWriter bytes = out.group("bytes");
+    for_each_file([&](const char* name, const OutputFile& file) { bytes.add(name, file.bytes()); });
+    out.add("t_start", t_start);
+    out.add("snapshots", snapshots);
+    statistics.save(out.group("statistics"));
+    problems.save(out.group("problems"));
+  }
+
+  void restore(const StateReader& in) {
+    in.get("t_start", t_start);
+    in.get("snapshots", snapshots);
+    statistics.restore(in.group("statistics"));
+    problems.restore(in.group("problems"));
   }
 
   /// Snapshots fall on the step nearest to each multiple of the interval.
@@ -45,6 +85,7 @@ struct RunFolder::Outputs {
 };
 
 RunFolder::RunFolder(const std::filesystem::path& path, bool force) : path_(path) { claim_folder(path, force); }
+RunFolder::RunFolder(std::filesystem::path path) : path_(std::move(path)) {}
 RunFolder::~RunFolder() = default;
 
 void RunFolder::abandon() const {
@@ -54,8 +95,23 @@ void RunFolder::abandon() const {
 }
 
 void RunFolder::open(const Scene& scene, const RunInfo& info, WarningCounts& warnings) {
-  write_scene_xml(path_ / "scene.xml", scene);
-  outputs_ = std::make_unique<Outputs>(path_, scene.output, info, warnings);
+  write_scene_xml(scene_file(), scene);
+  outputs_ = std::make_unique<Outputs>(path_, scene.output, info, warnings, nullptr);
+}
+
+void RunFolder::resume(const Scene& scene, const RunInfo& info, WarningCounts& warnings, const Bodies& bodies,
+                       const StateReader& in) {
+  outputs_ = std::make_unique<Outputs>(path_, scene.output, info, warnings, &in);
+  outputs_->open_bodies(path_, bodies.size(), &in);
+  write_scene_xml(scene_file(), scene);
+  clear_after(path_, outputs_->statistics.steps());
+}
+
+void RunFolder::write_checkpoint(const CheckpointOrigin& origin, State state) const {
+  NILAS_DEMAND(outputs_ != nullptr);
+  outputs_->for_each_file([](const char*, const OutputFile& file) { file.sync(); });
+  outputs_->save(StateWriter(state).group("outputs"));
+  nilas::write_checkpoint(checkpoint_file(), origin, state);
 }
 
 void RunFolder::start(double t, const Ledger& ledger, const Bodies& bodies) {
@@ -63,8 +119,7 @@ void RunFolder::start(double t, const Ledger& ledger, const Bodies& bodies) {
   Outputs& out = *outputs_;
   out.t_start = t;
   out.statistics.start(t, ledger);
-  const bool few = bodies.size() <= k_bodies_csv_default_limit;
-  if (out.snapshot_every > 0 && out.bodies_asked.value_or(few)) out.bodies.emplace(path_ / "bodies.csv");
+  out.open_bodies(path_, bodies.size(), nullptr);
   if (out.snapshot_due(t, 0)) write_snapshot(t, 0, bodies);
 }
 
@@ -114,7 +169,7 @@ nlohmann::ordered_json RunFolder::finish(SummaryInput input, const Bodies& bodie
   if (out.trajectory) out.trajectory->finish();
   input.ice_mass_end = free_ice_mass(bodies);
   auto summary = summary_json(out.info, out.statistics, input);
-  write_summary_json(path_ / "summary.json", summary);
+  write_summary_json(summary_file(), summary);
   return summary;
 }
 

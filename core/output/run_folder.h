@@ -13,20 +13,27 @@
 #include "core/output/trajectory.h"
 #include "core/output/vessel_csv.h"
 #include "core/scene/scene.h"
+#include "core/sim/checkpoint.h"
 #include "core/sim/step_record.h"
 
 namespace nilas {
 
-/// Life: constructed, open(), start(), record() per step, finish(). Every complete step is readable at any moment.
+/// Life: constructed, open() and start(), or resume(), record() per step, finish(). Every complete step is readable at
+/// any moment.
 class RunFolder {
  public:
   /// Creates the folder. One that holds anything is refused (InputError) unless `force`, which removes what an earlier
   /// run of Nilas wrote there and nothing else. Throws FileError when the folder cannot be made or written.
   RunFolder(const std::filesystem::path& path, bool force);
+  /// The folder of a run that goes on.
+  explicit RunFolder(std::filesystem::path path);
   ~RunFolder();
 
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path log_file() const { return path_ / "nilas.log"; }
+  std::filesystem::path scene_file() const { return path_ / "scene.xml"; }
+  std::filesystem::path summary_file() const { return path_ / "summary.json"; }
+  std::filesystem::path checkpoint_file() const { return path_ / "checkpoint.h5"; }
 
   /// For a run that could not begin: removes the log, and the folder when nothing else is in it.
   void abandon() const;
@@ -36,12 +43,18 @@ class RunFolder {
   void open(const Scene& scene, const RunInfo& info, WarningCounts& warnings);
   /// The state at time t [s] before the first step. Throws FileError.
   void start(double t, const Ledger& ledger, const Bodies& bodies);
+  /// In place of open() and start(): goes on with the outputs as they were when `in` was written to checkpoint.h5; rows
+  /// and frames of later steps are removed. Throws FileError, and InputError where an output holds less.
+  void resume(const Scene& scene, const RunInfo& info, WarningCounts& warnings, const Bodies& bodies,
+              const StateReader& in);
   /// One step; `bodies` at its end. Time spent here is counted to Phase::output. Throws FileError.
   void record(StepRecord record, const Bodies& bodies);
   /// The step's contact problem, where the scene asks for it. Throws FileError.
   void store(const StepRecord& record, const SolvedProblem& solved);
   /// The problem at which the numerics failed. Throws FileError.
   void store_last(const SolvedProblem& solved);
+  /// Writes checkpoint.h5: `state` and where the outputs stand. Throws FileError.
+  void write_checkpoint(const CheckpointOrigin& origin, State state) const;
   /// Closes the outputs and writes summary.json, with the mass of ice that `bodies` still hold. Throws FileError.
   nlohmann::ordered_json finish(SummaryInput input, const Bodies& bodies);
   const RunStatistics& statistics() const;

@@ -60,6 +60,47 @@ void RunStatistics::note(std::size_t column, double value, double t) {
   worst.time = t;
 }
 
+void RunStatistics::save(StateWriter out) const {
+  std::vector<double> worst, times;
+  for (const Worst& w : worst_) {
+    worst.push_back(w.value);
+    times.push_back(w.time);
+  }
+  out.add("worst", worst);
+  out.add("worst_time", times);
+  for (std::size_t c = 0; c < load_series_.size(); ++c) out.group("loads").add(load_names_[c], load_series_[c]);
+  out.add("works", works_);
+  out.add("energy_put_in", energy_put_in_);
+  out.add("t_start", t_start_);
+  out.add("t_end", t_end_);
+  out.add("steps", steps_);
+  out.add("total_ms", total_ms_);
+  out.add("unconverged_steps", shortfalls_.unconverged_steps);
+  out.add("uncorrected_steps", shortfalls_.uncorrected_steps);
+  out.add("detection_fallbacks", shortfalls_.detection_fallbacks);
+}
+
+void RunStatistics::restore(const StateReader& in) {
+  std::vector<double> worst, times;
+  in.get("worst", worst, worst_.size());
+  in.get("worst_time", times, worst_.size());
+  for (std::size_t k = 0; k < worst_.size(); ++k) {
+    worst_[k].value = worst[k];
+    worst_[k].time = times[k];
+  }
+  in.get("steps", steps_);
+  for (std::size_t c = 0; c < load_series_.size(); ++c)
+    in.group("loads").get(load_names_[c], load_series_[c], static_cast<std::size_t>(steps_));
+  in.get("works", works_, works_.size());
+  in.get("energy_put_in", energy_put_in_);
+  in.get("t_start", t_start_);
+  in.get("t_end", t_end_);
+  in.get("total_ms", total_ms_);
+  in.get("unconverged_steps", shortfalls_.unconverged_steps);
+  in.get("uncorrected_steps", shortfalls_.uncorrected_steps);
+  in.get("detection_fallbacks", shortfalls_.detection_fallbacks);
+}
+
 const Worst& RunStatistics::worst(const std::string& name) const {
   const auto found = std::find_if(worst_.begin(), worst_.end(), [&](const Worst& w) { return w.name == name; });
   NILAS_DEMAND(found != worst_.end());

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/state.h"
 #include "core/output/vessel_channels.h"
 #include "core/sim/step_record.h"
 
@@ -50,6 +51,10 @@ class RunStatistics {
 
   const std::vector<std::string>& load_names() const { return load_names_; }
   const std::vector<double>& load_series(std::size_t channel) const { return load_series_[channel]; }
+
+  void save(StateWriter out) const;
+  /// Throws InputError when the state is one of a run with other columns.
+  void restore(const StateReader& in);
 
  private:
   void note(std::size_t column, double value, double t);

@@ -25,9 +25,9 @@ std::vector<std::string> column_names(const RunInfo& info) {
 
 }  // namespace
 
-StepsCsv::StepsCsv(const std::filesystem::path& path, const RunInfo& info)
-    : file_(path), num_works_(info.work_names.size()) {
-  file_.append(csv_header(column_names(info)));
+StepsCsv::StepsCsv(const std::filesystem::path& path, const RunInfo& info, std::optional<std::int64_t> keep)
+    : file_(path, "", keep), num_works_(info.work_names.size()) {
+  if (!keep) file_.append(csv_header(column_names(info)));
 }
 
 void StepsCsv::row(const StepRecord& record) {

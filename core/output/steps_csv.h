@@ -11,11 +11,12 @@ namespace nilas {
 
 class StepsCsv {
  public:
-  /// Throws FileError.
-  StepsCsv(const std::filesystem::path& path, const RunInfo& info);
+  /// `keep`: as of OutputFile. Throws FileError, InputError.
+  StepsCsv(const std::filesystem::path& path, const RunInfo& info, std::optional<std::int64_t> keep = {});
   /// Numbers in the fewest digits that read back to the same bits. Throws FileError.
   void row(const StepRecord& record);
   void finish() { file_.close(); }
+  const OutputFile& file() const { return file_; }
 
  private:
   void add_ledger(const Ledger& ledger);

@@ -15,12 +15,12 @@ constexpr const char* k_list_tail = "</Collection>\n</VTKFile>\n";
 
 }  // namespace
 
-Trajectory::Trajectory(const std::filesystem::path& run_folder)
-    : folder_(run_folder / "trajectory"), list_(run_folder / "trajectory.pvd", k_list_tail) {
+Trajectory::Trajectory(const std::filesystem::path& run_folder, std::optional<std::int64_t> keep)
+    : folder_(run_folder / "trajectory"), list_(run_folder / "trajectory.pvd", k_list_tail, keep) {
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
   if (error) throw FileError(folder_.string() + ": cannot create the folder: " + error.message());
-  list_.append(k_list_head);
+  if (!keep) list_.append(k_list_head);
 }
 
 void Trajectory::frame(double t, long step, const Bodies& bodies) {

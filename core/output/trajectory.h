@@ -14,11 +14,12 @@ namespace nilas {
 /// Planes have no surface and are left out. The list of frames is closed after every frame.
 class Trajectory {
  public:
-  /// Throws FileError.
-  explicit Trajectory(const std::filesystem::path& run_folder);
+  /// `keep`: as of OutputFile, for the list. Throws FileError, InputError.
+  explicit Trajectory(const std::filesystem::path& run_folder, std::optional<std::int64_t> keep = {});
   /// Writes the bodies at time t [s] as trajectory/step-<step>.vtp, then lists it. Throws FileError.
   void frame(double t, long step, const Bodies& bodies);
   void finish() { list_.close(); }
+  const OutputFile& list() const { return list_; }
 
  private:
   void follow_shapes(const Bodies& bodies);

@@ -2,7 +2,10 @@
 
 namespace nilas {
 
-VesselCsv::VesselCsv(const std::filesystem::path& path, const VesselChannels& channels) : file_(path) {
+VesselCsv::VesselCsv(const std::filesystem::path& path, const VesselChannels& channels,
+                     std::optional<std::int64_t> keep)
+    : file_(path, "", keep) {
+  if (keep) return;
   std::vector<std::string> names{"time_s"};
   names.insert(names.end(), channels.names().begin(), channels.names().end());
   file_.append(csv_header(names));

@@ -11,11 +11,12 @@ namespace nilas {
 
 class VesselCsv {
  public:
-  /// Throws FileError.
-  VesselCsv(const std::filesystem::path& path, const VesselChannels& channels);
+  /// `keep`: as of OutputFile. Throws FileError, InputError.
+  VesselCsv(const std::filesystem::path& path, const VesselChannels& channels, std::optional<std::int64_t> keep = {});
   /// `values` as read from the channels. Throws FileError.
   void row(double t, const std::vector<double>& values);
   void finish() { file_.close(); }
+  const OutputFile& file() const { return file_; }
 
  private:
   OutputFile file_;

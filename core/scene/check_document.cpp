@@ -64,7 +64,6 @@ class DocumentCheck {
   static std::string not_built_text(const AttributeSpec& spec, const std::string& value) {
     if (!spec.built) return "not built in this version; remove the attribute";
     const std::string found = "'" + value + "' is not built in this version; ";
-    if (spec.only_default_built) return found + "remove the attribute or give " + spec.default_value;
     std::vector<std::string> built;
     for (const auto& choice : spec.choices)
       if (std::count(spec.not_built.begin(), spec.not_built.end(), choice) == 0) built.push_back(choice);

@@ -26,19 +26,40 @@ static std::string hexadecimal(const unsigned char* bytes, unsigned count) {
   return text;
 }
 
+namespace {
+
+class Sha256 {
+ public:
+  Sha256() { NILAS_DEMAND(context_ && EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) == 1); }
+  void add(std::string_view bytes) { NILAS_DEMAND(EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size()) == 1); }
+  std::string digits() {
+    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+    unsigned size = 0;
+    NILAS_DEMAND(EVP_DigestFinal_ex(context_.get(), digest.data(), &size) == 1);
+    return hexadecimal(digest.data(), size);
+  }
+
+ private:
+  std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> context_{EVP_MD_CTX_new(), EVP_MD_CTX_free};
+};
+
+}  // namespace
+
 std::string file_sha256(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in) throw FileError("cannot open " + file.string());
-  const std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> context(EVP_MD_CTX_new(), EVP_MD_CTX_free);
-  NILAS_DEMAND(context && EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr) == 1);
+  Sha256 hash;
   std::array<char, 1 << 16> buffer{};
   while (in.read(buffer.data(), buffer.size()) || in.gcount() > 0)
-    NILAS_DEMAND(EVP_DigestUpdate(context.get(), buffer.data(), static_cast<std::size_t>(in.gcount())) == 1);
+    hash.add({buffer.data(), static_cast<std::size_t>(in.gcount())});
   if (in.bad()) throw FileError("cannot read " + file.string());
-  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-  unsigned size = 0;
-  NILAS_DEMAND(EVP_DigestFinal_ex(context.get(), digest.data(), &size) == 1);
-  return hexadecimal(digest.data(), size);
+  return hash.digits();
+}
+
+std::string text_sha256(std::string_view text) {
+  Sha256 hash;
+  hash.add(text);
+  return hash.digits();
 }
 
 /// Calls for every attribute of the tree that names a file.

@@ -2,6 +2,7 @@
 /// The files that a scene refers to.
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/scene/document.h"
@@ -11,6 +12,8 @@ namespace nilas {
 
 /// SHA-256 of a file's content in hexadecimal digits. Throws FileError when it cannot be read.
 std::string file_sha256(const std::filesystem::path& file);
+/// The same of a text.
+std::string text_sha256(std::string_view text);
 
 /// Checks on a resolved tree that every file named exists, and is still the one that an <input> element recorded.
 void check_files(const SceneElement& root, std::vector<Fault>& faults);

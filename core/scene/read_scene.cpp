@@ -42,14 +42,23 @@ static void check_root_name(SceneElement& root, std::vector<Fault>& faults) {
 }
 
 /// The tree as it ran: resolved, with the input files and their hashes in place of those it may have recorded.
-static std::string as_run_text(SceneElement root) {
+static SceneElement as_run_tree(SceneElement root) {
   const auto inputs = input_files(root);
   std::erase_if(root.children, [](const SceneElement& child) { return child.name == "input"; });
   for (const auto& input : inputs) {
     SceneElement& element = root.children.emplace_back(make_element("input", &root, root.place));
     element.attributes = {{.name = "file", .value = input.path}, {.name = "sha256", .value = input.sha256}};
   }
-  return write_document(root);
+  return root;
+}
+
+static std::string fingerprint(SceneElement root) {
+  const auto blank = [&](const char* child, const char* attribute) {
+    attribute_of(*child_of(root, child), attribute)->value.clear();
+  };
+  blank("time", "end");
+  blank("output", "checkpoint_every");
+  return text_sha256(write_document(root));
 }
 
 Scene read_scene(const std::filesystem::path& file, const Overrides& overrides) {
@@ -66,7 +75,9 @@ Scene read_scene(const std::filesystem::path& file, const Overrides& overrides) 
   Scene scene = build_scene(root);
   scene.file = file;
   scene.notes = std::move(notes);
-  scene.as_run = as_run_text(std::move(root));
+  root = as_run_tree(std::move(root));
+  scene.as_run = write_document(root);
+  scene.fingerprint = fingerprint(std::move(root));
   return scene;
 }
 

@@ -191,8 +191,8 @@ struct OutputScene {
   double trajectory_every = 0.1;  ///< [s]; 0: none
   std::string contacts = "none";
   std::string problems = "never";
-  double checkpoint_every = 0;
-  std::optional<bool> bodies;  ///< default: on up to 200 bodies
+  double checkpoint_every = 0;  ///< [s]; 0: none
+  std::optional<bool> bodies;   ///< default: on up to 200 bodies
 };
 
 /// An input file that the scene refers to, for the scene as run.
@@ -217,6 +217,8 @@ struct Scene {
   OutputScene output;
   std::vector<std::string> notes;  ///< what the reader wants said once, e.g. a default that fell back to a built model
   std::string as_run;              ///< the XML with every default and override written out
+  std::string fingerprint;  ///< SHA-256 of it but for time/@end and output/@checkpoint_every: what a run's states
+                            ///< depend on
 };
 
 }  // namespace nilas

@@ -82,8 +82,6 @@ std::string matching_choice(const std::vector<std::string>& choices, const std::
 
 bool is_not_built(const AttributeSpec& attribute, const std::string& value) {
   if (!attribute.built) return true;
-  if (attribute.only_default_built)
-    return canonical_value(attribute, value) != canonical_value(attribute, attribute.default_value);
   const std::string choice = matching_choice(attribute.choices, trimmed(value));
   return std::count(attribute.not_built.begin(), attribute.not_built.end(), choice) > 0;
 }

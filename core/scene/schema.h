@@ -45,7 +45,6 @@ struct AttributeSpec {
   Condition applies = {};                   ///< on an attribute of the same element
   bool built = true;                        ///< false: naming it is refused
   std::vector<std::string> not_built = {};  ///< choices that are refused
-  bool only_default_built = false;          ///< any other value is refused
   std::string fallback = {};                ///< the built choice that stands in for a default that is not built
   std::string doc = {};
 };

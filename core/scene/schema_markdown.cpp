@@ -48,7 +48,6 @@ std::string default_cell(const AttributeSpec& spec) {
 std::string meaning_cell(const AttributeSpec& spec) {
   std::string s = cell(spec.doc);
   if (!spec.built) s += " Not built in this version.";
-  if (spec.only_default_built) s += " Only " + code(spec.default_value) + " is built in this version.";
   if (spec.applies.values.empty()) return s;
   s += " Only with " + spec.applies.attribute;
   for (std::size_t i = 0; i < spec.applies.values.size(); ++i)

@@ -34,8 +34,8 @@ static ElementSpec output() {
                           .unit = "s",
                           .range = at_least(0),
                           .default_value = "0",
-                          .only_default_built = true,
-                          .doc = "Simulated time between checkpoints; 0: none."},
+                          .doc = "Simulated time between checkpoints, from which `nilas run --resume` goes on; 0: "
+                                 "none."},
                          {.name = "bodies",
                           .type = ValueType::boolean,
                           .default_note = "true up to 200 bodies",

@@ -24,6 +24,11 @@ TEST(ProgressText, SaysPercentTimesRateFactorAndRemaining) {
   EXPECT_EQ(progress_text(progress, 80, true).substr(0, 15), "[###...........");
 }
 
+TEST(ProgressText, OfARunThatGoesOnCountsThisSessionsTimeOnly) {
+  const Progress progress{40, 0, 60, 1000, 20, 30};  // 10 s simulated in 20 s
+  EXPECT_EQ(progress_text(progress, 80, false), " 66 %  40.00/60 s  50 steps/s  0.5 x real time  40 s left");
+}
+
 TEST(ProgressText, FitsTheWidthWhateverTheNumbers) {
   for (const double t_end : {1e-3, 60.0, 123456789.5})
     for (const double wall : {0.0, 1e-6, 12.0, 3e6})

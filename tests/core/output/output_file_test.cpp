@@ -62,6 +62,25 @@ TEST(OutputFile, OpeningEmptiesAnOlderFile) {
   EXPECT_EQ(content(folder / "a.csv"), "new\n");
 }
 
+TEST(OutputFile, GoesOnAfterTheBytesItIsToKeep) {
+  const ScratchFolder folder;
+  std::int64_t kept = 0;
+  {
+    OutputFile file(folder / "a.xml", "</all>");
+    file.append("<all>");
+    kept = file.bytes();
+    file.append("<later, and longer than the tail/>");
+  }
+  OutputFile file(folder / "a.xml", "</all>", kept);
+  file.sync();
+  EXPECT_EQ(content(folder / "a.xml"), "<all></all>");
+  file.append("<x/>");
+  EXPECT_EQ(content(folder / "a.xml"), "<all><x/></all>");
+  EXPECT_THROW(OutputFile(folder / "a.xml", "", 1000), InputError);
+  EXPECT_THROW(OutputFile(folder / "none.xml", "", 0), FileError);
+  EXPECT_FALSE(std::filesystem::exists(folder / "none.xml"));
+}
+
 TEST(OutputFile, APieceThatDoesNotFitLeavesTheFileWithWholePieces) {
   const ScratchFolder folder;
   OutputFile file(folder / "a.csv"), list(folder / "a.xml", "</all>");

@@ -166,6 +166,39 @@ TEST(RunFolder, SummaryTellsTheRun) {
   EXPECT_EQ(summary["machine"], "2 cores");
 }
 
+/// Goes on in a folder that holds more than the checkpoint: half a row, frames of later steps.
+TEST(RunFolder, GoesOnFromItsCheckpoint) {
+  const ScratchFolder scratch;
+  const CheckpointOrigin origin{"test", "sample"};
+  SampleRun whole(scratch / "whole"), cut(scratch / "cut");
+  for (SampleRun* run : {&whole, &cut}) {
+    run->begin();
+    run->steps(25);
+    run->folder.write_checkpoint(origin, {});
+    run->steps(30);
+  }
+  std::ofstream(scratch / "cut/steps.csv", std::ios::app) << "0.5";
+  std::ofstream(scratch / "cut/trajectory/step-000099.vtp") << "later";
+
+  SampleRun rest(scratch / "elsewhere");
+  RunFolder folder(scratch / "cut");
+  const State state = read_checkpoint(folder.checkpoint_file(), origin);
+  folder.resume(rest.scene, rest.info, rest.warnings, rest.bodies, StateReader(state).group("outputs"));
+  EXPECT_EQ(lines(scratch / "cut/steps.csv").size(), 1u + 25);
+  EXPECT_EQ(lines(scratch / "cut/bodies.csv").size(), 1u + 4 * 3);
+  for (int k = 0; k < 30; ++k) {
+    rest.record.step = 26 + k;
+    rest.record.t = static_cast<double>(rest.record.step) * rest.record.h;
+    folder.record(rest.record, rest.bodies);
+  }
+  EXPECT_EQ(folder.finish({}, rest.bodies)["loads"], whole.folder.finish({}, whole.bodies)["loads"]);
+  for (const char* file : {"vessel.csv", "bodies.csv", "trajectory.pvd", "scene.xml"})
+    EXPECT_EQ(content(scratch.path() / "cut" / file), content(scratch.path() / "whole" / file)) << file;
+  EXPECT_EQ(lines(scratch / "cut/steps.csv").size(), 1u + 55);
+  EXPECT_FALSE(fs::exists(scratch / "cut/trajectory/step-000099.vtp"));
+  EXPECT_TRUE(fs::exists(scratch / "cut/trajectory/step-000050.vtp"));
+}
+
 TEST(RunFolder, RefusesAFolderThatHoldsSomething) {
   const ScratchFolder scratch;
   std::ofstream(scratch / "notes.txt") << "mine";

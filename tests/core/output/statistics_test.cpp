@@ -4,6 +4,7 @@
 #include <limits>
 #include <numeric>
 
+#include "core/base/error.h"
 #include "core/output/load_statistics.h"
 #include "core/output/run_statistics.h"
 #include "tests/core/output/sample_run.h"
@@ -25,6 +26,43 @@ TEST(LoadStatistics, OfAKnownSeries) {
   EXPECT_DOUBLE_EQ(load_statistics({0, 10}).p99, 9.9);
   EXPECT_EQ(load_statistics({-3}).p99, 3);
   EXPECT_EQ(load_statistics({}).max, 0);
+}
+
+TEST(RunStatistics, GoOnAsSaved) {
+  RunStatistics whole(full_run());
+  whole.start(0, Ledger{.works = {0, 0}});
+  StepRecord record = full_record();
+  State state;
+  for (int k = 0; k < 20; ++k) {
+    if (k == 12) whole.save(StateWriter(state));
+    record.t = 0.01 * (k + 1);
+    record.ledger.works = {std::sin(k), std::cos(k)};
+    record.ledger.imbalance = k == 5 ? std::numeric_limits<double>::quiet_NaN() : 1e-9 * k;
+    record.solver_short = k % 3 == 0;
+    whole.add(record, std::vector<double>(30, std::sin(0.1 * k)));
+  }
+  RunStatistics rest(full_run());
+  rest.restore(StateReader(state));
+  EXPECT_EQ(rest.steps(), 12);
+  for (int k = 12; k < 20; ++k) {
+    record.t = 0.01 * (k + 1);
+    record.ledger.works = {std::sin(k), std::cos(k)};
+    record.ledger.imbalance = 1e-9 * k;
+    record.solver_short = k % 3 == 0;
+    rest.add(record, std::vector<double>(30, std::sin(0.1 * k)));
+  }
+  EXPECT_EQ(rest.steps(), whole.steps());
+  EXPECT_EQ(rest.end_time(), whole.end_time());
+  EXPECT_EQ(rest.energy_put_in(), whole.energy_put_in());
+  EXPECT_EQ(rest.total_ms(), whole.total_ms());
+  EXPECT_EQ(rest.shortfalls().unconverged_steps, whole.shortfalls().unconverged_steps);
+  EXPECT_TRUE(std::isnan(rest.worst("imbalance_J").value)) << "the first value that is no number stays the worst";
+  EXPECT_EQ(rest.worst("imbalance_J").time, whole.worst("imbalance_J").time);
+  for (std::size_t c = 0; c < whole.load_names().size(); ++c) EXPECT_EQ(rest.load_series(c), whole.load_series(c));
+
+  RunInfo other = full_run();
+  other.work_names.pop_back();
+  EXPECT_THROW(RunStatistics(other).restore(StateReader(state)), InputError);
 }
 
 TEST(RunStatistics, KeepsTheWorstWithItsTime) {

@@ -21,6 +21,17 @@ void expect_round_trip(const SceneFolder& folder, const Scene& scene) {
   EXPECT_TRUE(std::filesystem::exists(folder.path()));
 }
 
+TEST(AsRun, TheFingerprintIsOfAllButTheEndAndTheCheckpoints) {
+  const SceneFolder folder;
+  const auto fingerprint = [&](const std::string& content) { return folder.read(in_scene(content)).fingerprint; };
+  const std::string plain = fingerprint("<time end='3'/><output/>");
+  EXPECT_EQ(plain.size(), 64u);
+  EXPECT_EQ(fingerprint("<time end='5.0' /><output checkpoint_every='2'/>"), plain);
+  EXPECT_NE(fingerprint("<time end='3' step='0.02'/><output/>"), plain);
+  EXPECT_NE(fingerprint("<time end='3'/><output/><seed value='2'/>"), plain);
+  EXPECT_NE(fingerprint("<time end='3'/><output trajectory_every='1'/>"), plain);
+}
+
 TEST(AsRun, TheCompleteSceneReadsBackFromAnotherFolder) {
   const SceneFolder folder;
   testing::write_inputs(folder);

@@ -36,8 +36,7 @@ TEST(NotBuilt, EachIsRefusedWithItsPlace) {
       {"<ice><vary property='thickness' cov='0.1'/></ice>", "<ice><vary>"},
       {"<fracture><bending model='nevel'/></fracture>", "<fracture>"},
       {"<output contacts='hull'/>", "<output contacts>"},
-      {"<output contacts='all'/>", "<output contacts>"},
-      {"<output checkpoint_every='10'/>", "<output checkpoint_every>"}};
+      {"<output contacts='all'/>", "<output contacts>"}};
   for (const auto& c : cases) {
     SCOPED_TRACE(c.content);
     expect_fault(folder.faults(in_scene(c.content)), 2, c.where, {"not built in this version"});
@@ -49,14 +48,12 @@ TEST(NotBuilt, TheMessageSaysWhatToDo) {
   expect_fault(folder.faults(in_scene("<water><waves/></water>")), 2, "<water><waves>", {"remove the element"});
   expect_fault(folder.faults(in_scene("<contact detection='speculative'/>")), 2, "<contact detection>",
                {"built: discrete"});
-  expect_fault(folder.faults(in_scene("<output checkpoint_every='10'/>")), 2, "<output checkpoint_every>",
-               {"remove the attribute or give 0"});
 }
 
 TEST(NotBuilt, WhatSaysTheSameAsNothingIsTaken) {
   const SceneFolder folder;
   EXPECT_TRUE(folder
-                  .faults(in_scene("<output checkpoint_every='0.0' problems='never' contacts='none'/>"
+                  .faults(in_scene("<output problems='never' contacts='none'/>"
                                    "<ice><field region='0 0 1 1' breakable='true'/></ice>"))
                   .empty());
 }

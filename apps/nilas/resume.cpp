@@ -1,0 +1,63 @@
+#include "apps/nilas/resume.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "core/base/error.h"
+#include "core/output/run_folder.h"
+
+namespace nilas {
+
+namespace fs = std::filesystem;
+
+/// summary.json where it tells of a run that did all its steps.
+static std::string summary_of_done_run(const fs::path& file, long steps) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return "";
+  std::ostringstream text;
+  text << in.rdbuf();
+  const auto summary = nlohmann::json::parse(text.str(), nullptr, false);
+  const bool done = summary.is_object() && summary.value("status", nlohmann::json()) == "done" &&
+                    summary.value("steps", nlohmann::json()) == steps;
+  return done ? text.str() : "";
+}
+
+static long steps_of(const State& checkpoint) {
+  long steps = 0;
+  StateReader(checkpoint).group("simulation").get("steps", steps);
+  return steps;
+}
+
+StoppedRun find_stopped_run(const fs::path& folder, const SceneFlags& flags, const std::string& program) {
+  std::error_code error;
+  if (!fs::is_directory(folder, error)) throw FileError(folder.string() + ": is no run folder");
+  const RunFolder run(folder);
+  if (!fs::exists(run.scene_file(), error))
+    throw FileError(folder.string() +
+                    ": is no run folder: it has no scene.xml; a run that was stopped before its first step is begun "
+                    "again by nilas run SCENE");
+  StoppedRun found{.folder = folder, .scene = {}, .checkpoint = {}, .summary = {}};
+  SceneFlags allowed;
+  allowed.file = run.scene_file().string();
+  allowed.until = flags.until;
+  allowed.checkpoint_every = flags.checkpoint_every;
+  found.scene = read_flagged_scene(allowed);
+  const long steps = number_of_steps(found.scene.time);
+  found.summary = summary_of_done_run(run.summary_file(), steps);
+  if (!found.summary.empty()) return found;
+  if (!fs::exists(run.checkpoint_file(), error)) {
+    if (read_scene(run.scene_file()).output.checkpoint_every > 0) return found;
+    throw FileError(run.checkpoint_file().string() +
+                    ": not found: the run was not asked for checkpoints (--checkpoint-every)");
+  }
+  found.checkpoint = read_checkpoint(run.checkpoint_file(), {program, found.scene.fingerprint});
+  if (const long done = steps_of(*found.checkpoint); done > steps)
+    throw InputError(fmt::format("--until {:g} s: the run stands at {:g} s already", found.scene.time.end,
+                                 found.scene.time.start + static_cast<double>(done) * found.scene.time.step));
+  return found;
+}
+
+}  // namespace nilas

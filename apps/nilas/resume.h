@@ -1,0 +1,24 @@
+#pragma once
+/// What `nilas run --resume` finds in a run folder.
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "apps/nilas/scene_flags.h"
+#include "core/sim/checkpoint.h"
+
+namespace nilas {
+
+struct StoppedRun {
+  std::filesystem::path folder;
+  Scene scene;                      ///< of the folder, with the flags' end and checkpoint interval
+  std::optional<State> checkpoint;  ///< none: stopped before the first one, so it begins again
+  std::string summary;              ///< of a run that is done; else empty
+};
+
+/// Of `flags` only `until` and `checkpoint_every` count. `program`: as in CheckpointOrigin. Throws FileError for a
+/// folder that is no run or has no checkpoint where none were asked for, InputError and SceneError for a checkpoint or
+/// a scene that cannot be gone on with.
+StoppedRun find_stopped_run(const std::filesystem::path& folder, const SceneFlags& flags, const std::string& program);
+
+}  // namespace nilas

@@ -1,0 +1,351 @@
+/// A run that is killed and goes on leaves the run folder of one that never stopped.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <regex>
+#include <set>
+#include <thread>
+
+#include "contact/hdf5_file.h"
+#include "tests/support/program.h"
+
+namespace {
+
+using namespace nilas_test;
+
+bool mentions(const std::string& text, const std::string& word) { return text.find(word) != std::string::npos; }
+
+std::vector<std::string> lines_of(const fs::path& file) {
+  std::ifstream in(file);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+/// A program that was started and not waited for.
+class Started {
+ public:
+  Started(const std::string& arguments, const fs::path& folder) {
+    const std::string command =
+        "cd '" + folder.string() + "' && exec '" NILAS_PROGRAM "' " + arguments + " >out.txt 2>err.txt </dev/null";
+    process_ = ::fork();
+    if (process_ == 0) {
+      ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+      ::_exit(127);
+    }
+  }
+  ~Started() { stop(SIGKILL); }
+  Started(const Started&) = delete;
+  Started& operator=(const Started&) = delete;
+
+  bool runs() {
+    if (process_ > 0 && ::waitpid(process_, &status_, WNOHANG) == process_) process_ = 0;
+    return process_ > 0;
+  }
+  /// Waits until a file has so many lines; false when the program ends before.
+  bool reaches(const fs::path& file, std::size_t lines) {
+    while (runs()) {
+      if (lines_of(file).size() >= lines) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    return false;
+  }
+  /// Returns the exit code, or 128 and the signal.
+  int stop(int signal) {
+    if (runs()) {
+      ::kill(process_, signal);
+      ::waitpid(process_, &status_, 0);
+      process_ = 0;
+    }
+    return WIFEXITED(status_) ? WEXITSTATUS(status_) : 128 + WTERMSIG(status_);
+  }
+
+ private:
+  pid_t process_ = 0;
+  int status_ = 0;
+};
+
+std::set<std::string> files_in(const fs::path& folder) {
+  std::set<std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) files.insert(fs::relative(entry.path(), folder).string());
+  return files;
+}
+
+/// All columns but the times.
+void expect_same_steps(const fs::path& one, const fs::path& other) {
+  const Table a(one), b(other);
+  ASSERT_EQ(a.header(), b.header());
+  for (const auto& name : a.header()) {
+    if (name.rfind("ms_", 0) != 0) {
+      EXPECT_EQ(a.text(name), b.text(name)) << name;
+    }
+  }
+}
+
+nlohmann::json untimed_summary(const fs::path& file) {
+  auto summary = nlohmann::json::parse(read_text(file));
+  for (const char* time : {"wall_s", "real_time_factor", "threads"}) summary.erase(time);
+  summary["modules"].erase("ms_per_step");
+  return summary;
+}
+
+/// HDF5 notes when a dataset was made, so the files themselves differ.
+void expect_same_problem(const fs::path& one, const fs::path& other) {
+  const nilas::Hdf5Reader a(one), b(other);
+  const auto names = a.datasets("fclib_global");
+  EXPECT_EQ(b.datasets("fclib_global"), names);
+  ASSERT_GT(names.size(), 5u);
+  for (const auto& name : names) {
+    const std::string place = "fclib_global/" + name;
+    ASSERT_EQ(a.kind(place), b.kind(place)) << name;
+    if (a.kind(place) == nilas::Hdf5Reader::Kind::numbers) {
+      EXPECT_EQ(a.exact_numbers(place), b.exact_numbers(place)) << name;
+    }
+    if (a.kind(place) == nilas::Hdf5Reader::Kind::integers) {
+      EXPECT_EQ(a.wide_integers(place), b.wide_integers(place)) << name;
+    }
+  }
+}
+
+/// Every file of both folders but the log, the checkpoint and what is a wall time.
+void expect_same_run(const fs::path& one, const fs::path& other) {
+  EXPECT_EQ(files_in(one), files_in(other));
+  for (const auto& file : files_in(one)) {
+    if (file == "nilas.log" || file == "checkpoint.h5") continue;
+    if (file == "steps.csv") {
+      expect_same_steps(one / file, other / file);
+    } else if (fs::path(file).extension() == ".hdf5") {
+      expect_same_problem(one / file, other / file);
+    } else if (file == "summary.json") {
+      EXPECT_EQ(untimed_summary(one / file), untimed_summary(other / file));
+    } else {
+      EXPECT_EQ(read_text(one / file), read_text(other / file)) << file;
+    }
+  }
+}
+
+constexpr const char* k_ice = R"(<scene version="1" name="ice">
+  <time step="0.01" end="2.5"/>
+  <contact law="coulomb" solver="nsgs" tolerance="1e-5">
+    <friction between="ice ice" static="0.5" kinetic="0.3"/>
+    <friction between="hull ice" static="0.1" kinetic="0.1"/>
+  </contact>
+  <water density="1005"/>
+  <hydro><buoyancy/><drag form="1" skin="0.005"/></hydro>
+  <tank length="9" width="3" depth="1" wall_thickness="0.2" floor="true"/>
+  <vessel name="ship" position="0.1 0">
+    <hull generate="icebreaker" length="3" beam="0.8" draught="0.2" depth="0.4" triangles="600"/>
+    <mass draught="0.2"/>
+    <carriage speed="0.5" ramp="0.1" free="heave"><force_balance kind="six-cells" stiffness="1e6" damping="1e3"/></carriage>
+  </vessel>
+  <ice thickness="0.05">
+    <field kind="packed" region="3 -1.5 6 1.5" concentration="0.7"><size distribution="lognormal" mean="0.4" sd="0.1" min="0.2" max="0.6"/></field>
+  </ice>
+  <output trajectory_every="0.07" bodies="true" problems="worst"/>
+</scene>
+)";
+
+class Resume : public ::testing::Test {
+ protected:
+  Resume() { folder.write("ice.xml", k_ice); }
+  ProgramResult nilas(const std::string& arguments) const { return run_nilas(arguments, folder.path()); }
+  void run_whole(const std::string& flags = "") const {
+    const auto result = nilas("run ice.xml --quiet --checkpoint-every 0.3 --out whole " + flags);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+  }
+  fs::path in(const std::string& file) const { return folder.path() / file; }
+
+  ScratchFolder folder;
+};
+
+/// Killed again and again, at moments that depend on nothing, until the run comes to its end.
+TEST_F(Resume, KilledAtAnyMomentsLeavesTheSameRun) {
+  run_whole();
+  const Table steps(in("whole/steps.csv"));
+  ASSERT_EQ(steps.rows(), 250u);
+  const Table vessel(in("whole/vessel.csv"));
+  const auto struck = [](double force) { return force != 0; };
+  ASSERT_GT(std::count_if(vessel["contact_fx_N"].begin(), vessel["contact_fx_N"].end(), struck), 50);
+  std::mt19937 random(7);
+  for (int trial = 0; trial < 4; ++trial) {
+    const std::string out = "cut" + std::to_string(trial);
+    std::string command = "run ice.xml --quiet --checkpoint-every 0.3 --out " + out;
+    int kills = 0;
+    for (bool done = false; !done;) {
+      Started run(command, folder.path());
+      const std::size_t rows = 1 + random() % 120;
+      const bool reached = run.reaches(in(out + "/steps.csv"), lines_of(in(out + "/steps.csv")).size() + rows);
+      std::this_thread::sleep_for(std::chrono::microseconds(random() % 4000));
+      if (kills < 3 && reached && run.runs()) {
+        EXPECT_EQ(run.stop(SIGKILL), 128 + SIGKILL);
+        ++kills;
+      } else {
+        while (run.runs()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        ASSERT_EQ(run.stop(SIGKILL), 0) << read_text(in("err.txt"));
+        done = true;
+      }
+      command = "run --quiet --resume " + out + (kills % 2 == 0 ? " --threads 2" : "");
+    }
+    EXPECT_GE(kills, 1);
+    SCOPED_TRACE(out + " after " + std::to_string(kills) + " kills");
+    expect_same_run(in("whole"), in(out));
+  }
+}
+
+/// As a kill at the worst moments leaves it: half rows, frames that no list names, a checkpoint half written.
+TEST_F(Resume, WhatIsBeyondTheCheckpointIsWrittenAgain) {
+  run_whole();
+  {
+    Started run("run ice.xml --quiet --checkpoint-every 0.3 --out cut", folder.path());
+    ASSERT_TRUE(run.reaches(in("cut/steps.csv"), 100));
+    run.stop(SIGKILL);
+  }
+  std::ofstream(in("cut/steps.csv"), std::ios::app) << "1.23,4";
+  std::ofstream(in("cut/vessel.csv"), std::ios::app) << "0.1";
+  std::ofstream(in("cut/trajectory/step-999999.vtp")) << "of a step that the rest does not have";
+  std::ofstream(in("cut/checkpoint.h5.part")) << "half";
+  std::ofstream(in("cut/trajectory/step-000999.vtp.part")) << "half";
+  ASSERT_EQ(nilas("run --quiet --resume cut").exit_code, 0);
+  expect_same_run(in("whole"), in("cut"));
+}
+
+TEST_F(Resume, BeforeTheFirstCheckpointTheRunBeginsAgain) {
+  run_whole();
+  {
+    Started run("run ice.xml --quiet --checkpoint-every 0.3 --out cut", folder.path());
+    ASSERT_TRUE(run.reaches(in("cut/steps.csv"), 5));
+    run.stop(SIGKILL);
+  }
+  ASSERT_FALSE(fs::exists(in("cut/checkpoint.h5"))) << "the test was too slow";
+  const auto result = nilas("run --resume cut");
+  ASSERT_EQ(result.exit_code, 0);
+  EXPECT_TRUE(mentions(result.err, "begins again")) << result.err;
+  expect_same_run(in("whole"), in("cut"));
+}
+
+TEST_F(Resume, AnInterruptedRunGoesOnWhereItStopped) {
+  run_whole();
+  {
+    Started run("run ice.xml --quiet --checkpoint-every 100 --out cut", folder.path());
+    ASSERT_TRUE(run.reaches(in("cut/steps.csv"), 40));
+    EXPECT_EQ(run.stop(SIGINT), 130);
+  }
+  const auto summary = nlohmann::json::parse(read_text(in("cut/summary.json")));
+  EXPECT_EQ(summary["status"], "interrupted");
+  const auto result = nilas("run --resume cut --checkpoint-every 0.3");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(mentions(result.err, "goes on from")) << result.err;
+  expect_same_run(in("whole"), in("cut"));
+}
+
+TEST_F(Resume, UntilMakesARunLonger) {
+  run_whole();
+  ASSERT_EQ(nilas("run ice.xml --quiet --checkpoint-every 0.3 --until 1.1 --out short").exit_code, 0);
+  const auto earlier = nilas("run --resume short --until 0.5");
+  EXPECT_EQ(earlier.exit_code, 2);
+  EXPECT_TRUE(mentions(earlier.err, "stands at 1.1 s")) << earlier.err;
+  {
+    Started longer("run --quiet --resume short --until 2.5", folder.path());
+    ASSERT_TRUE(longer.reaches(in("short/steps.csv"), 190));
+    longer.stop(SIGKILL);
+  }
+  ASSERT_EQ(nilas("run --quiet --resume short").exit_code, 0) << "the new end is kept";
+  expect_same_run(in("whole"), in("short"));
+}
+
+TEST_F(Resume, ADoneRunSaysSo) {
+  ASSERT_EQ(nilas("run ice.xml --quiet --until 0.2 --out run").exit_code, 0);
+  const auto before = files_in(in("run"));
+  const std::string log = read_text(in("run/nilas.log")), summary = read_text(in("run/summary.json"));
+  const auto result = nilas("run --resume run");
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_TRUE(mentions(result.out, "done already")) << result.out;
+  EXPECT_EQ(nilas("run --resume run --json").out, summary);
+  EXPECT_EQ(files_in(in("run")), before);
+  EXPECT_EQ(read_text(in("run/nilas.log")), log);
+  const auto longer = nilas("run --resume run --until 0.4");
+  EXPECT_EQ(longer.exit_code, 4);
+  EXPECT_TRUE(mentions(longer.err, "not asked for checkpoints")) << longer.err;
+}
+
+TEST_F(Resume, FlagsThatWouldChangeThePastAreRefused) {
+  ASSERT_EQ(nilas("run ice.xml --quiet --until 0.1 --checkpoint-every 0.05 --out run").exit_code, 0);
+  for (const std::string flag : {"ice.xml", "--dt 0.02", "--solver pgs", "--law ccp", "--seed 3", "--force",
+                                 "--set contact/@tolerance=1", "--out other"}) {
+    const auto result = nilas("run --resume run " + flag);
+    EXPECT_EQ(result.exit_code, 2) << flag;
+    const std::string name = flag == "ice.xml" ? "scene" : flag.substr(0, flag.find(' '));
+    EXPECT_TRUE(mentions(result.err, "remove " + name)) << flag << ": " << result.err;
+  }
+  EXPECT_FALSE(fs::exists(in("other")));
+}
+
+TEST_F(Resume, WhatIsNoRunIsRefused) {
+  const auto refused = [&](const std::string& run, int code, const std::string& word) {
+    const auto result = nilas("run --resume " + run);
+    EXPECT_EQ(result.exit_code, code) << run << ": " << result.err;
+    EXPECT_TRUE(mentions(result.err, word)) << run << ": " << result.err;
+  };
+  refused("nowhere", 4, "is no run folder");
+  refused("ice.xml", 4, "is no run folder");
+  fs::create_directory(in("empty"));
+  refused("empty", 4, "it has no scene.xml");
+  EXPECT_TRUE(files_in(in("empty")).empty());
+
+  ASSERT_EQ(nilas("run ice.xml --quiet --until 0.3 --checkpoint-every 0.1 --out run").exit_code, 0);
+  fs::remove(in("run/summary.json"));
+  const std::string checkpoint = read_text(in("run/checkpoint.h5")), scene = read_text(in("run/scene.xml"));
+  const std::string steps = read_text(in("run/steps.csv"));
+  for (const double share : {0.0, 0.01, 0.3, 0.7, 0.999}) {
+    const auto length = static_cast<std::size_t>(share * static_cast<double>(checkpoint.size()));
+    folder.write("run/checkpoint.h5", checkpoint.substr(0, length));
+    refused("run", 2, "checkpoint.h5");
+  }
+  folder.write("run/checkpoint.h5", checkpoint);
+  folder.write("run/scene.xml",
+               std::regex_replace(scene, std::regex("concentration=\"0.7\""), "concentration=\"0.6\""));
+  refused("run", 2, "another scene");
+  folder.write("run/scene.xml", scene);
+  folder.write("run/steps.csv", steps.substr(0, steps.size() / 2));
+  refused("run", 2, "steps.csv: holds");
+  fs::remove(in("run/steps.csv"));
+  refused("run", 4, "steps.csv");
+  folder.write("run/steps.csv", steps);
+  EXPECT_EQ(nilas("run --quiet --resume run").exit_code, 0);
+  EXPECT_EQ(read_text(in("run/steps.csv")), steps);
+}
+
+TEST_F(Resume, AChangedInputFileIsRefused) {
+  ASSERT_EQ(nilas("hull --generate icebreaker --length 3 --beam 0.6 --draught 0.2 --out ship").exit_code, 0);
+  folder.write("ship.xml", R"(<scene version="1" name="ship">
+  <time end="0.1"/>
+  <water density="1000"/>
+  <hydro><buoyancy/></hydro>
+  <vessel name="ship" hull="ship" position="0 0"><mass draught="0.2"/></vessel>
+</scene>
+)");
+  ASSERT_EQ(nilas("run ship.xml --quiet --checkpoint-every 0.05 --out run").exit_code, 0);
+  fs::remove(in("run/summary.json"));
+  ASSERT_EQ(nilas("run --quiet --resume run").exit_code, 0);
+  fs::remove(in("run/summary.json"));
+  std::ofstream(in("ship/fluid.stl"), std::ios::app) << " ";
+  const auto changed = nilas("run --resume run");
+  EXPECT_EQ(changed.exit_code, 2);
+  EXPECT_TRUE(mentions(changed.err, "fluid.stl") || mentions(changed.err, "SHA-256")) << changed.err;
+  fs::remove(in("ship/fluid.stl"));
+  EXPECT_EQ(nilas("run --resume run").exit_code, 4);
+}
+
+TEST_F(Resume, NeitherSceneNorFolderIsAUsageError) {
+  const auto result = nilas("run");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_TRUE(mentions(result.err, "scene")) << result.err;
+}
+
+}  // namespace
