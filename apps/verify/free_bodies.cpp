@@ -129,6 +129,31 @@ std::vector<Quantity> free_flight(const Setting& s) {
           {"largest error of the quaternion's norm", worst_unit, 0, 1}};
 }
 
+/// The bob of pendulum.xml: 2 kg, about its centre of mass in pitch 0.2 kg m^2, this far from the joint.
+constexpr double k_bob_mass = 2, k_bob_inertia = 0.2;
+
+std::vector<Quantity> pendulum(const Setting& s) {
+  const Vec3 joint(0, 0, 0.1), arm = Vec3(-s["arm"], 0, 0);  // starts level, at rest
+  Trial run = s.trial({{"vessel/mass/@cog", text(Vec3(joint + arm))}});
+  const double length = (k_bob_inertia / k_bob_mass + arm.squaredNorm()) / arm.norm();
+  const double exact = 4 * std::sqrt(length / k_gravity) * boost::math::ellint_1(std::sin(k_pi / 4));
+  // at its turning points the rate of pitch changes sign
+  double before = 0, first = 0, last = 0;
+  int turns = 0;
+  const long n = s.steps(2.3 * exact);
+  for (long k = 1; k <= n; ++k) {
+    run.step();
+    const double now = run.body("bob").w.y();
+    if (k > 1 && before * now < 0) {
+      last = (static_cast<double>(k) - now / (now - before)) * s.h();
+      if (turns++ == 0) first = last;
+    }
+    before = now;
+  }
+  return {{"turning points", static_cast<double>(turns), 4, 1, true},
+          {"period [s]", 2 * (last - first) / (turns - 1), exact}};
+}
+
 std::vector<Quantity> boosted(const Setting& s) {
   const Vec3 boost = s["boost"] * Vec3(0.6, -0.64, 0.48), v(2, 0, 0);
   std::array<Vec3, 2> left, right, spin;
@@ -170,6 +195,12 @@ std::vector<Case> free_bodies() {
   Case& flight = add(30, "Free flight of a spinning body, 1e6 steps", "momentum, angular momentum and energy are kept",
                      {{"spin", 1, "rad/s"}}, "spin", free_flight);
   flight.tolerance = 1e-10;
+  Case& swings = add(31, "Pendulum about the joint of a carriage",
+                     "period 4 sqrt(l/g) K(sin(theta0/2)), theta0 = 90 deg, l = (I + m a^2)/(m a)", {{"arm", 0.8, "m"}},
+                     "arm", pendulum);
+  swings.scene = "pendulum.xml";
+  swings.step = 0.004;
+  swings.orders = {1, 2};
   Case& wrong =
       add(32, "Without the gyroscopic torque, as older tools", "w stays in G: L(t) = R I R^T w with R = exp(t w) R0",
           {{"w1", 0.5, "rad/s"}, {"w3", 1, "rad/s"}}, "w3", without_gyroscopic_torque);

@@ -50,7 +50,7 @@ bool is_simple(const std::vector<Vec2>& outline) {
   if (n < 3) return false;
   double perimeter = 0;
   for (std::size_t i = 0; i < n; ++i) perimeter += (outline[(i + 1) % n] - outline[i]).norm();
-  constexpr double k_shortest_edge = 1e-9;  // of the perimeter
+  constexpr double k_shortest_edge = 1e-12;  // of the perimeter: rounding is 1e-16 of it
   for (std::size_t i = 0; i < n; ++i) {
     const Vec2 &a = outline[i], &b = outline[(i + 1) % n], &c = outline[(i + 2) % n];
     if (!((b - a).norm() >= k_shortest_edge * perimeter)) return false;

@@ -39,6 +39,7 @@ TEST(IsSimple, PlainOutlines) {
   auto clockwise = l_outline();
   std::reverse(clockwise.begin(), clockwise.end());
   EXPECT_TRUE(is_simple(clockwise));
+  EXPECT_TRUE(is_simple({{0, 0}, {1, 0}, {1, 1e-9}, {0, 1}}));  // a nanometre's edge on a metre's floe
 }
 
 TEST(IsSimple, CrossingsTouchesAndSpikesAreFound) {
@@ -48,7 +49,7 @@ TEST(IsSimple, CrossingsTouchesAndSpikesAreFound) {
   EXPECT_FALSE(is_simple({{0, 0}, {2, 0}, {2, 1}, {2, -1}, {2, 3}, {0, 3}}));                 // spike
   EXPECT_FALSE(is_simple({{0, 0}, {3, 0}, {3, 1}, {2, 1}, {2, 0}, {1, 0}, {1, 1}, {0, 1}}));  // edges overlap
   EXPECT_FALSE(is_simple({{0, 0}, {1, 0}, {1, 0}, {0, 1}}));                                  // point repeated
-  EXPECT_FALSE(is_simple({{0, 0}, {1, 0}, {1, 1e-10}, {0, 1}}));                              // edge too short
+  EXPECT_FALSE(is_simple({{0, 0}, {1, 0}, {1, 1e-12}, {0, 1}}));                              // edge too short
   EXPECT_FALSE(is_simple({{0, 0}, {1, 1}}));
   EXPECT_FALSE(is_simple({{0, 0}, {1, 1}, {2, 2}}));
   EXPECT_FALSE(is_simple({{0, 0}, {1, 0}, {std::nan(""), 1}}));
