@@ -1,6 +1,6 @@
 /// The house rule of architecture: includes point one way only.
-///   apps -> core/output -> core/sim -> {fracture, hydro, contact, core/vessel, core/field} -> core/{bodies,scene} ->
-///   core/base
+///   apps -> core/output -> core/sim -> {fracture, hydro, contact, core/vessel, core/field} ->
+///   core/{bodies,scene,numerics} -> core/base
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -18,8 +18,9 @@ namespace fs = std::filesystem;
 const std::map<std::string, std::set<std::string>>& allowed() {
   static const std::set<std::string> base{"core/base"};
   static const std::set<std::string> middle{"core/base", "core/bodies"};
-  static const std::set<std::string> sim{"core/base", "core/bodies", "core/scene",  "contact",
-                                         "hydro",     "fracture",    "core/vessel", "core/field"};
+  static const std::set<std::string> water{"core/base", "core/bodies", "core/numerics"};
+  static const std::set<std::string> sim{"core/base", "core/bodies", "core/numerics", "core/scene", "contact",
+                                         "hydro",     "fracture",    "core/vessel",   "core/field"};
   static const std::set<std::string> output = [] {
     auto s = sim;
     s.insert("core/sim");
@@ -31,9 +32,9 @@ const std::map<std::string, std::set<std::string>>& allowed() {
     return s;
   }();
   static const std::map<std::string, std::set<std::string>> table{
-      {"core/base", {}},      {"core/scene", base},    {"core/bodies", base}, {"core/vessel", middle},
-      {"core/field", middle}, {"contact", middle},     {"hydro", middle},     {"fracture", middle},
-      {"core/sim", sim},      {"core/output", output}, {"apps", apps}};
+      {"core/base", {}},       {"core/numerics", base}, {"core/scene", base},    {"core/bodies", base},
+      {"core/vessel", middle}, {"core/field", middle},  {"contact", middle},     {"hydro", water},
+      {"fracture", middle},    {"core/sim", sim},       {"core/output", output}, {"apps", apps}};
   return table;
 }
 
@@ -96,7 +97,10 @@ TEST(House, IncludesPointOneWay) {
 
 TEST(House, OnlyVesselKnowsSimbodyAndOnlyItsRoomsKnowTheOtherLibraries) {
   const std::vector<std::pair<std::string, std::string>> owners{
-      {"Simbody", "core/vessel"}, {"CGAL/", "core/bodies"}, {"fcl/", "contact"}, {"CLI/", "apps"}};
+      {"Simbody", "core/vessel"},    {"CGAL/", "core/bodies"},
+      {"fcl/", "contact"},           {"CLI/", "apps"},
+      {"kinsol/", "core/numerics"},  {"cvode/", "core/numerics"},
+      {"nvector/", "core/numerics"}, {"sundials/", "core/numerics"}};
   for (const auto& file : sources())
     for (const auto& [library, owner] : owners) {
       const bool included = includes_angle(fs::path(NILAS_SOURCE_DIR) / file, library);
