@@ -4,6 +4,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "apps/nilas/check_equilibrium.h"
 #include "apps/nilas/commands.h"
 #include "apps/nilas/scene_flags.h"
 #include "contact/detect/detector.h"
@@ -52,18 +53,20 @@ int check(const CheckOptions& options) {
   WarningCounts warnings(make_logger(options.json ? "off" : "warn", ""));
   const WorldParts parts = build_world(scene, 1, warnings);
   const Estimate e = estimate(parts);
+  const auto equilibrium = vessel_equilibrium(scene, parts);
   if (options.json) {
     auto modules = nlohmann::ordered_json::object();
     for (const auto& [name, why] : parts.info.modules) modules[name] = why;
-    const nlohmann::ordered_json result{{"scene", scene.name},
-                                        {"valid", true},
-                                        {"modules", modules},
-                                        {"not_built", parts.info.not_built},
-                                        {"notes", scene.notes},
-                                        {"bodies", e.bodies},
-                                        {"floes", parts.info.floes},
-                                        {"contacts_estimated", e.contacts},
-                                        {"memory_MB_estimated", e.memory_MB}};
+    nlohmann::ordered_json result{{"scene", scene.name},
+                                  {"valid", true},
+                                  {"modules", modules},
+                                  {"not_built", parts.info.not_built},
+                                  {"notes", scene.notes},
+                                  {"bodies", e.bodies},
+                                  {"floes", parts.info.floes},
+                                  {"contacts_estimated", e.contacts},
+                                  {"memory_MB_estimated", e.memory_MB}};
+    if (equilibrium) result["equilibrium"] = equilibrium->json;
     std::cout << result.dump(2) << "\n";
     return exit_done;
   }
@@ -74,6 +77,7 @@ int check(const CheckOptions& options) {
   for (const auto& name : parts.info.not_built) std::cout << " " << name;
   std::cout << "\n";
   for (const auto& note : scene.notes) std::cout << "note: " << note << "\n";
+  if (equilibrium) std::cout << equilibrium->text;
   std::cout << fmt::format("\n{} bodies ({} floes), about {} contacts, about {:.0f} MB, {} steps of {} s\n", e.bodies,
                            parts.info.floes, e.contacts, std::ceil(e.memory_MB), number_of_steps(scene.time),
                            scene.time.step);

@@ -50,8 +50,13 @@ std::string machine() {
 }
 
 std::map<std::string, std::string> versions() {
-  return {{"nilas", NILAS_VERSION},       {"simbody", NILAS_SIMBODY_VERSION}, {"fcl", NILAS_FCL_VERSION},
-          {"eigen", NILAS_EIGEN_VERSION}, {"cgal", NILAS_CGAL_VERSION},       {"tinyxml2", NILAS_TINYXML2_VERSION},
+  return {{"nilas", NILAS_VERSION},
+          {"simbody", NILAS_SIMBODY_VERSION},
+          {"fcl", NILAS_FCL_VERSION},
+          {"eigen", NILAS_EIGEN_VERSION},
+          {"cgal", NILAS_CGAL_VERSION},
+          {"sundials", NILAS_SUNDIALS_VERSION},
+          {"tinyxml2", NILAS_TINYXML2_VERSION},
           {"compiler", NILAS_COMPILER}};
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "hydro/modules.h"
 #include "hydro/wetted.h"
 #include "tests/hydro/solids.h"
 
@@ -52,6 +53,134 @@ TEST(FloatingHeight, JustAfloatAndSinking) {
   EXPECT_THROW(floating_height(box, Mat3::Identity(), 1026, sea()), InputError);
   EXPECT_THROW(floating_height(box, Mat3::Identity(), 0, sea()), InputError);
   EXPECT_THROW(floating_height({}, Mat3::Identity(), 1, sea()), InputError);
+}
+
+/// A solid of that surface whose centre of mass stands at `com` in the mesh's frame.
+Shape about(TriangleMesh mesh, const Vec3& com) {
+  for (Vec3& x : mesh.vertices) x -= com;
+  return mesh_shape(std::move(mesh), {});
+}
+
+Quat tilt(double angle, const Vec3& axis) { return Quat(Eigen::AngleAxisd(angle, axis.normalized())); }
+
+/// Draught m/(rho A), GM = d/2 + b^2/(12 d) - KG across and with the length along, at any heading.
+TEST(FloatingEquilibrium, UprightBox) {
+  const double l = 4, b = 2, depth = 1, d = 0.6, kg = 0.4, mass = 1025 * l * b * d;
+  const Shape box = about(box_shape({l, b, depth}).surface, {0, 0, kg - 0.5 * depth});
+  for (const double heading : {0.0, 0.7, 2.5}) {
+    const auto found = floating_equilibrium(box, mass, tilt(heading, Vec3::UnitZ()), sea());
+    EXPECT_NEAR(found.draught, d, 1e-11);
+    EXPECT_NEAR(found.pose.p.z(), 1.5 - d + kg, 1e-11);
+    EXPECT_NEAR(found.trim, 0, 1e-11);
+    EXPECT_NEAR(found.heel, 0, 1e-11);
+    EXPECT_NEAR(found.volume, l * b * d, 1e-10);
+    EXPECT_NEAR(found.gm_transverse, d / 2 + b * b / (12 * d) - kg, 1e-10);
+    EXPECT_NEAR(found.gm_longitudinal, d / 2 + l * l / (12 * d) - kg, 1e-10);
+    EXPECT_NEAR(found.gm_least, found.gm_transverse, 1e-10);
+    EXPECT_TRUE(found.stable());
+  }
+}
+
+/// A wall-sided body inclined by t = tan(angle) rests where its centre of mass is off by t (GM + BM t^2 / 2): exact
+/// while bottom and deck stay uncut.
+TEST(FloatingEquilibrium, OffCentreMassTrimsAndHeelsABoxByTheWallSidedFormula) {
+  const double l = 4, b = 2, depth = 1, d = 0.5, kg = 0.6, mass = 1025 * l * b * d;
+  for (const double angle : {0.01, 0.1, 0.2, -0.15}) {
+    const double t = std::tan(angle);
+    const double bm_l = l * l / (12 * d), bm_t = b * b / (12 * d), up = d / 2 - kg;
+    const double ahead = t * (up + bm_l + bm_l * t * t / 2), aside = t * (up + bm_t + bm_t * t * t / 2);
+    const Vec3 centre(0, 0, kg - 0.5 * depth);
+    const TriangleMesh box = box_shape({l, b, depth}).surface;
+    const auto trimmed =
+        floating_equilibrium(about(box, centre + ahead * Vec3::UnitX()), mass, Quat::Identity(), sea());
+    EXPECT_NEAR(trimmed.trim, angle, 1e-10) << "a mass ahead puts the bow down";
+    EXPECT_NEAR(trimmed.heel, 0, 1e-10);
+    const auto heeled = floating_equilibrium(about(box, centre + aside * Vec3::UnitY()), mass, Quat::Identity(), sea());
+    EXPECT_NEAR(heeled.heel, -angle, 1e-10) << "a mass to port puts port down";
+    EXPECT_NEAR(heeled.trim, 0, 1e-10);
+  }
+}
+
+/// GZ = sin(a) (GM + BM tan^2(a) / 2) of a wall-sided hull of any waterplane: a centre of mass e aside heels it to
+/// where GZ = e cos(a).
+TEST(FloatingEquilibrium, RightingLeverOfAWallSidedHull) {
+  std::vector<Vec2> waterline{{-4, -0.8}, {2, -0.9}, {4, 0}, {2, 0.9}, {-4, 0.8}};
+  const PolygonMoments moments = polygon_moments(waterline);
+  for (Vec2& q : waterline) q -= moments.centroid;
+  const double thickness = 1.2, d = 0.6, kg = 0.5, bm = moments.yy / d / moments.area;
+  const TriangleMesh hull = prism_shape(waterline, thickness).surface;
+  for (const double e : {0.005, 0.02, 0.04}) {
+    const Shape shape = about(hull, {0, e, kg - 0.5 * thickness});
+    const auto found = floating_equilibrium(shape, 1025 * moments.area * d, tilt(1.0, Vec3::UnitZ()), sea());
+    const double a = -found.heel;
+    ASSERT_GT(a, 0);
+    EXPECT_NEAR(std::sin(a) * (d / 2 + bm - kg + 0.5 * bm * std::pow(std::tan(a), 2)), e * std::cos(a), 1e-10);
+  }
+}
+
+/// Upright, a box of equal width and depth and half the water's density is unstable; by symmetry that is where it
+/// starts. On its edge it is stable.
+TEST(FloatingEquilibrium, ASquareBeamIsUnstableFlatAndStableOnItsEdge) {
+  const Shape beam = about(box_shape({8, 1, 1}).surface, Vec3::Zero());
+  const double mass = 1025 * 8 * 0.5;
+  const auto flat = floating_equilibrium(beam, mass, Quat::Identity(), sea());
+  EXPECT_NEAR(flat.heel, 0, 1e-11);
+  EXPECT_NEAR(flat.gm_transverse, 0.25 + 1.0 / 6 - 0.5, 1e-10);
+  EXPECT_FALSE(flat.stable());
+  EXPECT_GT(flat.gm_longitudinal, 0);
+  const auto edge = floating_equilibrium(beam, mass, tilt(0.7, Vec3::UnitX()), sea());
+  EXPECT_NEAR(edge.heel, k_pi / 4, 1e-10);
+  EXPECT_NEAR(edge.gm_transverse, 2 * std::sqrt(2.0) / 6 - std::sqrt(2.0) / 6, 1e-9);
+  EXPECT_TRUE(edge.stable());
+}
+
+TEST(FloatingEquilibrium, SphereAndPrismFloe) {
+  const double r = 0.5, ball_mass = 1025 * 2.0 / 3 * k_pi * r * r * r;
+  const auto half = floating_equilibrium(sphere_shape(r), ball_mass, Quat::Identity(), sea());
+  EXPECT_NEAR(half.draught, r, 1e-11);
+  EXPECT_NEAR(half.gm_transverse, 0, 1e-10) << "a ball's metacentre is its centre";
+
+  const Shape floe = prism_shape(concave_outline(), 0.4);
+  const double mass = 900 * mesh_properties(floe.surface, 1).mass;
+  const auto level = floating_equilibrium(floe, mass, tilt(0.1, {1, 2, 0}), sea());
+  EXPECT_NEAR(level.draught, 0.4 * 900 / 1025, 1e-10);
+  EXPECT_NEAR(level.trim, 0, 1e-10);
+  EXPECT_NEAR(level.heel, 0, 1e-10);
+}
+
+/// At the equilibrium of any hull the buoyancy module of the simulation leaves no force and no torque.
+TEST(FloatingEquilibrium, TheSimulationsBuoyancyBalancesIt) {
+  const TriangleMesh hull = lofted_hull();
+  const MassProperties whole = mesh_properties(hull, 1);
+  const auto buoyancy = make_buoyancy(sea(), 1);
+  for (const Vec3& offset : {Vec3(0, 0, -0.1), Vec3(0.2, 0.01, -0.15), Vec3(-0.3, -0.02, -0.2)}) {
+    const Shape shape = about(hull, whole.com + offset);
+    const double mass = 600 * whole.mass;
+    const auto found = floating_equilibrium(shape, mass, tilt(0.4, Vec3::UnitZ()), sea());
+    EXPECT_TRUE(found.stable());
+    BodySpec spec;
+    spec.name = "hull";
+    spec.shape = std::make_shared<const Shape>(shape);
+    spec.mass = mass;
+    spec.inertia_B = 600 * whole.inertia;
+    spec.pose = found.pose;
+    Bodies bodies;
+    bodies.add(spec);
+    Wrenches load(1);
+    buoyancy->add_forces(bodies, 0, load);
+    const double weight = mass * sea().gravity;
+    EXPECT_NEAR(load[0].force.z(), weight, 1e-10 * weight);
+    EXPECT_NEAR(load[0].torque.norm(), 0, 1e-9 * weight);
+    EXPECT_EQ(found.trim > 0, offset.x() > -0.1) << found.trim;
+  }
+}
+
+TEST(FloatingEquilibrium, WhatCannotFloatIsRefused) {
+  const Shape box = box_shape({1, 1, 1});
+  EXPECT_THROW(floating_equilibrium(box, 1026, Quat::Identity(), sea()), InputError);
+  EXPECT_THROW(floating_equilibrium(box, 0, Quat::Identity(), sea()), InputError);
+  EXPECT_THROW(floating_equilibrium(plane_shape(), 1, Quat::Identity(), sea()), InputError);
+  EXPECT_THROW(floating_equilibrium(sphere_shape(0.5), 600, Quat::Identity(), sea()), InputError);
 }
 
 }  // namespace

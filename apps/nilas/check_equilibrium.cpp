@@ -1,0 +1,55 @@
+#include "apps/nilas/check_equilibrium.h"
+
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+#include "hydro/equilibrium.h"
+
+namespace nilas {
+
+static const char* held_by(const VesselScene& vessel) {
+  if (vessel.fixed) return "fixed";
+  return vessel.carriage ? "carriage" : "none";
+}
+
+static std::string describe(const FloatingEquilibrium& found, const Water& water, const VesselScene& vessel) {
+  std::string text = fmt::format(
+      "  draught {:.6g} m, trim {:.6g} deg (bow down), heel {:.6g} deg (port up)\n"
+      "  GM transversal {:.6g} m, longitudinal {:.6g} m{}\n"
+      "  displacement {:.6g} m^3, {:.6g} kg\n",
+      found.draught, found.trim / k_deg, found.heel / k_deg, found.gm_transverse, found.gm_longitudinal,
+      found.stable() ? "" : ": UNSTABLE, it would capsize or loll from here", found.volume,
+      water.density * found.volume);
+  if (vessel.fixed || vessel.carriage)
+    text += fmt::format("  ({}: this is where it would rest if let go, not where it is held)\n",
+                        vessel.fixed ? "the vessel is fixed" : "the vessel is on a carriage");
+  return text;
+}
+
+std::optional<EquilibriumReport> vessel_equilibrium(const Scene& scene, const WorldParts& parts) {
+  if (!scene.vessel || !parts.water || !scene.hydro || !scene.hydro->buoyancy) return std::nullopt;
+  const VesselScene& vessel = *scene.vessel;
+  const auto b = static_cast<std::size_t>(parts.vessel_index);
+  EquilibriumReport report;
+  report.text = fmt::format("\nfloating equilibrium of '{}':\n", vessel.name);
+  report.json = {{"vessel", vessel.name}, {"held", held_by(vessel)}};
+  try {
+    const FloatingEquilibrium found =
+        floating_equilibrium(*parts.bodies.shape[b], parts.bodies.mass[b], parts.bodies.q_GB[b], *parts.water);
+    report.text += describe(found, *parts.water, vessel);
+    report.json.update({{"floats", true},
+                        {"stable", found.stable()},
+                        {"draught_m", found.draught},
+                        {"trim_deg", found.trim / k_deg},
+                        {"heel_deg", found.heel / k_deg},
+                        {"gm_transverse_m", found.gm_transverse},
+                        {"gm_longitudinal_m", found.gm_longitudinal},
+                        {"displaced_volume_m3", found.volume}});
+  } catch (const InputError& error) {
+    report.text += fmt::format("  none: {}\n", error.what());
+    report.json.update({{"floats", false}, {"message", error.what()}});
+  }
+  return report;
+}
+
+}  // namespace nilas

@@ -1,0 +1,19 @@
+#pragma once
+/// The floating equilibrium of a scene's vessel, as `nilas check` reports it.
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "core/sim/world.h"
+
+namespace nilas {
+
+struct EquilibriumReport {
+  std::string text;             ///< for the console, lines with their ends
+  nlohmann::ordered_json json;  ///< names with units
+};
+
+/// Empty for a scene without a vessel or without buoyancy. A vessel that cannot float is reported with the reason.
+std::optional<EquilibriumReport> vessel_equilibrium(const Scene& scene, const WorldParts& parts);
+
+}  // namespace nilas
