@@ -7,6 +7,7 @@
 #include "contact/registry.h"
 #include "core/base/error.h"
 #include "core/sim/contact_model.h"
+#include "core/sim/reference.h"
 #include "core/sim/world.h"
 #include "hydro/modules.h"
 
@@ -95,6 +96,7 @@ WorldParts build_world(const Scene& scene, int threads, WarningCounts& warnings)
   WorldParts parts;
   parts.info.scene_name = scene.name;
   if (scene.fracture) throw InputError(scene.file.string() + ": <fracture>: breaking ice is not built in this version");
+  if (scene.contact.integrator == "reference") demand_reference(scene);
   build_water(scene, parts);
   build_friction(scene, parts);
   if (scene.vessel) parts.vessel_index = build_vessel(scene, parts);

@@ -96,6 +96,21 @@ void EnergyAccount::position_step(double kinetic, double potential, const Veloci
   ledger_.stabilisation += along_pseudo;
   ledger_.integrator -=
       (kinetic - kinetic_after_velocity_) + (potential - potential_before_) + conservative_work_ + along_pseudo;
+  settle_energies(kinetic, potential);
+}
+
+void EnergyAccount::whole_step(double kinetic, double potential, const std::vector<double>& works, double friction,
+                               double impact) {
+  for (std::size_t k = 0; k < works.size(); ++k) {
+    ledger_.works[k] += works[k];
+    put_in_ += std::abs(works[k]);
+  }
+  ledger_.friction += friction;
+  ledger_.impact += impact;
+  settle_energies(kinetic, potential);
+}
+
+void EnergyAccount::settle_energies(double kinetic, double potential) {
   ledger_.kinetic = kinetic;
   ledger_.potential = potential;
   potential_before_ = potential;

@@ -37,6 +37,9 @@ class EnergyAccount {
   /// velocities (empty: none), along which the conservative loads worked.
   void position_step(double kinetic, double potential, const Velocities& pseudo, const StepMotion& motion,
                      const StepLoads& loads);
+  /// Books a whole step of the reference integrator: energies at its end, works and losses over it. There is no
+  /// integrator_J then: what the integration itself loses is the imbalance.
+  void whole_step(double kinetic, double potential, const std::vector<double>& works, double friction, double impact);
   const Ledger& ledger() const { return ledger_; }
   /// Initial kinetic energy plus the sum of absolute works: the scale of imbalance_J [J].
   double energy_put_in() const { return put_in_; }
@@ -46,6 +49,8 @@ class EnergyAccount {
   void restore(const StateReader& in);
 
  private:
+  void settle_energies(double kinetic, double potential);
+
   Ledger ledger_;
   double start_ = 0;  ///< kinetic + potential at the start
   double put_in_ = 0;

@@ -16,6 +16,7 @@
 #include "core/sim/advance.h"
 #include "core/sim/contact_model.h"
 #include "core/sim/ledger.h"
+#include "core/sim/reference.h"
 #include "core/sim/stopwatch.h"
 #include "core/sim/warm_start.h"
 #include "core/sim/world.h"
@@ -70,6 +71,7 @@ struct Simulation::World {
     weight.resize(size());
     for (std::size_t b = 0; b < size(); ++b) weight[b].force = parts.bodies.mass[b] * gravity;
     energy = EnergyAccount(parts.info.work_names, kinetic_energy(parts.bodies), potential());
+    if (scene.contact.integrator == "reference") reference.emplace(scene, thread_count, parts, model);
   }
 
   std::size_t size() const { return static_cast<std::size_t>(parts.bodies.size()); }
@@ -92,6 +94,9 @@ struct Simulation::World {
   VesselAccount vessel_account() const;
   StepLoads step_loads() const;
   VesselRecord vessel_record(const StepMotion& motion) const;
+  StepRecord reference_step();
+  void note_end(const MomentumBalance& balance, StepRecord& record) const;
+  void stop_on_failure(const StepRecord& record) const;
   std::uint64_t state_hash() const;
   void demand_finite() const;
   void name_unnamed_pairs();
@@ -114,7 +119,8 @@ struct Simulation::World {
   EnergyAccount energy;
   VesselStart vessel_start;
   SolvedProblem last;
-  std::size_t pairs_named = 0;  ///< of the pairs without friction, already told
+  std::optional<ReferenceIntegrator> reference;  ///< moves the bodies in place of all else
+  std::size_t pairs_named = 0;                   ///< of the pairs without friction, already told
 };
 
 double Simulation::World::potential() {
@@ -392,8 +398,61 @@ Simulation::Simulation(const Scene& scene, int threads, WarningCounts& warnings)
     : world_(std::make_unique<World>(scene, threads, warnings)) {}
 Simulation::~Simulation() = default;
 
+/// What every record holds at its end, whatever moved the bodies.
+void Simulation::World::note_end(const MomentumBalance& balance, StepRecord& record) const {
+  record.step = steps;
+  record.t = time();
+  record.h = h;
+  record.floes = parts.info.floes;
+  record.ledger = energy.ledger();
+  record.momentum_imbalance = balance.linear;
+  record.momentum_scale = balance.linear_scale;
+  record.angular_momentum_imbalance = balance.angular;
+  record.angular_momentum_scale = balance.angular_scale;
+  record.state_hash = state_hash();
+}
+
+void Simulation::World::stop_on_failure(const StepRecord& record) const {
+  if (!model.stop_on_failure || record.status == SolveStatus::converged || last.problem.num_contacts() == 0) return;
+  throw SimulationError(fmt::format("at {:g} s the contact solver stopped with status {}, law_map_m_s {:.3g}{}",
+                                    record.t, to_string(record.status), record.residuals.law_map_m_s,
+                                    record.solver_message.empty() ? "" : ": " + record.solver_message));
+}
+
+/// One output step of the reference integrator, with as many impacts and other events as fall into it.
+StepRecord Simulation::World::reference_step() {
+  StepRecord record;
+  Stopwatch watch(record.ms);
+  const auto [linear, angular] = momenta(parts.bodies);
+  const double t0 = time();
+  ++steps;
+  ReferenceStep done = reference->advance(t0, time());
+  demand_finite();
+  name_unnamed_pairs();
+  record.contacts = done.contacts;
+  record.residuals = done.residuals;
+  last = std::move(done.impact);
+  last.solution.status = done.status;
+  last.solution.iterations = done.iterations;
+  last.solution.message = done.message;
+  note_solution(last.solution, record);
+  record.events = std::move(done.events);
+  watch.lap(Phase::integration);
+
+  const ReferenceAccount& account = done.account;
+  energy.whole_step(kinetic_energy(parts.bodies), potential(), account.works, account.friction, account.impact);
+  const auto [linear_end, angular_end] = momenta(parts.bodies);
+  note_end({(linear_end - linear - account.impulse).norm(), account.impulse_scale,
+            (angular_end - angular - account.angular_impulse).norm(), account.angular_scale},
+           record);
+  watch.lap(Phase::output);
+  stop_on_failure(record);
+  return record;
+}
+
 StepRecord Simulation::step() {
   World& world = *world_;
+  if (world.reference) return world.reference_step();
   StepRecord record;
   Stopwatch watch(record.ms);
 
@@ -442,23 +501,11 @@ StepRecord Simulation::step() {
   watch.lap(Phase::output);
 
   // what the outputs need
-  record.step = world.steps;
-  record.t = world.time();
-  record.h = world.h;
-  record.floes = world.parts.info.floes;
-  record.ledger = world.energy.ledger();
-  record.momentum_imbalance = balance.linear;
-  record.momentum_scale = balance.linear_scale;
-  record.angular_momentum_imbalance = balance.angular;
-  record.angular_momentum_scale = balance.angular_scale;
-  record.state_hash = world.state_hash();
+  world.note_end(balance, record);
   if (world.parts.vessel) record.vessel = world.vessel_record(motion);
   world.last.points = std::move(motion.points);
   world.last.impulses = std::move(motion.impulses);
-  if (world.model.stop_on_failure && solution.status != SolveStatus::converged && record.contacts > 0)
-    throw SimulationError(fmt::format("at {:g} s the contact solver stopped with status {}, law_map_m_s {:.3g}{}",
-                                      record.t, to_string(solution.status), record.residuals.law_map_m_s,
-                                      solution.message.empty() ? "" : ": " + solution.message));
+  world.stop_on_failure(record);
   return record;
 }
 

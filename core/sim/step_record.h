@@ -36,6 +36,16 @@ struct VesselRecord {
   VesselState state;  ///< at the step's end
 };
 
+/// What changed at a contact at one instant; integrator "reference" only. The first contact of a pair of bodies may
+/// stand for several at once.
+enum class ContactEventKind { impact, rest, release, stick, slip };
+struct ContactEvent {
+  double t = 0;  ///< [s]
+  ContactEventKind kind = ContactEventKind::impact;
+  int a = -1, b = -1;  ///< bodies
+  double speed = 0;    ///< of approach at an impact [m/s]
+};
+
 struct StepRecord {
   long step = 0;  ///< 1 for the first
   double t = 0;   ///< at the step's end [s]
@@ -54,6 +64,7 @@ struct StepRecord {
   std::array<double, k_num_phases> ms{};
   std::uint64_t state_hash = 0;
   std::optional<VesselRecord> vessel;
+  std::vector<ContactEvent> events;  ///< in the order of time
 };
 
 /// A step's contact problem and what its solver made of it.

@@ -1,0 +1,109 @@
+#include "core/sim/reference_state.h"
+
+namespace nilas {
+
+namespace {
+
+constexpr Eigen::Index k_per_body = 13;  // p, q, v, L
+/// After the works: friction, impulse, angular impulse, and the two scales.
+constexpr Eigen::Index k_friction = 0, k_impulse = 1, k_angular = 4, k_scales = 7, k_sums = 9;
+
+Vec3 angular_momentum(const Bodies& bodies, std::size_t b) {
+  const Mat3& R = bodies.R_GB[b];
+  return R * (bodies.inertia_B[b] * (R.transpose() * bodies.w_GB[b]));
+}
+
+}  // namespace
+
+ReferenceState::ReferenceState(const Bodies& bodies, std::size_t works) : works_(static_cast<Eigen::Index>(works)) {
+  for (int b = 0; b < bodies.size(); ++b)
+    if (bodies.is_free(b)) free_.push_back(b);
+  account_ = k_per_body * static_cast<Eigen::Index>(free_.size());
+}
+
+VecX ReferenceState::pack(const Bodies& bodies) const {
+  VecX y = VecX::Zero(account_ + works_ + k_sums);
+  Eigen::Index at = 0;
+  for (const int k : free_) {
+    const auto b = static_cast<std::size_t>(k);
+    const Quat& q = bodies.q_GB[b];
+    y.segment<k_per_body>(at) << bodies.p_GB[b], q.w(), q.vec(), bodies.v_GB[b], angular_momentum(bodies, b);
+    at += k_per_body;
+  }
+  return y;
+}
+
+void ReferenceState::unpack(const VecX& y, Bodies& bodies) const {
+  Eigen::Index at = 0;
+  for (const int k : free_) {
+    const auto b = static_cast<std::size_t>(k);
+    bodies.set_pose(k, y.segment<3>(at), Quat(y[at + 3], y[at + 4], y[at + 5], y[at + 6]));
+    bodies.v_GB[b] = y.segment<3>(at + 7);
+    const Mat3& R = bodies.R_GB[b];
+    bodies.w_GB[b] = R * (bodies.inertia_inverse_B[b] * (R.transpose() * y.segment<3>(at + 10)));
+    at += k_per_body;
+  }
+}
+
+void ReferenceState::add_account(const VecX& y, ReferenceAccount& account) const {
+  account.works.resize(static_cast<std::size_t>(works_), 0);
+  for (Eigen::Index k = 0; k < works_; ++k) account.works[static_cast<std::size_t>(k)] += y[account_ + k];
+  const auto sums = y.tail<k_sums>();
+  account.friction += sums[k_friction];
+  account.impulse += sums.segment<3>(k_impulse);
+  account.angular_impulse += sums.segment<3>(k_angular);
+  account.impulse_scale += sums[k_scales];
+  account.angular_scale += sums[k_scales + 1];
+}
+
+void ReferenceState::derivative(const Bodies& bodies, const ReferenceLoads& loads, VecX& dy) const {
+  dy.setZero(account_ + works_ + k_sums);
+  auto sums = dy.tail<k_sums>();
+  Eigen::Index at = 0;
+  for (const int k : free_) {
+    const auto b = static_cast<std::size_t>(k);
+    const Wrench& load = loads.total[b];
+    const Quat& q = bodies.q_GB[b];
+    const Vec3& w = bodies.w_GB[b];
+    const Quat dq = Quat(0, w.x(), w.y(), w.z()) * q;
+    dy.segment<k_per_body>(at) << bodies.v_GB[b], 0.5 * dq.w(), 0.5 * dq.vec(), load.force / bodies.mass[b],
+        load.torque;
+    sums.segment<3>(k_impulse) += load.force;
+    sums.segment<3>(k_angular) += bodies.p_GB[b].cross(load.force) + load.torque;
+    at += k_per_body;
+  }
+  for (Eigen::Index k = 0; k < works_; ++k) dy[account_ + k] = loads.powers[static_cast<std::size_t>(k)];
+  sums[k_friction] = loads.friction_power;
+  sums[k_scales] = loads.force_sum;
+  sums[k_scales + 1] = loads.moment_sum;
+}
+
+VecX ReferenceState::absolute_tolerances(const Bodies& bodies, double relative) const {
+  VecX tolerance = VecX::Constant(account_ + works_ + k_sums, relative);
+  double mass = 0;
+  Eigen::Index at = 0;
+  for (const int k : free_) {
+    const auto b = static_cast<std::size_t>(k);
+    mass += bodies.mass[b];
+    tolerance.segment<3>(at + 10).setConstant(relative * bodies.inertia_B[b].trace());
+    at += k_per_body;
+  }
+  tolerance.tail(works_ + k_sums).setConstant(relative * std::max(mass, 1e-300));
+  constexpr double k_uncontrolled = 1e30;  // scales need no accuracy, and absolute values have kinks
+  tolerance.tail<2>().setConstant(k_uncontrolled);
+  return tolerance;
+}
+
+std::pair<Vec3, Vec3> momenta(const Bodies& bodies) {
+  Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();
+  for (int k = 0; k < bodies.size(); ++k) {
+    if (!bodies.is_free(k)) continue;
+    const auto b = static_cast<std::size_t>(k);
+    const Vec3 momentum = bodies.mass[b] * bodies.v_GB[b];
+    linear += momentum;
+    angular += bodies.p_GB[b].cross(momentum) + angular_momentum(bodies, b);
+  }
+  return {linear, angular};
+}
+
+}  // namespace nilas
