@@ -133,7 +133,7 @@ OdeStop OdeSolution::follow(double t1, VecX& y) {
   y = sundials::view(own.state.get());
   if (code == CV_ROOT_RETURN) return {own.t, found_events(own.memory.get(), session.ode.num_events)};
   if (code != CV_SUCCESS)
-    throw SimulationError(fmt::format("at {:g} s the integrator stopped: {}", own.t, name_of(code)));
+    throw SimulationError(fmt::format("the integrator stopped {:g} s after its start: {}", own.t, name_of(code)));
   return {t1, {}};
 }
 

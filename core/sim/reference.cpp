@@ -76,6 +76,9 @@ void demand_reference(const Scene& scene) {
   if (contact.law != "coulomb" && contact.law != "frictionless")
     refuse("law '" + contact.law + "'", "coulomb, frictionless");
   if (!contact.gyroscopic) refuse("gyroscopic=\"false\"", "true");
+  for (const auto& body : scene.bodies)
+    if (!body.fixed && body.shape == "cylinder")
+      refuse("the free cylinder '" + body.name + "'", "free spheres, boxes, meshes and floes; fixed cylinders");
   for (const auto& pair : contact.friction)
     if (pair.rolling > 0 || pair.spinning > 0)
       refuse("rolling or spinning friction", "static, kinetic and restitution in <friction>");
@@ -94,6 +97,13 @@ ReferenceIntegrator::ReferenceIntegrator(const Scene& scene, int threads, WorldP
   impact_settings_.h = 1;  // no part of the way is left: points are closed
   impact_settings_.restitution_threshold = k_inelastic_speed;
   impact_settings_.stabilisation = {};
+  const auto points = contacts_.detect(parts.bodies);
+  const auto closed = std::count_if(points.begin(), points.end(), [](const auto& c) { return c.gap <= k_touch; });
+  if (closed > k_most_reference_contacts)
+    throw InputError(
+        fmt::format("{}: <contact integrator>: 'reference' does not take {} contacts at once, as the "
+                    "scene begins with; allowed: {}",
+                    scene.file.string(), closed, k_most_reference_contacts));
 }
 
 double ReferenceIntegrator::approach(const ContactPoint& point) const {
@@ -280,6 +290,14 @@ void ReferenceIntegrator::settle(double t, ReferenceStep& step) {
   settled_ = true;
 }
 
+OdeStop ReferenceIntegrator::follow(double t1, VecX& y) {
+  try {
+    return smooth_->follow(t1 - smooth_start_, y);
+  } catch (const SimulationError& error) {
+    throw SimulationError(fmt::format("between the event at {:.9g} s and {:g} s: {}", smooth_start_, t1, error.what()));
+  }
+}
+
 ReferenceStep ReferenceIntegrator::advance(double t0, double t1) {
   ReferenceStep step;
   step.account.works.assign(parts_.info.work_names.size(), 0);
@@ -287,7 +305,7 @@ ReferenceStep ReferenceIntegrator::advance(double t0, double t1) {
   for (double t = t0; t < t1;) {
     if (!smooth_) begin_smooth_motion(t, t1 - t0);
     VecX y;
-    const OdeStop stop = smooth_->follow(t1 - smooth_start_, y);
+    const OdeStop stop = follow(t1, y);
     state_.unpack(y, parts_.bodies);
     state_.add_account(y - accounted_, step.account);
     accounted_ = y;

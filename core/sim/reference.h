@@ -33,7 +33,7 @@ void demand_reference(const Scene& scene);
 
 class ReferenceIntegrator {
  public:
-  /// Moves the bodies of `parts`; impacts by `model`.
+  /// Moves the bodies of `parts`; impacts by `model`. Throws InputError where too many contacts are closed.
   ReferenceIntegrator(const Scene& scene, int threads, WorldParts& parts, ContactModel& model);
 
   /// From t0 to t1 [s]. Throws SimulationError where the motion cannot be followed.
@@ -44,6 +44,7 @@ class ReferenceIntegrator {
   ReferenceLoads loads(double t);
   void watch(double t, VecX& g);
   void begin_smooth_motion(double t0, double longest_step);
+  OdeStop follow(double t1, VecX& y);
   void settle(double t, ReferenceStep& step);
   void impact(double t, std::vector<ContactPoint> points, ReferenceStep& step);
   void book(const ContactImpulses& impulses, const Velocities& before, ReferenceAccount& account) const;

@@ -21,7 +21,6 @@ constexpr double k_drift_rate = 10;
 /// Poses move by this share of a radius, or turn by as many radians, to see how contacts move: the error of the
 /// difference, its square, is then like that of rounding.
 constexpr double k_probe = 1e-5;
-constexpr int k_most_contacts = 16;
 /// Slip back from rest by more than rounding ends a state that began at rest [m/s].
 constexpr double k_slip_slack = 1e-11;
 
@@ -253,10 +252,10 @@ void SustainedContacts::decide(Bodies& bodies, const Wrenches& loads, const std:
   list_.clear();
   trusted_ = false;
   if (points.empty()) return;
-  if (static_cast<int>(points.size()) > k_most_contacts)
+  if (static_cast<int>(points.size()) > k_most_reference_contacts)
     throw SimulationError(fmt::format(
         "at {:g} s {} contacts are closed at once; integrator 'reference' takes {}: use moreau or semi-implicit-euler",
-        t, points.size(), k_most_contacts));
+        t, points.size(), k_most_reference_contacts));
   const AccelerationProblem posed = pose(bodies, loads, points);
   constexpr double k_least_acceleration = 1e-10;  // [m/s^2] below it nothing is pressed together
   if (!(posed.scale > k_least_acceleration)) return;

@@ -15,6 +15,9 @@ namespace nilas {
 /// Points farther apart are not looked for [m].
 constexpr double k_reference_margin = 1e-5;
 
+/// Closed at one instant, all bodies together.
+constexpr int k_most_reference_contacts = 16;
+
 enum class Grip { sticks, slips };
 
 struct SustainedContact {

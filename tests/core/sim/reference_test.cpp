@@ -1,4 +1,5 @@
 /// The reference integrator against closed forms: events, free motion, water, friction.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
@@ -227,6 +228,55 @@ TEST(Reference, ATiltedBoxFallsAndComesToRest) {
   }
 }
 
+/// A ball that slides down a fixed one from rest at angle a without friction leaves it where cos = 2/3 cos a.
+TEST(Reference, ABallLeavesASphereAtTwoThirds) {
+  const double start = 0.2;
+  Rig rig(time(0.05) + contact(0) + "<body name='dome' shape='sphere' radius='1' fixed='true'/>" +
+          fmt::format("<body shape='sphere' radius='0.1' mass='1' position='{:.17g} 0 {:.17g}'/>",
+                      1.1 * std::sin(start), 1.1 * std::cos(start)));
+  rig.run(1.2);
+  const auto releases = rig.of(ContactEventKind::release);
+  ASSERT_EQ(releases.size(), 1u);
+  const double since = rig.simulation.time() - releases[0].t;  // in free fall
+  const Vec3 left = rig.bodies().p_GB[1] - since * rig.bodies().v_GB[1] - 0.5 * since * since * g * Vec3::UnitZ();
+  EXPECT_NEAR(left.z() / 1.1, 2.0 / 3 * std::cos(start), 1e-9);
+  EXPECT_NEAR(left.norm(), 1.1, 1e-9);
+}
+
+/// Rolling, friction grows with the slope under the ball until it slips: the account of friction stays closed.
+TEST(Reference, ABallRollsDownASphereThenSlipsThenLeaves) {
+  Rig rig(time(0.05) + contact(0.2, 0, "static='0.3'") + "<body name='dome' shape='sphere' radius='1' fixed='true'/>" +
+          fmt::format("<body shape='sphere' radius='0.1' mass='1' position='{:.17g} 0 {:.17g}'/>", 1.1 * std::sin(0.2),
+                      1.1 * std::cos(0.2)));
+  const StepRecord record = rig.run(1.5, 1e-9);
+  ASSERT_EQ(rig.of(ContactEventKind::slip).size(), 1u);
+  ASSERT_EQ(rig.of(ContactEventKind::release).size(), 1u);
+  EXPECT_LT(rig.of(ContactEventKind::slip)[0].t, rig.of(ContactEventKind::release)[0].t);
+  EXPECT_GT(record.ledger.friction, 0);
+}
+
+TEST(Reference, ABoxFallsOnABoxAndBothComeToRest) {
+  Rig rig(time(0.05) + contact(0.3, 0.4) + k_ground +
+          "<body shape='box' size='1 1 0.4' mass='5' position='0 0 0.2'/>"
+          "<body shape='box' size='0.6 0.6 0.4' mass='2' position='0.1 0.05 0.9' rotation_deg='10 4 8'/>");
+  const StepRecord record = rig.run(3, 1e-9);
+  EXPECT_EQ(record.contacts, 8);
+  EXPECT_NEAR(rig.bodies().p_GB[1].z(), 0.2, 1e-8);
+  EXPECT_NEAR(rig.bodies().p_GB[2].z(), 0.6, 1e-8);
+}
+
+/// The points of contact change from corners of the box to crossings with the table's edge, and end.
+TEST(Reference, ABoxSlidesOverAnEdge) {
+  Rig rig(time(0.05) + contact(0.3, 0.4) +
+          "<body name='table' shape='box' size='2 2 1' fixed='true'/>"
+          "<body shape='box' size='0.3 0.3 0.2' mass='5' position='0.5 0 0.6' velocity='3 0.4 0'/>");
+  const StepRecord record = rig.run(1, 1e-9);
+  EXPECT_EQ(record.contacts, 0);
+  EXPECT_LT(rig.bodies().p_GB[1].z(), 0);
+  EXPECT_GT(rig.bodies().w_GB[1].y(), 0.1) << "it tips forward";
+  EXPECT_GT(record.ledger.friction, 1);
+}
+
 TEST(Reference, ASlabThatIsHitBreaksLooseSlidesAndStops) {
   Rig rig(time(0.05) + contact(0.2, 0, "static='0.4'") + "<gravity value='0 0 -10'/>" + k_ground +
           "<body name='slab' shape='box' size='1 1 0.2' mass='5' position='0 0 0.1'/>"
@@ -277,6 +327,8 @@ TEST(Reference, WhatItDoesNotTakeIsRefused) {
       refusal("<contact integrator='reference'><friction between='* *' kinetic='0.1' rolling='0.01'/></contact>" + ball)
           .find("rolling"),
       std::string::npos);
+  EXPECT_NE(refusal("<contact integrator='reference'/><body name='log' shape='cylinder' mass='1'/>").find("'log'"),
+            std::string::npos);
   EXPECT_NE(refusal("<contact integrator='reference'/><water/><hydro><buoyancy/></hydro><vessel position='0 0'>"
                     "<hull generate='icebreaker'/><mass draught='0.3'/></vessel>")
                 .find("<vessel>"),
@@ -285,11 +337,15 @@ TEST(Reference, WhatItDoesNotTakeIsRefused) {
 
 /// Five boxes on the ground have twenty contacts at once.
 TEST(Reference, TooManyContactsAtOnceAreSaidToBeSo) {
-  std::string boxes;
-  for (int k = 0; k < 5; ++k)
-    boxes += "<body shape='box' size='1 1 1' mass='1' position='" + std::to_string(2 * k) + " 0 0.5'/>";
-  Rig rig(time(0.1) + contact() + k_ground + boxes);
-  EXPECT_THROW(rig.simulation.step(), SimulationError);
+  const auto boxes = [](const std::string& z) {
+    std::string text = k_ground;
+    for (int k = 0; k < 5; ++k)
+      text += "<body shape='box' size='1 1 1' mass='1' position='" + std::to_string(2 * k) + " 0 " + z + "'/>";
+    return text;
+  };
+  EXPECT_THROW(Rig(time(0.1) + contact() + boxes("0.5")), InputError);
+  Rig falling(time(1) + contact() + boxes("0.6"));
+  EXPECT_THROW(falling.simulation.step(), SimulationError);
 }
 
 }  // namespace
