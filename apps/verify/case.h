@@ -14,6 +14,8 @@ struct Model {
 
   /// Share of the step's motion that follows the impulses.
   double theta() const { return integrator == "semi-implicit-euler" ? 1 : 0.5; }
+  /// Integrated between events, as if the steps were infinitely small.
+  bool continuous() const { return integrator == "reference"; }
 };
 
 /// A number that a case is set up with.
@@ -47,6 +49,7 @@ struct Case {
   std::vector<std::string> laws{"coulomb"};
   std::vector<std::string> solvers{};  ///< empty: those that take the law
   std::vector<std::string> integrators{"semi-implicit-euler", "moreau"};
+  bool reference = false;   ///< runs with the integrator `reference` and `auto`, too
   double step = 0.01;       ///< [s]
   double tolerance = 1e-9;  ///< of the error; where a proven order is given, of a discrete closed form alone
   /// Where only the limit of small steps is known: the order at which the error falls, per integrator. Then five steps

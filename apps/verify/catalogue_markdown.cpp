@@ -29,6 +29,7 @@ std::string limit_text(const Case& one) {
                         order > 0 ? fmt::format("order {:g} over five steps from {:g} s", order, one.step)
                                   : fmt::format("error {:g} at {:g} s", one.tolerance, one.step));
   }
+  if (one.reference) text += fmt::format("; reference error {:g}", one.tolerance);
   return text;
 }
 
@@ -37,7 +38,8 @@ constexpr const char* k_head = R"(# Cases of `nilas verify`
 Each case is a scene of `apps/scenes/verify`, run by the same engine as every scene, with the inputs below put in as `--set` would; so any of
 them can be run by hand. What is expected is computed from the inputs, for the law that is asked: the artefact of a wrong model is an expected
 value too. Every case runs again with one input 10 % larger. With `theta` = 1 (`semi-implicit-euler`) or 0.5 (`moreau`) formulas are those of the
-time step itself where they can be had; else the limit of small steps is expected at the order that is proven.
+time step itself where they can be had; else the limit of small steps is expected at the order that is proven. With
+`reference` the formulas of continuous time are expected.
 
     nilas verify                     the default set
     nilas verify --all               every solver with every integrator

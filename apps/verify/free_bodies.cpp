@@ -187,6 +187,7 @@ std::vector<Case> free_bodies() {
                          {{"w1", 0.5, "rad/s"}, {"w3", 1, "rad/s"}}, "w1", asymmetric_top);
   asymmetric.step = 0.08;
   asymmetric.orders = {2, 2};
+  asymmetric.reference = true;
   Case& flips =
       add(28, "Flips about the middle axis", "half period 2 K(k)/rate; sigma = w sqrt((I2-I1)(I3-I2)/(I1 I3)) at first",
           {{"w1", 0.75, "rad/s"}, {"w3", 0.7, "rad/s"}}, "w3", flipping_top);

@@ -54,8 +54,9 @@ std::vector<Quantity> stop(const Setting& s) {
   const double change = s["mu"] * k_gravity * s.h();
   run.run(static_cast<long>(s["speed"] / change) + 5);
   const BodyState block = run.body("block");
-  return {{"way to rest [m]", block.p.x(), stopping_way(s["speed"], change, s.h(), s.theta())},
-          {"speed at rest [m/s]", block.v.norm(), 0, 1}};
+  const double way = s.model().continuous() ? s["speed"] * s["speed"] / (2 * s["mu"] * k_gravity)
+                                            : stopping_way(s["speed"], change, s.h(), s.theta());
+  return {{"way to rest [m]", block.p.x(), way}, {"speed at rest [m/s]", block.v.norm(), 0, 1}};
 }
 
 std::vector<Quantity> azimuths(const Setting& s) {
@@ -227,7 +228,8 @@ std::vector<Case> point_friction() {
   add(2, "Block sliding down a slope", "a = g (sin - mu cos), x_n = a h^2 n (n - 1 + 2 theta)/2",
       {{"slope_deg", 30, "deg"}, mu}, "mu", slide);
   add(3, "Stopping distance", "d = sum h ((1 - theta) v_k-1 + theta v_k), v_k = max(0, v0 - k mu g h) -> v0^2/(2 mu g)",
-      {speed, mu}, "mu", stop);
+      {speed, mu}, "mu", stop)
+      .reference = true;
   add(4, "The same in 24 directions", "that of case 3 in each; nothing aside, no turn", {speed, mu}, "speed", azimuths)
       .step = 0.02;
   add(5, "Sliding at an angle to the tangents",

@@ -37,9 +37,12 @@ void slide_into_rolling(const Setting& s, const Round& round, std::vector<Quanti
   const BodyState body = run.body(round.body);
   const auto speed = [&](long k) { return std::max(last, v0 - static_cast<double>(k) * change); };
   const std::string name = round.name;
+  const double slid = (v0 - last) / (s["mu"] * k_gravity);  // [s]
+  const double way = s.model().continuous() ? 0.5 * (v0 + last) * slid + last * (static_cast<double>(n) * s.h() - slid)
+                                            : travel(n, s.h(), s.theta(), speed);
   found.push_back({name + ", speed when rolling [m/s]", body.v.x(), last});
   found.push_back({name + ", surface speed when rolling [m/s]", body.w.y() * k_radius, last});
-  found.push_back({name + ", way [m]", body.p.x(), travel(n, s.h(), s.theta(), speed)});
+  found.push_back({name + ", way [m]", body.p.x(), way});
   found.push_back({name + ", share of energy lost", 1 - run.last().ledger.kinetic / (0.5 * k_mass * v0 * v0),
                    round.share / (1 + round.share)});
 }
@@ -241,7 +244,8 @@ std::vector<Case> rolling() {
   const std::vector<std::string> with_moments{"auto", "nsgs"};
   FamilyOfCases add('B', "ball.xml", "Momentum and Coulomb's law, summed over the steps");
   add(14, "Ball that slides, then rolls", "v_k = max(5 v0/7, v0 - k mu g h); of the energy 2/7 is lost", {speed, mu},
-      "speed", ball_slides);
+      "speed", ball_slides)
+      .reference = true;
   add(15, "Cylinder and hoop that slide, then roll",
       "v_k = max(v0/(1 + b), v0 - k mu g h), b = I/(m r^2): 1/2, 1; of the energy b/(1 + b) is lost", {speed, mu}, "mu",
       rollers_slide)

@@ -14,7 +14,10 @@ namespace {
 
 const char* verdict(bool holds) { return holds ? "holds" : "FAILS"; }
 
-std::string short_integrator(const Model& model) { return model.integrator == "moreau" ? "moreau" : "euler"; }
+std::string short_integrator(const Model& model) {
+  if (model.continuous()) return "ref.";
+  return model.integrator == "moreau" ? "moreau" : "euler";
+}
 
 /// How far a row is from its limit; beyond 1 it does not hold.
 double strain(const Row& row) { return row.tolerance > 0 ? row.error / row.tolerance : row.error > 0 ? 1e300 : 0; }

@@ -140,6 +140,8 @@ std::vector<Model> models_of(const Case& one, const Selection& selection) {
         if (first) models.push_back({law, solver.name, one.integrators[k], one.step});
       }
     }
+    if (one.reference && !models.empty() && models.back().solver == "auto" && models.back().law == law)
+      models.push_back({law, "auto", "reference", one.step});
   }
   return models;
 }

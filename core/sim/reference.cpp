@@ -76,6 +76,8 @@ void demand_reference(const Scene& scene) {
   if (contact.law != "coulomb" && contact.law != "frictionless")
     refuse("law '" + contact.law + "'", "coulomb, frictionless");
   if (!contact.gyroscopic) refuse("gyroscopic=\"false\"", "true");
+  if (scene.output.checkpoint_every > 0)
+    refuse("checkpoints, since what CVODE remembers cannot be saved", "no checkpoint_every");
   for (const auto& body : scene.bodies)
     if (!body.fixed && body.shape == "cylinder")
       refuse("the free cylinder '" + body.name + "'", "free spheres, boxes, meshes and floes; fixed cylinders");
@@ -214,7 +216,7 @@ void ReferenceIntegrator::impact(double t, std::vector<ContactPoint> points, Ref
   for (std::size_t i = 0; i < impulses.points.size(); ++i)
     impulses.impulses.emplace_back(contacts.C[i] * solution.r.segment<3>(3 * static_cast<Eigen::Index>(i)));
   book(impulses, before, step.account);
-  step.impact = {std::move(contacts.problem), solution};
+  step.impact = {std::move(contacts.problem), solution, std::move(impulses.points), std::move(impulses.impulses)};
 }
 
 /// Losses and momenta of impulses that changed the velocities from `before` to what they are.

@@ -66,7 +66,7 @@ TEST(Ledger, EachTermDeletedOpensIt) {
     for (const auto& [name, remove] : deletions) {
       Ledger without = now;
       remove(without);
-      EXPECT_GE(std::abs(recomputed(without, start)), 1e-6 * put_in) << integrator << " without " << name;
+      EXPECT_GE(std::abs(recomputed(without, start)), 1e-9 * put_in) << integrator << " without " << name;
     }
   }
 }

@@ -333,6 +333,8 @@ TEST(Reference, WhatItDoesNotTakeIsRefused) {
                     "<hull generate='icebreaker'/><mass draught='0.3'/></vessel>")
                 .find("<vessel>"),
             std::string::npos);
+  EXPECT_NE(refusal("<contact integrator='reference'/><output checkpoint_every='1'/>" + ball).find("checkpoint"),
+            std::string::npos);
 }
 
 /// Five boxes on the ground have twenty contacts at once.
