@@ -50,10 +50,6 @@ int run_cases(const VerifyOptions& options) {
   const double started = steady_seconds();
   const std::vector<Row> rows = verify(options.selection, options.threads, progress(options));
   const bool holds = all_hold(rows);
-  if (!options.out.empty()) {
-    write_text(std::filesystem::path(options.out) / "verify.csv", table_csv(rows));
-    if (options.html) write_page(options.out, rows);
-  }
   if (options.json) {
     const nlohmann::ordered_json result{{"holds", holds}, {"rows", table_json(rows)}};
     std::cout << result.dump(2) << "\n";
@@ -64,6 +60,11 @@ int run_cases(const VerifyOptions& options) {
     std::cout << fmt::format("{} rows, {} of them fail, in {}\n", rows.size(), failed,
                              duration_text(steady_seconds() - started));
   }
+  // last, so that a missing plotter loses nothing
+  if (!options.out.empty()) {
+    write_text(std::filesystem::path(options.out) / "verify.csv", table_csv(rows));
+    if (options.html) write_page(options.out, rows);
+  }
   return holds ? exit_done : exit_numerics;
 }
 
@@ -71,15 +72,16 @@ int run_map(const VerifyOptions& options) {
   claim_folder(options.out, options.force);
   const double started = steady_seconds();
   const std::vector<Cell> cells = run_extremes(options.selection, options.threads, progress(options));
-  write_extremes(options.out, cells);
-  const auto failed =
-      std::count_if(cells.begin(), cells.end(), [](const Cell& cell) { return cell.hold == Hold::fails; });
+  const auto failed = std::count_if(cells.begin(), cells.end(), [](const Cell& cell) {
+    return cell.hold == Hold::fails || cell.hold == Hold::refused;
+  });
   if (options.json)
     std::cout << extremes_json(cells).dump(2) << "\n";
-  else
+  else if (!options.quiet)
     std::cout << extremes_text(cells)
               << fmt::format("{} runs, {} of them fail, in {}; the map is in {}\n", cells.size(), failed,
                              duration_text(steady_seconds() - started), options.out);
+  write_extremes(options.out, cells);
   return failed == 0 ? exit_done : exit_numerics;
 }
 
@@ -108,23 +110,30 @@ void add_verify(CLI::App& app, Action& action) {
       ->allow_extra_args(false);
   command->add_option("--solver", options->selection.solvers, "only with this solver; repeatable")
       ->allow_extra_args(false);
-  command->add_option("--law", options->selection.laws, "only with this law; repeatable")->allow_extra_args(false);
-  command->add_flag("--all", options->selection.all, "every solver with every integrator");
-  command->add_flag("--extremes", options->extremes,
-                    "the scenes at the edge of what can be asked, and a map of where each solver holds");
-  command->add_flag("--limitations", options->limitations,
-                    "the page of what older tools' simplifications cost, docs/limitations.md");
-  command->add_flag("--list", options->list, "lists the cases and runs none");
-  command->add_flag("--markdown", options->markdown, "the page of cases, docs/verification.md");
+  auto* law =
+      command->add_option("--law", options->selection.laws, "only with this law; repeatable")->allow_extra_args(false);
+  auto* all = command->add_flag("--all", options->selection.all, "every solver with every integrator");
+  auto* extremes =
+      command->add_flag("--extremes", options->extremes,
+                        "the scenes at the edge of what can be asked, and a map of where each solver holds");
+  auto* limitations = command->add_flag("--limitations", options->limitations,
+                                        "the page of what older tools' simplifications cost, docs/limitations.md");
+  auto* list = command->add_flag("--list", options->list, "lists the cases and runs none");
+  auto* markdown = command->add_flag("--markdown", options->markdown, "the page of cases, docs/verification.md");
   command->add_option("--out", options->out,
                       "folder for the results (default: runs/verify with --html, runs/extremes, else none)");
-  command->add_flag("--html", options->html, "writes verify.html with a picture per family; needs gnuplot");
+  auto* html =
+      command->add_flag("--html", options->html, "writes verify.html with a picture per family; needs gnuplot");
   command->add_flag("--force", options->force, "write into a folder that is not empty");
   command->add_option("--threads", options->threads, "threads; the results do not depend on it")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
-  command->add_flag("--json", options->json, "all rows as JSON on stdout and nothing else there");
+  auto* json = command->add_flag("--json", options->json, "all rows as JSON on stdout and nothing else there");
   command->add_flag("--quiet", options->quiet, "only the rows that fail and the count");
+  extremes->excludes(law)->excludes(all)->excludes(html)->excludes(limitations)->excludes(list)->excludes(markdown);
+  for (auto* page : {limitations, list, markdown}) page->excludes(html)->excludes(json)->excludes(all);
+  limitations->excludes(list)->excludes(markdown);
+  list->excludes(markdown);
   command->callback([&action, options] {
     if (options->html && options->out.empty()) options->out = "runs/verify";
     if (options->extremes && options->out.empty()) options->out = "runs/extremes";

@@ -41,7 +41,8 @@ struct Case {
   int number = 0;
   char family = 'A';
   std::string title, formula, source;
-  std::string scene;  ///< file in apps/scenes/verify
+  std::string scene;                ///< file in apps/scenes/verify
+  std::vector<std::string> also{};  ///< other files there that the check runs
   std::vector<Input> inputs;
   std::string varied;  ///< the input that a second run has 10 % larger
   std::vector<Quantity> (*check)(const Setting& setting) = nullptr;
@@ -55,6 +56,7 @@ struct Case {
   /// Where only the limit of small steps is known: the order at which the error falls, per integrator. Then five steps
   /// are run, each half of the one before.
   std::vector<double> orders{};
+  std::vector<double> coarsest{};    ///< where orders are given: largest error allowed at the first of the five steps
   double contact_tolerance = 1e-12;  ///< of the solver, on law_map_m_s [m/s]
   int contact_iterations = 100000;
 

@@ -22,6 +22,10 @@ constexpr int k_iterations = 2000;
 
 /// Its level 1 has a limit that theory_dynamics.md states: semi-implicit Euler hits before it meets, so energy creeps.
 constexpr const char* k_elastic = "restitution";
+constexpr double k_creep = 0.05;  // share of the energy, in the ten seconds of that run
+
+/// The larger one; not a number where one is none.
+double larger(double a, double b) { return a >= b || std::isnan(a) ? a : b; }
 
 /// Looks at a run from step to step.
 class Watch {
@@ -33,21 +37,24 @@ class Watch {
     for (long k = 0; k < count; ++k) {
       const StepRecord& record = run_.step();
       cell_.short_steps += record.solver_short ? 1 : 0;
-      cell_.residual = std::max(cell_.residual, record.residuals.law_map_m_s);
-      imbalance_ = std::max(imbalance_, record.momentum_imbalance);
+      cell_.residual = larger(cell_.residual, record.residuals.law_map_m_s);
+      imbalance_ = larger(imbalance_, record.momentum_imbalance);
       momentum_ = std::max(momentum_, record.momentum_scale);
+      deepest_ = larger(deepest_, record.penetration_max);
       if (momentum_ > 0) cell_.momentum_error = imbalance_ / momentum_;
       const double energy = record.ledger.kinetic + record.ledger.potential - start_;
-      cell_.energy_won = std::max(cell_.energy_won, energy / scale_);
+      cell_.energy_won = larger(cell_.energy_won, energy / scale_);
     }
   }
-  /// Of the contacts of the last step.
-  void penetration(double size) { cell_.penetration = run_.last().penetration_max / size; }
+  /// The deepest of all steps, or what is left at the last.
+  void penetration(double size) { cell_.penetration = deepest_ / size; }
+  void penetration_left(double size) { cell_.penetration = run_.last().penetration_max / size; }
 
  private:
   Trial& run_;
   Cell& cell_;
   double scale_, start_ = 0;
+  double deepest_ = 0;
   double imbalance_ = 0, momentum_ = 0;  ///< largest of all steps: at rest rounding has nothing to be measured by
 };
 
@@ -107,8 +114,16 @@ void aspect(const Setting& s, double level, Cell& cell) {
 void speed(const Setting& s, double level, Cell& cell) {
   Trial run = s.trial(settled() + of("left", "velocity", Vec3(level, 0, 0)));
   Watch watch(run, cell, level * level);
-  watch.steps(std::max(30L, static_cast<long>(1.0 / level / s.h())));
+  double nearest = 1;
+  for (long k = std::max(30L, static_cast<long>(1.0 / level / s.h())); k > 0; --k) {
+    watch.steps(1);
+    nearest = std::min(nearest, (run.body("left").p - run.body("right").p).norm());
+  }
   watch.penetration(1);
+  cell.penetration = larger(cell.penetration, 1 - nearest);  // unit balls: seen or not
+  // 2 kg hit 3 kg, inelastic along the line of centres: the second must have been pushed
+  const bool hit = run.body("right").v.x() > 0.1 * level;
+  cell.drift = hit ? 0 : 1;
 }
 
 void short_edge(const Setting& s, double level, Cell& cell) {
@@ -117,6 +132,8 @@ void short_edge(const Setting& s, double level, Cell& cell) {
   Watch watch(run, cell, 0.5 * 180 * 1.04);
   watch.steps(50);
   watch.penetration(1);
+  const bool hit = run.body("whole").v.x() > 0.1;
+  cell.drift = hit ? 0 : 1;
 }
 
 void offset(const Setting& s, double level, Cell& cell) {
@@ -172,7 +189,7 @@ void overlap(const Setting& s, double level, Cell& cell) {
       s.trial(settled() + of("block", "position", Vec3(0, 0, 0.1 - 0.2 * level)) + of("block", "velocity", "0 0 0"));
   Watch watch(run, cell, 2 * k_gravity * 0.2);
   watch.steps(5);
-  watch.penetration(0.2);
+  watch.penetration_left(0.2);
   // to lift the block out is potential energy that the stabilisation gives, and nothing more
   cell.energy_won -= std::max(0.0, level);
   cell.drift = run.body("block").v.norm();
@@ -182,7 +199,14 @@ void restitution_level(const Setting& s, double level, Cell& cell) {
   Trial run = s.trial(settled() + of("ball", "position", "0 0 1.5") + of("ball", "velocity", "0 0 0") +
                       restitution(level) + friction(0));
   Watch watch(run, cell, 2 * k_gravity);
-  watch.steps(1000);
+  double lowest = 1;
+  for (int k = 0; k < 1000; ++k) {
+    watch.steps(1);
+    lowest = std::min(lowest, run.body("ball").p.z() - 0.5);
+  }
+  // where moreau meets what bounces it is up to a step's way deep
+  const double met = level > 0 && s.theta() < 1 ? s.h() * std::sqrt(2 * k_gravity) : 0;
+  cell.penetration = std::max(0.0, -lowest - met);
   cell.drift = std::hypot(run.body("ball").p.x(), run.body("ball").p.y());
 }
 
@@ -239,7 +263,10 @@ Hold judged(const Cell& cell) {
   const bool kept = cell.energy_won <= k_most_energy && cell.momentum_error <= k_most_momentum &&
                     cell.penetration <= k_most_penetration && cell.drift <= k_most_drift;
   if (kept) return Hold::holds;
-  if (cell.extreme == k_elastic && cell.model.integrator == "semi-implicit-euler") return Hold::stated;
+  const bool only_energy = cell.momentum_error <= k_most_momentum && cell.penetration <= k_most_penetration &&
+                           cell.drift <= k_most_drift && cell.energy_won <= k_creep;
+  if (cell.extreme == k_elastic && cell.level == "1" && cell.model.integrator == "semi-implicit-euler" && only_energy)
+    return Hold::stated;
   return cell.short_steps > 0 ? Hold::short_of_it : Hold::fails;
 }
 
@@ -254,7 +281,7 @@ void fill(const Extreme& extreme, double level, Cell& cell) {
   } catch (const SimulationError& error) {
     cell.hold = Hold::stopped;
     cell.message = error.what();
-  } catch (const InputError& error) {
+  } catch (const std::runtime_error& error) {
     cell.hold = Hold::refused;
     cell.message = error.what();
   }
@@ -313,7 +340,7 @@ std::vector<Cell> run_extremes(const Selection& selection, int threads, const st
         for (const char* integrator : {"semi-implicit-euler", "moreau"}) {
           Cell cell;
           cell.extreme = extreme.name;
-          cell.level = fmt::format("{:g}{}{}", level, extreme.unit.empty() ? "" : " ", extreme.unit);
+          cell.level = fmt::format("{:.12g}{}{}", level, extreme.unit.empty() ? "" : " ", extreme.unit);
           cell.model = {"coulomb", solver.name, integrator, 0.01};
           cells.push_back(cell);
           jobs.push_back({&extreme, level});

@@ -11,8 +11,8 @@
 namespace nilas {
 
 /// holds: all limits kept. short_of_it: a limit is broken, and the run had said that its solver stopped short. stopped:
-/// the run ended with a message. refused: the scene is not taken. stated: a limit is broken as the manual says it is.
-/// fails: a limit is broken and nothing was said.
+/// the run ended with a message. refused: the scene is not taken, which fails too. stated: a limit is broken as the
+/// manual says it is. fails: a limit is broken and nothing was said.
 enum class Hold { holds, short_of_it, stopped, refused, stated, fails };
 const char* to_string(Hold hold);
 

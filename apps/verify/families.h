@@ -37,8 +37,7 @@ class FamilyOfCases {
     cases_.push_back(std::move(one));
     return cases_.back();
   }
-  std::vector<Case> cases() && { return std::move(cases_); }
-  std::vector<Case> cases() const& { return cases_; }
+  std::vector<Case> cases() const { return cases_; }
 
  private:
   char family_;

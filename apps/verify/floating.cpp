@@ -159,11 +159,12 @@ std::vector<Case> floating() {
                     {{"beam", 2, "m"}}, "beam", roll);
   rolls.scene = "raft.xml";
   rolls.solvers = no_contact;
-  rolls.tolerance = 1e-6;
+  rolls.tolerance = 1e-8;
   rolls.note = "The formula is that of small angles: 1e-5 rad here, so its own error is about 1e-10 of the angle.";
   Case& coasts = add(64, "Coasting against drag", "v' = v - h k v^2, k = rho C A/(2 m); v' = v (1 - h c/m)",
                      {speed, {"form", 1, ""}}, "form", coast);
   coasts.scene = "submerged.xml";
+  coasts.also = {"driven-floe.xml"};
   coasts.solvers = no_contact;
   coasts.reference = true;
   coasts.source = "Quadratic and linear drag, summed over the steps";

@@ -89,7 +89,8 @@ std::string family_table(const std::vector<const Row*>& rows) {
         "<td>{:.9g}</td><td>{:.1e}</td><td>{:.1e}</td><td>{}</td><td>{}</td></tr>\n",
         row->holds ? "holds" : "fails", row->id, escaped(row->quantity), escaped(row->input), row->model.law,
         row->model.solver, row->model.integrator, row->model.step, row->measured, row->expected, row->error,
-        row->tolerance, row->proven_order > 0 ? fmt::format("{:.2f}", row->order) : "", row->holds ? "holds" : "FAILS");
+        row->tolerance, row->proven_order > 0 ? fmt::format("{:.2f}", row->order) : "",
+        row->holds ? "holds" : "FAILS " + escaped(row->message));
   return html + "</table>\n";
 }
 

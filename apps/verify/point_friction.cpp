@@ -182,21 +182,20 @@ std::vector<Quantity> held(const Setting& s) {
 }
 
 std::vector<Quantity> static_and_kinetic(const Setting& s) {
-  const double along = s["share"] * k_gravity;
   const long n = s.steps(0.5);
-  std::vector<Quantity> found;
-  for (const double start : {0.0, s["nudge"]}) {
+  const auto speed = [&](double start, double share) {
     Trial run = s.trial(moving({start, 0, 0}) +
                         Overrides{{"contact/friction[1]/@static", text(s["mu_static"])},
                                   {"contact/friction[1]/@kinetic", text(s["mu_kinetic"])}} +
-                        gravity({along, 0, -k_gravity}));
+                        gravity({share * k_gravity, 0, -k_gravity}));
     run.run(n);
-    const double faster = static_cast<double>(n) * s.h() * (along - s["mu_kinetic"] * k_gravity);
-    const bool moves = start > 0 || s["share"] > s["mu_static"];
-    found.push_back({start > 0 ? "speed after a nudge [m/s]" : "speed from rest [m/s]", run.body("block").v.x(),
-                     moves ? start + faster : 0, 1});
-  }
-  return found;
+    return run.body("block").v.x();
+  };
+  const auto won = [&](double share) { return static_cast<double>(n) * s.h() * (share - s["mu_kinetic"]) * k_gravity; };
+  const double more = 1.01 * s["mu_static"];
+  return {{"speed from rest [m/s]", speed(0, s["share"]), 0, 1},
+          {"speed after a nudge [m/s]", speed(s["nudge"], s["share"]), s["nudge"] + won(s["share"])},
+          {"speed from rest at 1.01 of the static limit [m/s]", speed(0, more), won(more)}};
 }
 
 std::vector<Quantity> straight(const Setting& s) {

@@ -242,6 +242,7 @@ std::vector<Quantity> oblique_bounce(const Setting& s) {
 std::vector<Case> rolling() {
   const Input mu{"mu", 0.2, ""}, speed{"speed", 3, "m/s"}, spin{"spin", 20, "rad/s"};
   const std::vector<std::string> with_moments{"auto", "nsgs"};
+  const std::string moments_note = "Left out: solvers that do not take rolling and spinning friction.";
   FamilyOfCases add('B', "ball.xml", "Momentum and Coulomb's law, summed over the steps");
   add(14, "Ball that slides, then rolls", "v_k = max(5 v0/7, v0 - k mu g h); of the energy 2/7 is lost", {speed, mu},
       "speed", ball_slides)
@@ -258,13 +259,17 @@ std::vector<Case> rolling() {
       .laws = {"coulomb", "pyramid"};
   add(18, "Ball, cylinder and hoop down a slope",
       "rolls iff mu >= b/(1 + b) tan a, then a = g sin a/(1 + b); else a = g (sin a - mu cos a), w' = mu g cos a/(b r)",
-      {{"slope_deg", 25, "deg"}}, "slope_deg", down_a_slope);
-  add(19, "Rolling resistance of a ball", "a = 5/7 (length/r) g; holds on a slope iff tan a <= length/r",
-      {{"speed", 1, "m/s"}, {"length", 0.02, "m"}}, "length", rolling_resistance)
-      .solvers = with_moments;
-  add(20, "Spinning resistance of a ball", "w' = -5 length g/(2 r^2)", {spin, {"length", 0.03, "m"}}, "length",
-      spinning_resistance)
-      .solvers = with_moments;
+      {{"slope_deg", 25, "deg"}}, "slope_deg", down_a_slope)
+      .also = {"roller.xml"};
+  Case& with_rolling =
+      add(19, "Rolling resistance of a ball", "a = 5/7 (length/r) g; holds on a slope iff tan a <= length/r",
+          {{"speed", 1, "m/s"}, {"length", 0.02, "m"}}, "length", rolling_resistance);
+  with_rolling.solvers = with_moments;
+  with_rolling.note = moments_note;
+  Case& with_spinning = add(20, "Spinning resistance of a ball", "w' = -5 length g/(2 r^2)",
+                            {spin, {"length", 0.03, "m"}}, "length", spinning_resistance);
+  with_spinning.solvers = with_moments;
+  with_spinning.note = moments_note;
   Case& disc = add(21, "Disc spinning on its rim", "w' = -2 mu g/R", {spin, mu}, "mu", spinning_disc);
   disc.scene = "disc.xml";
   Case& plate =

@@ -83,13 +83,14 @@ std::vector<Quantity> three_legs(const Setting& s) {
   Trial run = s.trial(gravity({along, 0, -k_gravity}) + friction(0.5));
   run.step();
   std::vector<Quantity> found{{"corners that carry", static_cast<double>(run.touches().size()), 3}};
-  for (const auto& touch : run.touches()) {
-    const double angle = std::atan2(touch.point.y(), touch.point.x());
-    const double load = k_mass * (k_gravity / 3 + 2.0 / 3 * along * k_height / k_arm * std::cos(angle));
-    found.push_back({fmt::format("force at {:.0f} deg [N]", std::abs(angle / k_deg) < 1 ? 0 : angle / k_deg),
-                     touch.force.z(), load});
+  for (const double angle : {0.0, 120.0, 240.0}) {
+    const Vec3 corner = k_arm * heading(angle);
+    double load = 0;
+    for (const auto& touch : run.touches())
+      if ((touch.point - corner).norm() < 0.01 * k_arm) load += touch.force.z();
+    found.push_back({fmt::format("force at {:g} deg [N]", angle), load,
+                     k_mass * (k_gravity / 3 + 2.0 / 3 * along * k_height / k_arm * std::cos(angle * k_deg))});
   }
-  std::sort(found.begin() + 1, found.end(), [](const Quantity& a, const Quantity& b) { return a.name < b.name; });
   return found;
 }
 
@@ -137,8 +138,6 @@ std::vector<Quantity> books(const Setting& s) {
     run.run(10);
     const double speed = fastest(run, names);
     if (share < 1) {
-      found.push_back({"overhang of the upper book at 0.999 of the limit [m]", run.body("book4").p.x() + 0.5 * length,
-                       share * 25.0 / 24 * length});
       found.push_back({"speed at 0.999 of the limit [m/s]", speed, 0, 1});
     } else {
       found.push_back({"falls at 1.001 of the limit", moves(speed), 1});
@@ -239,9 +238,10 @@ std::vector<Quantity> several_times(const Setting& s) {
 std::vector<Case> statics() {
   const std::vector<std::string> many_contacts{"auto", "nsgs", "newton", "admm", "ipm", "eg", "eg-order-free"};
   FamilyOfCases add('D', "column.xml", "Statics");
-  add(34, "Column of five cubes", "force between k and k + 1 = (5 - k) m g; nothing moves", {{"mass", 2, "kg"}}, "mass",
-      column)
-      .solvers = many_contacts;
+  Case& five_cubes = add(34, "Column of five cubes", "force between k and k + 1 = (5 - k) m g; nothing moves",
+                         {{"mass", 2, "kg"}}, "mass", column);
+  five_cubes.solvers = many_contacts;
+  five_cubes.note = "Left out: pgs and apgd, which stop short of 1e-12 m/s; enumerate (more than 8 points).";
   Case& two = add(35, "Rate of Gauss-Seidel: heavy ball on a light one", "a sweep leaves M/(M + m) of the residual",
                   {{"ratio", 10, ""}}, "ratio", sweeps_of_two);
   two.scene = "two-balls-high.xml";
@@ -295,8 +295,10 @@ std::vector<Case> statics() {
   rod.scene = "rod.xml";
   rod.solvers = {"auto", "nsgs", "newton", "eg", "eg-order-free", "apgd", "admm", "ipm", "enumerate"};
   rod.note = "Left out: pgs, which turns friction and normal force apart and stops at 2e-6 m/s.";
-  add(50, "Every contact twice", "the same velocities, the same sum of forces", {{"mu", 0.3, ""}}, "mu", several_times)
-      .scene = "two-floors.xml";
+  Case& doubled = add(50, "Every contact twice", "the same velocities, the same sum of forces", {{"mu", 0.3, ""}}, "mu",
+                      several_times);
+  doubled.scene = "two-floors.xml";
+  doubled.also = {"block.xml"};
   return add.cases();
 }
 
