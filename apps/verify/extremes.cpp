@@ -20,9 +20,10 @@ constexpr double k_most_energy = 1e-6, k_most_momentum = 1e-9, k_most_penetratio
 constexpr double k_tolerance = 1e-9;  // of the solvers [m/s]
 constexpr int k_iterations = 2000;
 
-/// Its level 1 has a limit that theory_dynamics.md states: semi-implicit Euler hits before it meets, so energy creeps.
+/// Its level 1 has a limit that theory_dynamics.md states: semi-implicit Euler hits before it meets, so
+/// energies scatter.
 constexpr const char* k_elastic = "restitution";
-constexpr double k_creep = 0.05;  // share of the energy, in the ten seconds of that run
+constexpr double k_scatter = 0.05;  // share of the energy, in the ten seconds of that run
 
 /// The larger one; not a number where one is none.
 double larger(double a, double b) { return a >= b || std::isnan(a) ? a : b; }
@@ -264,7 +265,7 @@ Hold judged(const Cell& cell) {
                     cell.penetration <= k_most_penetration && cell.drift <= k_most_drift;
   if (kept) return Hold::holds;
   const bool only_energy = cell.momentum_error <= k_most_momentum && cell.penetration <= k_most_penetration &&
-                           cell.drift <= k_most_drift && cell.energy_won <= k_creep;
+                           cell.drift <= k_most_drift && cell.energy_won <= k_scatter;
   if (cell.extreme == k_elastic && cell.level == "1" && cell.model.integrator == "semi-implicit-euler" && only_energy)
     return Hold::stated;
   return cell.short_steps > 0 ? Hold::short_of_it : Hold::fails;
