@@ -126,7 +126,7 @@ class Run {
   void begin(const Simulation& simulation) {
     if (goes_on_) {
       logger_->info("stopped before its first checkpoint: the run begins again");
-      clear_after(folder_.path(), -1);
+      clear_after(folder_.path());
     }
     folder_.open(scene_, simulation.info(), warnings_);
     folder_.start(scene_.time.start, simulation.initial_ledger(), simulation.bodies());

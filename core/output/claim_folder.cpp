@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <functional>
 #include <optional>
 #include <regex>
 #include <system_error>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/output/problem_files.h"
 
 namespace nilas {
 
@@ -48,13 +50,40 @@ void remove_file(const fs::path& path) {
   if (error) fail(path, "remove the file of an earlier run", error.message());
 }
 
-void remove_frames_after(const fs::path& folder, long step) {
+/// Removes the files in `folder` whose names are chosen.
+void remove_where(const fs::path& folder, const std::function<bool(const std::string&)>& chosen) {
   std::error_code error;
   if (!fs::is_directory(fs::symlink_status(folder, error))) return;
-  std::vector<fs::path> frames;
+  std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder, error))
-    if (step_of_frame(entry.path().filename().string()).value_or(step) > step) frames.push_back(entry.path());
-  for (const auto& frame : frames) remove_file(frame);
+    if (chosen(entry.path().filename().string())) files.push_back(entry.path());
+  for (const auto& file : files) remove_file(file);
+}
+
+void remove_frames_after(const fs::path& folder, long step) {
+  remove_where(folder, [&](const std::string& name) { return step_of_frame(name).value_or(step) > step; });
+}
+
+/// worst.hdf5 is left where `worst` is a step.
+bool is_problem_after(const std::string& name, long step, long worst) {
+  static const std::regex pattern(R"((last|worst|worst-\d{8,18}|step-(\d{8,18}))\.hdf5(\.part)?)");
+  std::smatch match;
+  if (!std::regex_match(name, match, pattern)) return false;
+  if (match[3].matched) return true;
+  if (match[2].matched) return std::stol(match[2]) > step;
+  return worst < 0 || match[1] != "worst";
+}
+
+void remove_problems_after(const fs::path& folder, long step, long worst) {
+  std::error_code error;
+  if (!fs::is_directory(fs::symlink_status(folder, error))) return;
+  const fs::path kept = folder / kept_worst_name(worst);
+  if (worst >= 0 && fs::exists(kept, error)) {
+    fs::rename(kept, folder / "worst.hdf5", error);
+    if (error) fail(kept, "rename it to worst.hdf5", error.message());
+  }
+  remove_where(folder, [&](const std::string& name) { return is_problem_after(name, step, worst); });
+  fs::remove(folder, error);  // fails, as it should, when the folder holds anything
 }
 
 /// A run that was interrupted before its first step leaves its log alone.
@@ -83,12 +112,14 @@ void claim_folder(const fs::path& folder, bool force) {
     remove_file(folder / (name + k_half_written));
   }
   remove_frames_after(folder / "trajectory", -1);
+  remove_problems_after(folder / "problems", -1, -1);
 }
 
-void clear_after(const fs::path& folder, long step) {
+void clear_after(const fs::path& folder, long step, long worst_problem) {
   remove_file(folder / "summary.json");
   for (const auto& name : own_files()) remove_file(folder / (name + k_half_written));
   remove_frames_after(folder / "trajectory", step);
+  remove_problems_after(folder / "problems", step, worst_problem);
 }
 
 }  // namespace nilas

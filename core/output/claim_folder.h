@@ -8,8 +8,9 @@ namespace nilas {
 /// run of Nilas writes are removed and all others stay. Throws FileError when it cannot be made or written.
 void claim_folder(const std::filesystem::path& folder, bool force);
 
-/// Removes what a run that goes on after `step` writes again as a whole: the summary, trajectory frames of later steps,
-/// and what was left half written. Throws FileError.
-void clear_after(const std::filesystem::path& folder, long step);
+/// Removes what a run that goes on after `step` writes again as a whole: the summary, trajectory frames and contact
+/// problems of later steps, problems/last.hdf5, and what was left half written. `worst_problem`: step of the problem
+/// that is problems/worst.hdf5 again. -1: none, so all is removed. Throws FileError.
+void clear_after(const std::filesystem::path& folder, long step = -1, long worst_problem = -1);
 
 }  // namespace nilas

@@ -8,6 +8,9 @@
 
 namespace nilas {
 
+/// Name of the problem that was the worst when the newest checkpoint was written, once a later step's is worse.
+std::string kept_worst_name(long step);
+
 /// Stores what the scene's <output problems> asks for: never; every step with contacts (step-00000012.hdf5); every step
 /// whose solver missed its tolerance (the same names); or the step with the largest law_map_m_s so far (worst.hdf5).
 class ProblemFiles {
@@ -19,16 +22,23 @@ class ProblemFiles {
   /// The problem at which the world left finite numbers, as last.hdf5, whatever the scene asks for. Throws FileError.
   void last(const SolvedProblem& solved) const;
 
-  /// Which step's problem is the worst so far. Files of later steps are written again.
-  void save(StateWriter out) const { out.add("worst_law_map_m_s", worst_); }
-  void restore(const StateReader& in) { in.get("worst_law_map_m_s", worst_); }
+  /// Which step's problem is the worst so far.
+  void save(StateWriter out) const;
+  void restore(const StateReader& in);
+  /// What save() told is on disk. From now on the worst problem of that state is kept, under a name of its own once a
+  /// worse one takes its place; the one kept for an older state is removed. Throws FileError.
+  void saved();
+  /// Step of the worst problem; -1: there is none.
+  long worst_step() const { return worst_step_; }
 
  private:
+  void keep_worst() const;
   void write(const std::string& name, const SolvedProblem& solved) const;
 
   std::filesystem::path folder_;
   std::string which_;
-  double worst_ = -1;  ///< law_map_m_s of the stored one [m/s]
+  double worst_ = -1;                             ///< law_map_m_s of the stored one [m/s]
+  long worst_step_ = -1, saved_worst_step_ = -1;  ///< of worst.hdf5; of the one in the newest checkpoint
 };
 
 }  // namespace nilas

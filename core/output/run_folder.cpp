@@ -104,14 +104,15 @@ void RunFolder::resume(const Scene& scene, const RunInfo& info, WarningCounts& w
   outputs_ = std::make_unique<Outputs>(path_, scene.output, info, warnings, &in);
   outputs_->open_bodies(path_, bodies.size(), &in);
   write_scene_xml(scene_file(), scene);
-  clear_after(path_, outputs_->statistics.steps());
+  clear_after(path_, outputs_->statistics.steps(), outputs_->problems.worst_step());
 }
 
-void RunFolder::write_checkpoint(const CheckpointOrigin& origin, State state) const {
+void RunFolder::write_checkpoint(const CheckpointOrigin& origin, State state) {
   NILAS_DEMAND(outputs_ != nullptr);
   outputs_->for_each_file([](const char*, const OutputFile& file) { file.sync(); });
   outputs_->save(StateWriter(state).group("outputs"));
   nilas::write_checkpoint(checkpoint_file(), origin, state);
+  outputs_->problems.saved();
 }
 
 void RunFolder::start(double t, const Ledger& ledger, const Bodies& bodies) {

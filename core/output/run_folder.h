@@ -54,7 +54,7 @@ class RunFolder {
   /// The problem at which the numerics failed. Throws FileError.
   void store_last(const SolvedProblem& solved);
   /// Writes checkpoint.h5: `state` and where the outputs stand. Throws FileError.
-  void write_checkpoint(const CheckpointOrigin& origin, State state) const;
+  void write_checkpoint(const CheckpointOrigin& origin, State state);
   /// Closes the outputs and writes summary.json, with the mass of ice that `bodies` still hold. Throws FileError.
   nlohmann::ordered_json finish(SummaryInput input, const Bodies& bodies);
   const RunStatistics& statistics() const;

@@ -155,9 +155,12 @@ class Resume : public ::testing::Test {
  protected:
   Resume() { folder.write("ice.xml", k_ice); }
   ProgramResult nilas(const std::string& arguments) const { return run_nilas(arguments, folder.path()); }
+  void demand(const std::string& arguments) const {
+    const auto result = nilas(arguments);
+    ASSERT_EQ(result.exit_code, 0) << arguments << ": " << result.err;
+  }
   void run_whole(const std::string& flags = "") const {
-    const auto result = nilas("run ice.xml --quiet --checkpoint-every 0.3 --out whole " + flags);
-    ASSERT_EQ(result.exit_code, 0) << result.err;
+    demand("run ice.xml --quiet --checkpoint-every 0.3 --out whole " + flags);
   }
   fs::path in(const std::string& file) const { return folder.path() / file; }
 
@@ -257,6 +260,31 @@ TEST_F(Resume, UntilMakesARunLonger) {
   }
   ASSERT_EQ(nilas("run --quiet --resume short").exit_code, 0) << "the new end is kept";
   expect_same_run(in("whole"), in("short"));
+}
+
+/// The checkpoint stands far before what the folder holds, as after a kill, and the rest ends before that too.
+TEST_F(Resume, ProblemsBeyondTheCheckpointAreRemoved) {
+  for (const std::string which : {"worst", "every"}) {
+    SCOPED_TRACE(which);
+    const std::string asked = " --set output/@problems=" + which + " --out ";
+    demand("run ice.xml --quiet --checkpoint-every 0.3" + asked + "long-" + which);
+    const auto residual = Table(in("long-" + which + "/steps.csv"))["law_map_m_s"];
+    const auto worst = std::max_element(residual.begin(), residual.end()) - residual.begin();
+    ASSERT_GT(worst, 60) << "the worst step is to come after the checkpoint";
+    const std::string stop = std::to_string(0.006 * static_cast<double>(worst));
+    const std::string end = std::to_string(0.008 * static_cast<double>(worst));
+    demand("run ice.xml --quiet --checkpoint-every 0.3 --until " + end + asked + "whole-" + which);
+    const fs::path cut = in("cut-" + which);
+    demand("run ice.xml --quiet --checkpoint-every 0.3 --until " + stop + asked + cut.string());
+    demand("run --quiet --checkpoint-every 0 --until 2.5 --resume " + cut.string());
+    ASSERT_EQ(files_in(cut).count("problems/worst.hdf5"), which == "worst" ? 1u : 0u);
+    for (const char* name : {"last.hdf5", "worst.hdf5.part", "step-00000003.hdf5.part"})
+      std::ofstream(cut / "problems" / name) << "of a run that was killed";
+    demand("run --quiet --checkpoint-every 0.3 --until " + end + " --resume " + cut.string());
+    expect_same_run(in("whole-" + which), cut);
+    demand("run --quiet --until 2.5 --resume " + cut.string());
+    expect_same_run(in("long-" + which), cut);
+  }
 }
 
 TEST_F(Resume, ADoneRunSaysSo) {

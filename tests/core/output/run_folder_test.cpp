@@ -219,7 +219,14 @@ TEST(RunFolder, ForceRemovesWhatARunWroteAndNothingElse) {
     run.folder.finish({}, run.bodies);
   }
   const fs::path path = scratch / "run";
-  const std::vector<std::string> foreign{"notes.txt", "vessel_old.csv", "trajectory/picture.png",
+  fs::create_directory(path / "problems");
+  for (const char* name : {"worst.hdf5", "worst-00000012.hdf5", "last.hdf5", "step-00000003.hdf5", "worst.hdf5.part"})
+    std::ofstream(path / "problems" / name) << "of the run";
+  const std::vector<std::string> foreign{"notes.txt",
+                                         "vessel_old.csv",
+                                         "problems/best.hdf5",
+                                         "problems/step-3.hdf5",
+                                         "trajectory/picture.png",
                                          "trajectory/step-1.vtp"};
   for (const auto& name : foreign) std::ofstream(path / name) << "mine";
   EXPECT_THROW(RunFolder(path, false), InputError);
@@ -229,8 +236,8 @@ TEST(RunFolder, ForceRemovesWhatARunWroteAndNothingElse) {
   for (const auto& entry : fs::recursive_directory_iterator(path))
     if (entry.is_regular_file()) left.push_back(fs::relative(entry.path(), path));
   std::sort(left.begin(), left.end());
-  EXPECT_EQ(left, (std::vector<std::string>{"notes.txt", "trajectory/picture.png", "trajectory/step-1.vtp",
-                                            "vessel_old.csv"}));
+  EXPECT_EQ(left, (std::vector<std::string>{"notes.txt", "problems/best.hdf5", "problems/step-3.hdf5",
+                                            "trajectory/picture.png", "trajectory/step-1.vtp", "vessel_old.csv"}));
 }
 
 TEST(RunFolder, APlaceThatCannotHoldAFolderIsAFileError) {
