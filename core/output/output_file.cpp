@@ -20,7 +20,7 @@ constexpr mode_t k_file_mode = 0666;  // cut by the user's umask
 
 OutputFile::OutputFile(std::filesystem::path path, std::string tail, std::optional<std::int64_t> keep)
     : path_(std::move(path)), tail_(std::move(tail)) {
-  descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | (keep ? 0 : O_CREAT | O_TRUNC), k_file_mode);
+  descriptor_ = ::open(path_.c_str(), O_CLOEXEC | (keep ? O_RDWR : O_WRONLY | O_CREAT | O_TRUNC), k_file_mode);
   if (descriptor_ < 0) fail(errno);
   if (keep) cut_to(*keep);
 }
@@ -73,6 +73,11 @@ void OutputFile::cut_to(std::int64_t bytes) {
   if (size < bytes)
     throw InputError(path_.string() + ": holds " + std::to_string(size) + " bytes, less than the " +
                      std::to_string(bytes) + " that the checkpoint goes on from");
+  char last = '\n';
+  if (bytes > 0 && ::pread(descriptor_, &last, 1, static_cast<off_t>(bytes - 1)) != 1) fail(errno);
+  if (last != '\n')
+    throw InputError(path_.string() + ": has changed: byte " + std::to_string(bytes) +
+                     ", up to which the checkpoint goes on from it, ends no line");
   body_end_ = bytes;
   if (!write_at(body_end_, tail_) || ::ftruncate(descriptor_, body_end_ + static_cast<off_t>(tail_.size())) != 0)
     fail(errno);

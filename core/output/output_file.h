@@ -15,7 +15,8 @@ namespace nilas {
 class OutputFile {
  public:
   /// Creates the file or empties it; `keep`: goes on after so many bytes of the file that is there, which holds
-  /// complete pieces up to there. Throws FileError, and InputError where it holds less.
+  /// complete pieces up to there, of whole lines. Throws FileError, and InputError where it holds less or ends no line
+  /// there; it is then left as it was.
   explicit OutputFile(std::filesystem::path path, std::string tail = "", std::optional<std::int64_t> keep = {});
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;

@@ -67,18 +67,37 @@ TEST(OutputFile, GoesOnAfterTheBytesItIsToKeep) {
   std::int64_t kept = 0;
   {
     OutputFile file(folder / "a.xml", "</all>");
-    file.append("<all>");
+    file.append("<all>\n");
     kept = file.bytes();
     file.append("<later, and longer than the tail/>");
   }
   OutputFile file(folder / "a.xml", "</all>", kept);
   file.sync();
-  EXPECT_EQ(content(folder / "a.xml"), "<all></all>");
+  EXPECT_EQ(content(folder / "a.xml"), "<all>\n</all>");
   file.append("<x/>");
-  EXPECT_EQ(content(folder / "a.xml"), "<all><x/></all>");
+  EXPECT_EQ(content(folder / "a.xml"), "<all>\n<x/></all>");
   EXPECT_THROW(OutputFile(folder / "a.xml", "", 1000), InputError);
   EXPECT_THROW(OutputFile(folder / "none.xml", "", 0), FileError);
   EXPECT_FALSE(std::filesystem::exists(folder / "none.xml"));
+}
+
+TEST(OutputFile, GoesOnAfterAWholeLineOnly) {
+  const ScratchFolder folder;
+  const std::string text = "a,b\n1,2\n3,4\n";
+  std::ofstream(folder / "a.csv") << text;
+  for (const std::int64_t inside : {1, 3, 5, 7, 11}) {
+    try {
+      OutputFile(folder / "a.csv", "", inside);
+      FAIL() << "went on after " << inside << " bytes";
+    } catch (const InputError& e) {
+      EXPECT_NE(std::string(e.what()).find("a.csv: has changed"), std::string::npos) << e.what();
+    }
+  }
+  EXPECT_EQ(content(folder / "a.csv"), text) << "a refusal must not touch anything";
+  { OutputFile(folder / "a.csv", "", 8).append("5,6\n"); }
+  EXPECT_EQ(content(folder / "a.csv"), "a,b\n1,2\n5,6\n");
+  OutputFile(folder / "a.csv", "", 0).append("c\n");
+  EXPECT_EQ(content(folder / "a.csv"), "c\n");
 }
 
 TEST(OutputFile, APieceThatDoesNotFitLeavesTheFileWithWholePieces) {
