@@ -83,7 +83,7 @@ class Run {
   Run(const RunOptions& options, StoppedRun stopped)
       : options_(options),
         scene_(std::move(stopped.scene)),
-        folder_(stopped.folder),
+        folder_(stopped.folder, std::move(stopped.lock).value()),
         goes_on_(true),
         checkpoint_(std::move(stopped.checkpoint)),
         logger_(make_logger(console_level(), folder_.log_file().string(), LogFile::append)),

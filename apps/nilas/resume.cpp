@@ -34,26 +34,27 @@ static long steps_of(const State& checkpoint) {
 StoppedRun find_stopped_run(const fs::path& folder, const SceneFlags& flags, const std::string& program) {
   std::error_code error;
   if (!fs::is_directory(folder, error)) throw FileError(folder.string() + ": is no run folder");
-  const RunFolder run(folder);
-  if (!fs::exists(run.scene_file(), error))
+  const fs::path scene_file = RunFolder::scene_file(folder), checkpoint_file = RunFolder::checkpoint_file(folder);
+  if (!fs::exists(scene_file, error))
     throw FileError(folder.string() +
                     ": is no run folder: it has no scene.xml; a run that was stopped before its first step is begun "
                     "again by nilas run SCENE");
-  StoppedRun found{.folder = folder, .scene = {}, .checkpoint = {}, .summary = {}};
+  StoppedRun found{.folder = folder, .scene = {}, .checkpoint = {}, .summary = {}, .lock = {}};
   SceneFlags allowed;
-  allowed.file = run.scene_file().string();
+  allowed.file = scene_file.string();
   allowed.until = flags.until;
   allowed.checkpoint_every = flags.checkpoint_every;
   found.scene = read_flagged_scene(allowed);
   const long steps = number_of_steps(found.scene.time);
-  found.summary = summary_of_done_run(run.summary_file(), steps);
+  found.summary = summary_of_done_run(RunFolder::summary_file(folder), steps);
   if (!found.summary.empty()) return found;
-  if (!fs::exists(run.checkpoint_file(), error)) {
-    if (read_scene(run.scene_file()).output.checkpoint_every > 0) return found;
-    throw FileError(run.checkpoint_file().string() +
+  found.lock.emplace(folder);
+  if (!fs::exists(checkpoint_file, error)) {
+    if (read_scene(scene_file).output.checkpoint_every > 0) return found;
+    throw FileError(checkpoint_file.string() +
                     ": not found: the run was not asked for checkpoints (--checkpoint-every)");
   }
-  found.checkpoint = read_checkpoint(run.checkpoint_file(), {program, found.scene.fingerprint});
+  found.checkpoint = read_checkpoint(checkpoint_file, {program, found.scene.fingerprint});
   if (const long done = steps_of(*found.checkpoint); done > steps)
     throw InputError(fmt::format("--until {:g} s: the run stands at {:g} s already", found.scene.time.end,
                                  found.scene.time.start + static_cast<double>(done) * found.scene.time.step));

@@ -22,12 +22,13 @@ namespace fs = std::filesystem;
 
 /// Files that are replaced as a whole are left so where a run was killed while writing.
 constexpr const char* k_half_written = ".part";
+constexpr const char* k_log = "nilas.log";
 
 /// Everything that a run writes beside its trajectory folder.
 const std::vector<std::string>& own_files() {
   static const std::vector<std::string> names{"scene.xml",      "vessel.csv", "steps.csv",   "contacts.h5",
                                               "trajectory.pvd", "events.csv", "replay.html", "report.html",
-                                              "summary.json",   "bodies.csv", "nilas.log",   "checkpoint.h5"};
+                                              "summary.json",   "bodies.csv", k_log,         "checkpoint.h5"};
   return names;
 }
 
@@ -89,13 +90,13 @@ void remove_problems_after(const fs::path& folder, long step, long worst) {
 /// A run that was interrupted before its first step leaves its log alone.
 bool holds_at_most_a_log(const fs::path& folder, std::error_code& error) {
   const fs::directory_iterator entries(folder, error);
-  return !error && std::all_of(begin(entries), end(entries),
-                               [](const auto& entry) { return entry.path().filename() == "nilas.log"; });
+  return !error &&
+         std::all_of(begin(entries), end(entries), [](const auto& entry) { return entry.path().filename() == k_log; });
 }
 
 }  // namespace
 
-void claim_folder(const fs::path& folder, bool force) {
+RunLock claim_run_folder(const fs::path& folder, bool force) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) fail(folder, "create the output folder", error.message());
@@ -107,12 +108,19 @@ void claim_folder(const fs::path& folder, bool force) {
                      ": the output folder is not empty; choose another by --out, or give --force to "
                      "replace the outputs of an earlier run in it");
   if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(folder, "write into the output folder", std::strerror(errno));
+  RunLock lock(folder);
   for (const auto& name : own_files()) {
-    remove_file(folder / name);
+    if (name != k_log) remove_file(folder / name);
     remove_file(folder / (name + k_half_written));
   }
   remove_frames_after(folder / "trajectory", -1);
   remove_problems_after(folder / "problems", -1, -1);
+  return lock;
+}
+
+void claim_folder(const fs::path& folder, bool force) {
+  const RunLock lock = claim_run_folder(folder, force);
+  remove_file(folder / k_log);
 }
 
 void clear_after(const fs::path& folder, long step, long worst_problem) {

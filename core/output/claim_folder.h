@@ -2,11 +2,16 @@
 /// Takes a folder for a run, or for the rest of one, without harming what else is there.
 #include <filesystem>
 
+#include "core/output/run_lock.h"
+
 namespace nilas {
 
 /// Creates `folder` and its parents. Throws InputError when it holds anything, unless `force`: then the files that a
 /// run of Nilas writes are removed and all others stay. Throws FileError when it cannot be made or written.
 void claim_folder(const std::filesystem::path& folder, bool force);
+/// The same for a run: the lock is held, on an empty or older nilas.log. Throws FileError where another program holds
+/// it.
+[[nodiscard]] RunLock claim_run_folder(const std::filesystem::path& folder, bool force);
 
 /// Removes what a run that goes on after `step` writes again as a whole: the summary, trajectory frames and contact
 /// problems of later steps, problems/last.hdf5, and what was left half written. `worst_problem`: step of the problem

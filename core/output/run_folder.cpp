@@ -84,8 +84,9 @@ struct RunFolder::Outputs {
   std::vector<double> vessel_values;
 };
 
-RunFolder::RunFolder(const std::filesystem::path& path, bool force) : path_(path) { claim_folder(path, force); }
-RunFolder::RunFolder(std::filesystem::path path) : path_(std::move(path)) {}
+RunFolder::RunFolder(const std::filesystem::path& path, bool force)
+    : path_(path), lock_(claim_run_folder(path, force)) {}
+RunFolder::RunFolder(std::filesystem::path path, RunLock lock) : path_(std::move(path)), lock_(std::move(lock)) {}
 RunFolder::~RunFolder() = default;
 
 void RunFolder::abandon() const {

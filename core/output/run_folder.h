@@ -7,6 +7,7 @@
 #include "core/base/log.h"
 #include "core/bodies/bodies.h"
 #include "core/output/bodies_csv.h"
+#include "core/output/run_lock.h"
 #include "core/output/run_statistics.h"
 #include "core/output/steps_csv.h"
 #include "core/output/summary_json.h"
@@ -23,17 +24,22 @@ namespace nilas {
 class RunFolder {
  public:
   /// Creates the folder. One that holds anything is refused (InputError) unless `force`, which removes what an earlier
-  /// run of Nilas wrote there and nothing else. Throws FileError when the folder cannot be made or written.
+  /// run of Nilas wrote there and nothing else. Throws FileError when the folder cannot be made or written, or another
+  /// program writes into it.
   RunFolder(const std::filesystem::path& path, bool force);
   /// The folder of a run that goes on.
-  explicit RunFolder(std::filesystem::path path);
+  RunFolder(std::filesystem::path path, RunLock lock);
   ~RunFolder();
 
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path log_file() const { return path_ / "nilas.log"; }
-  std::filesystem::path scene_file() const { return path_ / "scene.xml"; }
-  std::filesystem::path summary_file() const { return path_ / "summary.json"; }
-  std::filesystem::path checkpoint_file() const { return path_ / "checkpoint.h5"; }
+  std::filesystem::path scene_file() const { return scene_file(path_); }
+  std::filesystem::path summary_file() const { return summary_file(path_); }
+  std::filesystem::path checkpoint_file() const { return checkpoint_file(path_); }
+  /// The same of a folder that is not held.
+  static std::filesystem::path scene_file(const std::filesystem::path& folder) { return folder / "scene.xml"; }
+  static std::filesystem::path summary_file(const std::filesystem::path& folder) { return folder / "summary.json"; }
+  static std::filesystem::path checkpoint_file(const std::filesystem::path& folder) { return folder / "checkpoint.h5"; }
 
   /// For a run that could not begin: removes the log, and the folder when nothing else is in it.
   void abandon() const;
@@ -64,6 +70,7 @@ class RunFolder {
   void write_snapshot(double t, long step, const Bodies& bodies);
 
   std::filesystem::path path_;
+  RunLock lock_;
   std::unique_ptr<Outputs> outputs_;
 };
 

@@ -287,6 +287,19 @@ TEST_F(Resume, ProblemsBeyondTheCheckpointAreRemoved) {
   }
 }
 
+TEST_F(Resume, AFolderHasOneWriterAtATime) {
+  Started run("run ice.xml --quiet --checkpoint-every 0.1 --until 1000 --out run", folder.path());
+  ASSERT_TRUE(run.reaches(in("run/steps.csv"), 30));
+  for (const char* second : {"run --resume run", "run ice.xml --out run --force", "verify --out run --force"}) {
+    const auto result = nilas(second);
+    EXPECT_EQ(result.exit_code, 4) << second;
+    EXPECT_TRUE(mentions(result.err, "another program is writing this run")) << second << ": " << result.err;
+  }
+  ASSERT_TRUE(run.reaches(in("run/steps.csv"), lines_of(in("run/steps.csv")).size() + 10)) << "the first goes on";
+  EXPECT_EQ(run.stop(SIGKILL), 128 + SIGKILL);
+  demand("run ice.xml --quiet --until 0.05 --out run --force");
+}
+
 TEST_F(Resume, ADoneRunSaysSo) {
   ASSERT_EQ(nilas("run ice.xml --quiet --until 0.2 --out run").exit_code, 0);
   const auto before = files_in(in("run"));
@@ -342,6 +355,8 @@ TEST_F(Resume, WhatIsNoRunIsRefused) {
   folder.write("run/scene.xml", scene);
   folder.write("run/steps.csv", steps.substr(0, steps.size() / 2));
   refused("run", 2, "steps.csv: holds");
+  folder.write("run/steps.csv", "inserted" + steps);
+  refused("run", 2, "steps.csv: has changed");
   fs::remove(in("run/steps.csv"));
   refused("run", 4, "steps.csv");
   folder.write("run/steps.csv", steps);

@@ -75,7 +75,7 @@ TEST(RunFolder, OpensOnlyWhatTheSceneAsksFor) {
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(run.folder.path())) names.push_back(entry.path().filename());
   std::sort(names.begin(), names.end());
-  EXPECT_EQ(names, (std::vector<std::string>{"scene.xml", "steps.csv"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"nilas.log", "scene.xml", "steps.csv"}));
 }
 
 TEST(RunFolder, WritesBodiesByCountOrByWish) {
@@ -170,18 +170,23 @@ TEST(RunFolder, SummaryTellsTheRun) {
 TEST(RunFolder, GoesOnFromItsCheckpoint) {
   const ScratchFolder scratch;
   const CheckpointOrigin origin{"test", "sample"};
-  SampleRun whole(scratch / "whole"), cut(scratch / "cut");
-  for (SampleRun* run : {&whole, &cut}) {
-    run->begin();
-    run->steps(25);
-    run->folder.write_checkpoint(origin, {});
-    run->steps(30);
+  const auto begin = [&](SampleRun& run) {
+    run.begin();
+    run.steps(25);
+    run.folder.write_checkpoint(origin, {});
+    run.steps(30);
+  };
+  SampleRun whole(scratch / "whole");
+  begin(whole);
+  {
+    SampleRun cut(scratch / "cut");
+    begin(cut);
   }
   std::ofstream(scratch / "cut/steps.csv", std::ios::app) << "0.5";
   std::ofstream(scratch / "cut/trajectory/step-000099.vtp") << "later";
 
   SampleRun rest(scratch / "elsewhere");
-  RunFolder folder(scratch / "cut");
+  RunFolder folder(scratch / "cut", RunLock(scratch / "cut"));
   const State state = read_checkpoint(folder.checkpoint_file(), origin);
   folder.resume(rest.scene, rest.info, rest.warnings, rest.bodies, StateReader(state).group("outputs"));
   EXPECT_EQ(lines(scratch / "cut/steps.csv").size(), 1u + 25);
@@ -236,8 +241,30 @@ TEST(RunFolder, ForceRemovesWhatARunWroteAndNothingElse) {
   for (const auto& entry : fs::recursive_directory_iterator(path))
     if (entry.is_regular_file()) left.push_back(fs::relative(entry.path(), path));
   std::sort(left.begin(), left.end());
-  EXPECT_EQ(left, (std::vector<std::string>{"notes.txt", "problems/best.hdf5", "problems/step-3.hdf5",
+  EXPECT_EQ(left, (std::vector<std::string>{"nilas.log", "notes.txt", "problems/best.hdf5", "problems/step-3.hdf5",
                                             "trajectory/picture.png", "trajectory/step-1.vtp", "vessel_old.csv"}));
+}
+
+TEST(RunFolder, HasOneWriterAtATime) {
+  const ScratchFolder scratch;
+  {
+    SampleRun run(scratch / "run");
+    run.begin();
+    run.steps(3);
+    for (const bool force : {true, false}) {
+      try {
+        RunFolder second(scratch / "run", force);
+        FAIL() << "two have the folder";
+      } catch (const std::runtime_error& e) {
+        const char* reason = force ? "another program is writing this run" : "is not empty";
+        EXPECT_NE(std::string(e.what()).find(reason), std::string::npos) << e.what();
+      }
+    }
+    EXPECT_THROW(RunLock(scratch / "run"), FileError);
+    run.steps(2);
+    EXPECT_EQ(lines(scratch / "run/steps.csv").size(), 1u + 5) << "a refusal must not touch anything";
+  }
+  EXPECT_NO_THROW(RunFolder(scratch / "run", true));
 }
 
 TEST(RunFolder, APlaceThatCannotHoldAFolderIsAFileError) {

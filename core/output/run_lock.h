@@ -1,0 +1,24 @@
+#pragma once
+/// Keeps two programs from writing into one run folder.
+#include <filesystem>
+#include <utility>
+
+namespace nilas {
+
+/// An advisory lock (flock) on a folder's nilas.log, which is made where it is not there; the system frees it when the
+/// program ends, however it does. On file systems that know no locks it holds nobody back.
+class RunLock {
+ public:
+  /// Throws FileError when another program holds the lock, or when the log cannot be opened.
+  explicit RunLock(const std::filesystem::path& folder);
+  ~RunLock();
+  RunLock(RunLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
+  RunLock& operator=(RunLock&&) = delete;
+  RunLock(const RunLock&) = delete;
+  RunLock& operator=(const RunLock&) = delete;
+
+ private:
+  int descriptor_ = -1;
+};
+
+}  // namespace nilas
