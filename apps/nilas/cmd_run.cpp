@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "apps/nilas/commands.h"
+#include "apps/nilas/program_identity.h"
 #include "apps/nilas/resume.h"
 #include "apps/nilas/scene_flags.h"
 #include "core/base/error.h"
@@ -49,20 +50,6 @@ std::string machine() {
   return std::string(name.sysname) + " " + name.release + " " + name.machine;
 }
 
-std::map<std::string, std::string> versions() {
-  return {{"nilas", NILAS_VERSION},
-          {"simbody", NILAS_SIMBODY_VERSION},
-          {"fcl", NILAS_FCL_VERSION},
-          {"eigen", NILAS_EIGEN_VERSION},
-          {"cgal", NILAS_CGAL_VERSION},
-          {"sundials", NILAS_SUNDIALS_VERSION},
-          {"tinyxml2", NILAS_TINYXML2_VERSION},
-          {"compiler", NILAS_COMPILER}};
-}
-
-/// What must be the same for a run to go on with the same bits.
-std::string program() { return "nilas " NILAS_VERSION " built by " NILAS_COMPILER; }
-
 /// How a run ended.
 struct Ending {
   std::string status = "done";
@@ -86,6 +73,7 @@ class Run {
         folder_(stopped.folder, std::move(stopped.lock).value()),
         goes_on_(true),
         checkpoint_(std::move(stopped.checkpoint)),
+        origin_(std::move(stopped.origin)),
         logger_(make_logger(console_level(), folder_.log_file().string(), LogFile::append)),
         warnings_(logger_) {}
 
@@ -151,7 +139,8 @@ class Run {
     simulation.save(out.group("simulation"));
     warnings_.save(out.group("warnings"));
     out.add("wall_s", wall_seconds());
-    folder_.write_checkpoint({program(), scene_.fingerprint}, std::move(state));
+    if (!origin_) origin_ = checkpoint_origin(scene_.fingerprint);
+    folder_.write_checkpoint(*origin_, std::move(state));
     steps_saved_ = simulation.steps();
     logger_->debug("checkpoint at {:g} s, written in {:.1f} ms", simulation.time(), 1e3 * (steady_seconds() - begun));
   }
@@ -199,16 +188,17 @@ class Run {
     input.seed = scene_.seed;
     input.threads = options_.threads;
     input.machine = machine();
-    input.versions = versions();
+    input.versions = program_versions();
     return input;
   }
 
   const RunOptions& options_;
   Scene scene_;
   RunFolder folder_;
-  bool goes_on_ = false;             ///< the folder holds the run's beginning
-  std::optional<State> checkpoint_;  ///< to go on from
-  long steps_saved_ = -1;            ///< in the newest checkpoint
+  bool goes_on_ = false;                    ///< the folder holds the run's beginning
+  std::optional<State> checkpoint_;         ///< to go on from
+  std::optional<CheckpointOrigin> origin_;  ///< of the checkpoints, once there are any
+  long steps_saved_ = -1;                   ///< in the newest checkpoint
   double started_ = steady_seconds(), wall_before_ = 0;
   std::shared_ptr<spdlog::logger> logger_;
   WarningCounts warnings_;
@@ -223,7 +213,7 @@ void demand_resumable(const CLI::App& command) {
 }
 
 int resume_run(const RunOptions& options) {
-  StoppedRun stopped = find_stopped_run(options.resume, options.scene, program());
+  StoppedRun stopped = find_stopped_run(options.resume, options.scene);
   if (stopped.summary.empty()) return Run(options, std::move(stopped)).execute();
   if (options.json)
     std::cout << stopped.summary;

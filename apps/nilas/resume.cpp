@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "apps/nilas/program_identity.h"
 #include "core/base/error.h"
 #include "core/output/run_folder.h"
 
@@ -31,7 +32,7 @@ static long steps_of(const State& checkpoint) {
   return steps;
 }
 
-StoppedRun find_stopped_run(const fs::path& folder, const SceneFlags& flags, const std::string& program) {
+StoppedRun find_stopped_run(const fs::path& folder, const SceneFlags& flags) {
   std::error_code error;
   if (!fs::is_directory(folder, error)) throw FileError(folder.string() + ": is no run folder");
   const fs::path scene_file = RunFolder::scene_file(folder), checkpoint_file = RunFolder::checkpoint_file(folder);
@@ -39,7 +40,7 @@ StoppedRun find_stopped_run(const fs::path& folder, const SceneFlags& flags, con
     throw FileError(folder.string() +
                     ": is no run folder: it has no scene.xml; a run that was stopped before its first step is begun "
                     "again by nilas run SCENE");
-  StoppedRun found{.folder = folder, .scene = {}, .checkpoint = {}, .summary = {}, .lock = {}};
+  StoppedRun found{.folder = folder, .scene = {}, .checkpoint = {}, .origin = {}, .summary = {}, .lock = {}};
   SceneFlags allowed;
   allowed.file = scene_file.string();
   allowed.until = flags.until;
@@ -54,7 +55,8 @@ StoppedRun find_stopped_run(const fs::path& folder, const SceneFlags& flags, con
     throw FileError(checkpoint_file.string() +
                     ": not found: the run was not asked for checkpoints (--checkpoint-every)");
   }
-  found.checkpoint = read_checkpoint(checkpoint_file, {program, found.scene.fingerprint});
+  found.origin = checkpoint_origin(found.scene.fingerprint);
+  found.checkpoint = read_checkpoint(checkpoint_file, *found.origin);
   if (const long done = steps_of(*found.checkpoint); done > steps)
     throw InputError(fmt::format("--until {:g} s: the run stands at {:g} s already", found.scene.time.end,
                                  found.scene.time.start + static_cast<double>(done) * found.scene.time.step));

@@ -69,6 +69,9 @@ void demand_origin(const Hdf5Reader& file, const std::string& path, const Checkp
   if (const std::string program = file.text("program"); program != origin.program)
     throw InputError(path + ": was written by " + program + "; this is " + origin.program +
                      ", which might not give the same bits");
+  if (const std::string build = file.text("build_sha256"); build != origin.build)
+    throw InputError(path + ": was written by another build of the same version (the program's SHA-256 was " + build +
+                     ", is " + origin.build + "), which might not give the same bits");
   if (file.text("scene_sha256") != origin.scene)
     throw InputError(path + ": belongs to another scene than the scene.xml beside it, or that has changed");
 }
@@ -80,6 +83,7 @@ void write_checkpoint(const std::filesystem::path& path, const CheckpointOrigin&
   file.add("format", std::string(k_format));
   file.add("version", std::vector<int>{k_checkpoint_version});
   file.add("program", origin.program);
+  file.add("build_sha256", origin.build);
   file.add("scene_sha256", origin.scene);
   file.add("checksum", std::vector<std::int64_t>{checksum(state)});
   std::set<std::string> groups;

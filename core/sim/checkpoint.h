@@ -8,11 +8,12 @@
 namespace nilas {
 
 /// The only version of the layout that is read.
-constexpr int k_checkpoint_version = 1;
+constexpr int k_checkpoint_version = 2;
 
 /// What a state is worth nothing without.
 struct CheckpointOrigin {
-  std::string program;  ///< name, version, compiler: others round otherwise
+  std::string program;  ///< versions of it and its libraries, compiler, flags: others round otherwise
+  std::string build;    ///< SHA-256 of the program's file
   std::string scene;    ///< Scene::fingerprint
 };
 
@@ -21,7 +22,7 @@ struct CheckpointOrigin {
 void write_checkpoint(const std::filesystem::path& path, const CheckpointOrigin& origin, const State& state);
 
 /// Throws FileError when the file cannot be opened, InputError when it is no checkpoint, is damaged or cut short, or is
-/// of another version, program or scene.
+/// of another version, program, build or scene.
 State read_checkpoint(const std::filesystem::path& path, const CheckpointOrigin& origin);
 
 }  // namespace nilas

@@ -364,6 +364,25 @@ TEST_F(Resume, WhatIsNoRunIsRefused) {
   EXPECT_EQ(read_text(in("run/steps.csv")), steps);
 }
 
+TEST_F(Resume, AnotherBuildOfTheProgramIsRefused) {
+  demand("run ice.xml --quiet --until 0.2 --checkpoint-every 0.1 --out run");
+  const std::string program = nilas::Hdf5Reader(in("run/checkpoint.h5")).text("program");
+  for (const char* word : {"nilas ", "GNU ", "-O", "simbody ", "fcl ", "eigen ", "cgal ", "sundials "})
+    EXPECT_TRUE(mentions(program, word)) << word << ": " << program;
+  // The same but for a byte after all that is loaded.
+  fs::copy_file(NILAS_PROGRAM, in("rebuilt"));
+  std::ofstream(in("rebuilt"), std::ios::app) << "x";
+  const auto resume = [&] {
+    const std::string command =
+        "cd '" + folder.path().string() + "' && ./rebuilt run --resume run --until 0.3 2>err.txt";
+    const int status = std::system(command.c_str());
+    return WEXITSTATUS(status);
+  };
+  EXPECT_EQ(resume(), 2);
+  EXPECT_TRUE(mentions(read_text(in("err.txt")), "another build of the same version")) << read_text(in("err.txt"));
+  demand("run --quiet --resume run --until 0.3");
+}
+
 TEST_F(Resume, AChangedInputFileIsRefused) {
   ASSERT_EQ(nilas("hull --generate icebreaker --length 3 --beam 0.6 --draught 0.2 --out ship").exit_code, 0);
   folder.write("ship.xml", R"(<scene version="1" name="ship">

@@ -169,7 +169,7 @@ TEST(RunFolder, SummaryTellsTheRun) {
 /// Goes on in a folder that holds more than the checkpoint: half a row, frames of later steps.
 TEST(RunFolder, GoesOnFromItsCheckpoint) {
   const ScratchFolder scratch;
-  const CheckpointOrigin origin{"test", "sample"};
+  const CheckpointOrigin origin{"test", "build", "sample"};
   const auto begin = [&](SampleRun& run) {
     run.begin();
     run.steps(25);

@@ -21,7 +21,7 @@ namespace {
 using namespace nilas;
 namespace fs = std::filesystem;
 
-const CheckpointOrigin k_origin{"nilas of the tests", "a fingerprint"};
+const CheckpointOrigin k_origin{"nilas of the tests", "a build", "a fingerprint"};
 
 /// Everything a step leaves but its times, as bits.
 class Bits {
@@ -345,11 +345,12 @@ TEST(Checkpoint, OfAnotherVersionProgramOrSceneIsRefused) {
   const test::ScratchFolder folder;
   const fs::path file = folder / "c.h5";
   write_checkpoint(file, k_origin, sample_state());
-  expect_refusal(file, {"nilas of tomorrow", k_origin.scene}, "was written by nilas of the tests");
-  expect_refusal(file, {k_origin.program, "another"}, "belongs to another scene");
+  expect_refusal(file, {"nilas of tomorrow", k_origin.build, k_origin.scene}, "was written by nilas of the tests");
+  expect_refusal(file, {k_origin.program, "another", k_origin.scene}, "another build of the same version");
+  expect_refusal(file, {k_origin.program, k_origin.build, "another"}, "belongs to another scene");
 
   write_with_version("nilas checkpoint", k_checkpoint_version + 1, file);
-  expect_refusal(file, k_origin, "version 2");
+  expect_refusal(file, k_origin, "version " + std::to_string(k_checkpoint_version + 1));
   write_with_version("something else", k_checkpoint_version, file);
   expect_refusal(file, k_origin, "is no checkpoint");
   folder.write("text.h5", "not at all");
