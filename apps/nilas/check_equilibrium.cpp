@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "core/base/error.h"
 #include "hydro/equilibrium.h"
 
@@ -12,12 +14,21 @@ static const char* held_by(const VesselScene& vessel) {
   return vessel.carriage ? "carriage" : "none";
 }
 
+/// An angle by its side, rounding left out.
+static std::string towards(double angle, const char* positive, const char* negative) {
+  constexpr double k_rounding = 1e-9;  // [deg]
+  const double degrees = angle / k_deg;
+  if (std::abs(degrees) < k_rounding) return "0 deg";
+  return fmt::format("{:.6g} deg {}", std::abs(degrees), degrees > 0 ? positive : negative);
+}
+
 static std::string describe(const FloatingEquilibrium& found, const Water& water, const VesselScene& vessel) {
   std::string text = fmt::format(
-      "  draught {:.6g} m, trim {:.6g} deg (bow down), heel {:.6g} deg (port up)\n"
-      "  GM transversal {:.6g} m, longitudinal {:.6g} m{}\n"
+      "  draught {:.6g} m at the deepest point, trim {}, heel {}\n"
+      "  GM transverse {:.6g} m, longitudinal {:.6g} m{}\n"
       "  displacement {:.6g} m^3, {:.6g} kg\n",
-      found.draught, found.trim / k_deg, found.heel / k_deg, found.gm_transverse, found.gm_longitudinal,
+      found.draught, towards(found.trim, "by the bow", "by the stern"), towards(found.heel, "to starboard", "to port"),
+      found.gm_transverse, found.gm_longitudinal,
       found.stable() ? "" : ": UNSTABLE, it would capsize or loll from here", found.volume,
       water.density * found.volume);
   if (vessel.fixed || vessel.carriage)

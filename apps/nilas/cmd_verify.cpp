@@ -64,6 +64,7 @@ int run_cases(const VerifyOptions& options) {
   if (!options.out.empty()) {
     write_text(std::filesystem::path(options.out) / "verify.csv", table_csv(rows));
     if (options.html) write_page(options.out, rows);
+    if (!options.json && !options.quiet) std::cout << "written to " << options.out << "\n";
   }
   return holds ? exit_done : exit_numerics;
 }
@@ -106,8 +107,10 @@ int verify_command(const VerifyOptions& options) {
 void add_verify(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("verify", "runs the cases with known answers and prints the table of errors");
   auto options = std::make_shared<VerifyOptions>();
-  command->add_option("--case", options->selection.cases, "a case (A3 or 3) or a family (A); repeatable")
-      ->allow_extra_args(false);
+  auto* cases = command
+                    ->add_option("--case", options->selection.cases,
+                                 "a case (A3 or 3) or a family (A), with --extremes one of its names; repeatable")
+                    ->allow_extra_args(false);
   command->add_option("--solver", options->selection.solvers, "only with this solver; repeatable")
       ->allow_extra_args(false);
   auto* law =
@@ -131,7 +134,7 @@ void add_verify(CLI::App& app, Action& action) {
   auto* json = command->add_flag("--json", options->json, "all rows as JSON on stdout and nothing else there");
   command->add_flag("--quiet", options->quiet, "only the rows that fail and the count");
   extremes->excludes(law)->excludes(all)->excludes(html)->excludes(limitations)->excludes(list)->excludes(markdown);
-  for (auto* page : {limitations, list, markdown}) page->excludes(html)->excludes(json)->excludes(all);
+  for (auto* page : {limitations, list, markdown}) page->excludes(html)->excludes(json)->excludes(all)->excludes(cases);
   limitations->excludes(list)->excludes(markdown);
   list->excludes(markdown);
   command->callback([&action, options] {

@@ -25,9 +25,11 @@ std::string limit_text(const Case& one) {
   std::string text;
   for (std::size_t k = 0; k < one.integrators.size(); ++k) {
     const double order = k < one.orders.size() ? one.orders[k] : 0;
-    text += fmt::format("{}{} {}", text.empty() ? "" : "; ", one.integrators[k],
-                        order > 0 ? fmt::format("order {:g} over five steps from {:g} s", order, one.step)
-                                  : fmt::format("error {:g} at {:g} s", one.tolerance, one.step));
+    text +=
+        fmt::format("{}{} {}", text.empty() ? "" : "; ", one.integrators[k],
+                    order > 0 ? fmt::format("order {:g} over five steps from {:g} s, where the error is at most {:g}",
+                                            order, one.step, one.coarsest.at(k))
+                              : fmt::format("error {:g} at {:g} s", one.tolerance, one.step));
   }
   if (one.reference) text += fmt::format("; reference error {:g}", one.tolerance);
   return text;
@@ -46,7 +48,8 @@ time step itself where they can be had; else the limit of small steps is expecte
     nilas verify --case D35 --json   one case, all rows
     nilas verify --html --out DIR    DIR/verify.html with a plot per family, DIR/verify.csv
 
-An error is |measured - expected| over the scale of the quantity: the expected value, or where that is zero a typical one.
+An error is |measured - expected| over the scale of the quantity: the expected value, or where that is zero a typical one
+(`scale` in the CSV file and in JSON). Durations and places that are no inputs stand in `apps/verify`.
 
 This page is written by `nilas verify --markdown`.
 )";

@@ -250,7 +250,7 @@ const std::vector<Extreme>& extremes() {
       {"stack of 30, gravity", "m/s^2", "stack.xml", {1, 9.81, 100}, stack},
       {"spin, free", "rad/s", "top.xml", {1, 30, 1000}, spin, {"auto"}},
       {"spin, on a floor", "rad/s", "disc.xml", {1, 30, 1000}, spin_on_floor},
-      {"pitch", "deg", "block.xml", {0, 89.999999999, 90}, pitch},
+      {"pitch", "deg", "block.xml", {0, 89.9999, 90}, pitch},
       {"overlap", "of the thickness", "block.xml", {0.01, 0.1, 0.5}, overlap},
       {k_elastic, "", "ball.xml", {0, 0.5, 1}, restitution_level},
       {"gravity", "m/s^2", "pile.xml", {0, 1e-6, 100}, gravity_level},
@@ -318,8 +318,8 @@ std::vector<Cell> run_extremes(const Selection& selection, int threads, const st
   const auto names = extreme_names();
   for (const auto& wanted : selection.cases)
     if (std::find(names.begin(), names.end(), wanted) == names.end())
-      throw InputError("--case: found '" + wanted +
-                       "', allowed with --extremes: " + fmt::format("{}", fmt::join(names, ", ")));
+      throw InputError("--case: found '" + wanted + "', allowed with --extremes: '" +
+                       fmt::format("{}", fmt::join(names, "'; '")) + "'");
   for (const auto& name : selection.solvers) find_solver(name);
   const auto chosen = [](const std::vector<std::string>& list, const std::string& name) {
     return list.empty() || std::find(list.begin(), list.end(), name) != list.end();
@@ -341,7 +341,7 @@ std::vector<Cell> run_extremes(const Selection& selection, int threads, const st
         for (const char* integrator : {"semi-implicit-euler", "moreau"}) {
           Cell cell;
           cell.extreme = extreme.name;
-          cell.level = fmt::format("{:.12g}{}{}", level, extreme.unit.empty() ? "" : " ", extreme.unit);
+          cell.level = fmt::format("{:g}{}{}", level, extreme.unit.empty() ? "" : " ", extreme.unit);
           cell.model = {"coulomb", solver.name, integrator, 0.01};
           cells.push_back(cell);
           jobs.push_back({&extreme, level});

@@ -87,6 +87,7 @@ nlohmann::ordered_json table_json(const std::vector<Row>& rows) {
                                  {"measured", row.measured},
                                  {"expected", row.expected},
                                  {"error", row.error},
+                                 {"scale", row.scale},
                                  {"tolerance", row.tolerance},
                                  {"order", nullptr},
                                  {"verdict", row.holds ? "holds" : "fails"}};
@@ -99,17 +100,17 @@ nlohmann::ordered_json table_json(const std::vector<Row>& rows) {
 
 std::string table_csv(const std::vector<Row>& rows) {
   std::string text =
-      "case,family,quantity,input,law,solver,integrator,step_s,measured,expected,error,tolerance,order,verdict,"
+      "case,family,quantity,input,law,solver,integrator,step_s,measured,expected,scale,error,tolerance,order,verdict,"
       "message\n";
   const auto quoted = [](const std::string& cell) {
     return cell.find(',') == std::string::npos ? cell : '"' + cell + '"';
   };
   for (const auto& row : rows)
-    text += fmt::format("{},{},{},{},{},{},{},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{},{},{}\n", row.id, row.family,
-                        quoted(row.quantity), quoted(row.input), row.model.law, row.model.solver, row.model.integrator,
-                        row.model.step, row.measured, row.expected, row.error, row.tolerance,
-                        row.proven_order > 0 ? fmt::format("{:.17g}", row.order) : "", row.holds ? "holds" : "fails",
-                        quoted(row.message));
+    text += fmt::format("{},{},{},{},{},{},{},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{},{},{}\n", row.id,
+                        row.family, quoted(row.quantity), quoted(row.input), row.model.law, row.model.solver,
+                        row.model.integrator, row.model.step, row.measured, row.expected, row.scale, row.error,
+                        row.tolerance, row.proven_order > 0 ? fmt::format("{:.17g}", row.order) : "",
+                        row.holds ? "holds" : "fails", quoted(row.message));
   return text;
 }
 

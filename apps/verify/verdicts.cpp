@@ -26,10 +26,8 @@ bool takes(const SolverEntry& solver, const std::string& law) {
   return std::find(solver.laws.begin(), solver.laws.end(), parse_law(law).law) != solver.laws.end();
 }
 
-double error_of(const Quantity& q) {
-  const double scale = q.scale > 0 ? q.scale : std::abs(q.expected);
-  return std::abs(q.measured - q.expected) / scale;
-}
+double scale_of(const Quantity& q) { return q.scale > 0 ? q.scale : std::abs(q.expected); }
+double error_of(const Quantity& q) { return std::abs(q.measured - q.expected) / scale_of(q); }
 
 std::map<std::string, double> input_values(const Case& one, bool vary) {
   std::map<std::string, double> values;
@@ -64,6 +62,7 @@ Row row_of(const Case& one, const Model& model, bool vary, const Quantity& q) {
   row.measured = q.measured;
   row.expected = q.expected;
   row.error = error_of(q);
+  row.scale = scale_of(q);
   row.tolerance = one.tolerance;
   row.holds = std::isfinite(q.expected) && row.error <= row.tolerance;
   return row;
@@ -158,6 +157,8 @@ std::vector<Row> judge(const Case& one, const Model& model, bool vary) {
     for (const auto& q : one.check(Setting(one, model, input_values(one, vary))))
       rows.push_back(row_of(one, model, vary, q));
     return rows;
+  } catch (const FileError&) {
+    throw;  // no measurement, and no row would tell more
   } catch (const std::exception& error) {
     // one run that cannot be made fails alone; the others go on
     Row row = row_of(one, model, vary, {"run", 0, 0, 1});

@@ -87,11 +87,16 @@ void remove_problems_after(const fs::path& folder, long step, long worst) {
   fs::remove(folder, error);  // fails, as it should, when the folder holds anything
 }
 
-/// A run that was interrupted before its first step leaves its log alone.
-bool holds_at_most_a_log(const fs::path& folder, std::error_code& error) {
+/// What a run that was stopped before its first step leaves: its log, and files half written.
+bool holds_no_outputs(const fs::path& folder, std::error_code& error) {
+  const auto left_over = [](const std::string& name) {
+    const auto& own = own_files();
+    return name == k_log ||
+           std::any_of(own.begin(), own.end(), [&](const std::string& file) { return name == file + k_half_written; });
+  };
   const fs::directory_iterator entries(folder, error);
-  return !error &&
-         std::all_of(begin(entries), end(entries), [](const auto& entry) { return entry.path().filename() == k_log; });
+  return !error && std::all_of(begin(entries), end(entries),
+                               [&](const auto& entry) { return left_over(entry.path().filename().string()); });
 }
 
 }  // namespace
@@ -101,7 +106,7 @@ RunLock claim_run_folder(const fs::path& folder, bool force) {
   fs::create_directories(folder, error);
   if (error) fail(folder, "create the output folder", error.message());
   if (!fs::is_directory(folder, error)) fail(folder, "use it as the output folder", "it is not a folder");
-  const bool empty = holds_at_most_a_log(folder, error);
+  const bool empty = holds_no_outputs(folder, error);
   if (error) fail(folder, "read the output folder", error.message());
   if (!empty && !force)
     throw InputError(folder.string() +

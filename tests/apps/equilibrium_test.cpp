@@ -57,7 +57,7 @@ TEST(CheckEquilibrium, TheConsoleShowsItAndADrySceneDoesNot) {
   const ScratchFolder folder;
   folder.write("scene.xml", scene("<mass value='250'/>"));
   const auto wet = run_nilas("check scene.xml", folder.path());
-  for (const char* word : {"draught", "trim", "heel", "GM transversal", "displacement"})
+  for (const char* word : {"draught", "trim", "heel", "GM transverse", "displacement"})
     EXPECT_NE(wet.out.find(word), std::string::npos) << word << "\n" << wet.out;
   folder.write("dry.xml", R"(<scene version="1" name="dry"><body shape="box"/></scene>)");
   EXPECT_FALSE(nlohmann::json::parse(run_nilas("check dry.xml --json", folder.path()).out).contains("equilibrium"));

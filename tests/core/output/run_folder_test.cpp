@@ -215,6 +215,17 @@ TEST(RunFolder, RefusesAFolderThatHoldsSomething) {
   }
 }
 
+/// Stopped while it wrote its first file, a run has left nothing that another could spoil.
+TEST(RunFolder, TakesAFolderThatARunLeftBeforeItsFirstStep) {
+  const ScratchFolder folder;
+  folder.write("run/nilas.log", "");
+  folder.write("run/scene.xml.part", "");
+  EXPECT_NO_THROW(RunFolder(folder.path() / "run", false));
+  folder.write("other/scene.xml.part", "");
+  folder.write("other/mine.part", "");
+  EXPECT_THROW(RunFolder(folder.path() / "other", false), InputError);
+}
+
 TEST(RunFolder, ForceRemovesWhatARunWroteAndNothingElse) {
   const ScratchFolder scratch;
   {
