@@ -24,7 +24,7 @@ class Simulation {
   double time() const;
   const Bodies& bodies() const;
   const RunInfo& info() const;
-  /// Energies at the start, before the first step.
+  /// Energies at the start, as long as no step was made; afterwards those of the last step.
   const Ledger& initial_ledger() const;
   /// Of the last step; empty before the first.
   const SolvedProblem& last_problem() const;

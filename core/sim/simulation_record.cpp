@@ -1,0 +1,147 @@
+/// What a step leaves: accounts, records, warnings, and the state for a checkpoint.
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+#include "core/base/hash.h"
+#include "core/base/order_free_sum.h"
+#include "core/sim/simulation_world.h"
+
+namespace nilas {
+
+void Simulation::World::note_solution(const ContactSolution& solution, StepRecord& record) const {
+  record.status = solution.status;
+  record.iterations = solution.iterations;
+  record.solver_message = solution.message;
+  const bool as_asked = solution.status == SolveStatus::converged ||
+                        (model.fixed_sweeps && solution.status == SolveStatus::iteration_limit);
+  record.solver_short = !as_asked;
+  if (as_asked) return;
+  warnings.warn("steps short of the contact tolerance",
+                fmt::format("contact solver at {:g} s: {}, law_map_m_s {:.3g} above the tolerance {:.3g}{}", time() + h,
+                            to_string(solution.status), record.residuals.law_map_m_s, model.tolerance,
+                            solution.message.empty() ? "" : ", " + solution.message));
+}
+
+StepLoads Simulation::World::step_loads() const {
+  StepLoads loads;
+  loads.gravity = &weight;
+  for (std::size_t k = 0; k < parts.modules.size(); ++k)
+    (parts.modules[k]->conservative() ? loads.conservative : loads.working).push_back(&module_loads[k]);
+  return loads;
+}
+
+VesselAccount Simulation::World::vessel_account() const {
+  VesselAccount account;
+  if (!parts.vessel || !parts.vessel->on_carriage()) return account;
+  account.index = parts.vessel_index;
+  account.on_carriage = true;
+  account.carriage = parts.vessel->carriage_loads().about_com;
+  account.inertia_before = vessel_start.inertia;
+  account.inertia_after = parts.bodies.inertia_G(parts.vessel_index);
+  return account;
+}
+
+VesselRecord Simulation::World::vessel_record(const StepMotion& motion) const {
+  VesselRecord record;
+  const Wrench impulse = contact_impulse_on(motion, parts.vessel_index);
+  record.contact = {impulse.force / h, impulse.torque / h};
+  const auto vessel = static_cast<std::size_t>(parts.vessel_index);
+  OrderFreeVectorSum on_port, on_starboard;
+  for (std::size_t i = 0; i < motion.points.size(); ++i) {
+    const ContactPoint& c = motion.points[i];
+    if (c.a != parts.vessel_index && c.b != parts.vessel_index) continue;
+    const bool port = (motion.R[vessel].transpose() * (c.p - motion.p[vessel])).y() > 0;
+    const double sign = c.b == parts.vessel_index ? 1 : -1;
+    (port ? on_port : on_starboard).add(sign / h * motion.impulses[i]);
+  }
+  record.contact_port = on_port.value();
+  record.contact_starboard = on_starboard.value();
+  record.state = parts.vessel->state();
+  if (parts.vessel->on_carriage()) record.carriage = parts.vessel->carriage_loads();
+  record.has_cells = parts.info.has_cells;
+  if (parts.info.has_hydro) {
+    record.hydro.emplace();
+    for (const auto& loads : module_loads) *record.hydro += loads[static_cast<std::size_t>(parts.vessel_index)];
+  }
+  return record;
+}
+
+std::uint64_t Simulation::World::state_hash() const {
+  StateHash hash;
+  const Bodies& bodies = parts.bodies;
+  for (std::size_t b = 0; b < size(); ++b) {
+    if (bodies.motion[b] == Motion::fixed) continue;
+    hash.add_vector(bodies.p_GB[b]);
+    hash.add_vector(bodies.q_GB[b].coeffs());
+    hash.add_vector(bodies.v_GB[b]);
+    hash.add_vector(bodies.w_GB[b]);
+  }
+  if (parts.vessel) hash.add_vector(parts.vessel->coordinates());
+  return hash.value();
+}
+
+void Simulation::World::demand_finite() const {
+  const Bodies& bodies = parts.bodies;
+  for (std::size_t b = 0; b < size(); ++b)
+    if (!(bodies.p_GB[b].allFinite() && bodies.v_GB[b].allFinite() && bodies.w_GB[b].allFinite() &&
+          bodies.q_GB[b].coeffs().allFinite()))
+      throw SimulationError("at " + std::to_string(time()) + " s body '" + bodies.name[b] +
+                            "' left finite numbers; try a smaller <time step>");
+}
+
+void Simulation::World::name_unnamed_pairs() {
+  const auto pairs = parts.friction.unnamed_pairs();
+  for (; pairs_named < pairs.size(); ++pairs_named) {
+    const auto& [a, b] = pairs[pairs_named];
+    warnings.warn("frictionless " + a + " " + b,
+                  "'" + a + "' and '" + b + "' touch, but no <friction between> names them: frictionless");
+  }
+}
+
+/// Modules keep nothing but what they would compute again from the poses.
+void Simulation::World::save(StateWriter out) const {
+  out.add("steps", steps);
+  parts.bodies.save(out.group("bodies"));
+  if (parts.vessel) parts.vessel->save(out.group("vessel"));
+  parts.friction.save(out.group("friction"));
+  out.add("pairs_named", pairs_named);
+  detector.save(out.group("detector"));
+  if (model.static_friction) model.static_friction->save(out.group("static_friction"));
+  warm.save(out.group("warm_start"));
+  energy.save(out.group("energy"));
+}
+
+void Simulation::World::restore(const StateReader& in) {
+  in.get("steps", steps);
+  parts.bodies.restore(in.group("bodies"));
+  if (parts.vessel) parts.vessel->restore(in.group("vessel"));
+  parts.friction.restore(in.group("friction"));
+  in.get("pairs_named", pairs_named);
+  detector.restore(parts.bodies, in.group("detector"));
+  if (model.static_friction) model.static_friction->restore(in.group("static_friction"));
+  warm.restore(in.group("warm_start"));
+  energy.restore(in.group("energy"));
+}
+
+/// What every record holds at its end, whatever moved the bodies.
+void Simulation::World::note_end(const MomentumBalance& balance, StepRecord& record) const {
+  record.step = steps;
+  record.t = time();
+  record.h = h;
+  record.floes = parts.info.floes;
+  record.ledger = energy.ledger();
+  record.momentum_imbalance = balance.linear;
+  record.momentum_scale = balance.linear_scale;
+  record.angular_momentum_imbalance = balance.angular;
+  record.angular_momentum_scale = balance.angular_scale;
+  record.state_hash = state_hash();
+}
+
+void Simulation::World::stop_on_failure(const StepRecord& record) const {
+  if (!model.stop_on_failure || record.status == SolveStatus::converged || last.problem.num_contacts() == 0) return;
+  throw SimulationError(fmt::format("at {:g} s the contact solver stopped with status {}, law_map_m_s {:.3g}{}",
+                                    record.t, to_string(record.status), record.residuals.law_map_m_s,
+                                    record.solver_message.empty() ? "" : ": " + record.solver_message));
+}
+
+}  // namespace nilas

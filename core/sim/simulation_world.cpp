@@ -1,0 +1,203 @@
+/// Loads, contacts, velocities and poses: what moves the world in a step.
+#include "core/sim/simulation_world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/detect/reach.h"
+#include "core/base/error.h"
+#include "core/sim/advance.h"
+
+namespace nilas {
+
+namespace {
+
+/// Contacts enter the problem when they can close within this multiple of the bodies' way in one step: a hit turns some
+/// points of a floe faster than what hit it.
+constexpr double k_reach_share = 1.5;
+
+/// Per body; infinite for a half space [m].
+std::vector<double> smallest_widths(const Bodies& bodies) {
+  std::vector<double> widths;
+  for (const auto& shape : bodies.shape) {
+    double width = std::numeric_limits<double>::infinity();
+    for (const auto& part : shape->parts) width = std::min(width, part.smallest_width);
+    if (shape->radius > 0) width = 2 * shape->radius;
+    if (shape->half_height > 0) width = std::min(width, 2 * shape->half_height);
+    widths.push_back(width);
+  }
+  return widths;
+}
+
+}  // namespace
+
+Simulation::World::World(const Scene& scene, int thread_count, WarningCounts& warning_counts)
+    : parts(build_world(scene, thread_count, warning_counts)),
+      warnings(warning_counts),
+      threads(thread_count),
+      h(scene.time.step),
+      start(scene.time.start),
+      gravity(scene.gravity),
+      gyroscopic(scene.contact.gyroscopic),
+      detector(thread_count),
+      model(build_contact_model(scene.contact, scene.time.step, thread_count)),
+      energy(parts.info.work_names, 0, 0) {
+  parts.info.modules.emplace_back("contact", "law " + scene.contact.law + ", solver " + scene.contact.solver +
+                                                 ", stabilisation " + scene.contact.stabilisation + ", detection " +
+                                                 scene.contact.detection + ", integrator " + scene.contact.integrator +
+                                                 (model.static_friction ? ", static friction above kinetic" : ""));
+  module_loads.resize(parts.modules.size(), Wrenches(size()));
+  if (model.hit_when_met) width = smallest_widths(parts.bodies);
+  weight.resize(size());
+  for (std::size_t b = 0; b < size(); ++b) weight[b].force = parts.bodies.mass[b] * gravity;
+  energy = EnergyAccount(parts.info.work_names, kinetic_energy(parts.bodies), potential());
+  if (scene.contact.integrator == "reference") reference.emplace(scene, thread_count, parts, model);
+}
+
+double Simulation::World::potential() {
+  double sum = weight_energy(parts.bodies, gravity);
+  for (const auto& module : parts.modules)
+    if (module->conservative()) sum += module->potential_energy(parts.bodies);
+  return sum;
+}
+
+void Simulation::World::move_before_impulses() {
+  if (model.theta < 1)
+    advance(parts.bodies, {parts.bodies.v_GB, parts.bodies.w_GB}, (1 - model.theta) * h, gyroscopic, threads);
+  const bool vessel_moves = parts.vessel && !parts.vessel->fixed();
+  if (vessel_moves && !parts.vessel->on_carriage()) move_vessel_before_impulses();
+  if (model.theta < 1) energy.motion_before_impulses(kinetic_energy(parts.bodies));
+  // the energy of what the carriage moves is booked from end to end
+  if (vessel_moves && parts.vessel->on_carriage()) {
+    const auto b = static_cast<std::size_t>(parts.vessel_index);
+    vessel_start = {parts.bodies.v_GB[b], parts.bodies.w_GB[b], parts.bodies.inertia_G(parts.vessel_index)};
+    move_vessel_before_impulses();
+  }
+}
+
+void Simulation::World::move_vessel_before_impulses() {
+  parts.vessel->move_before_impulses(h);
+  copy_vessel_state();
+}
+
+const Wrenches& Simulation::World::evaluate_loads() {
+  free_loads = weight;
+  for (std::size_t k = 0; k < parts.modules.size(); ++k) {
+    std::fill(module_loads[k].begin(), module_loads[k].end(), Wrench{});
+    parts.modules[k]->add_forces(parts.bodies, time() + (1 - model.theta) * h, module_loads[k]);
+    for (std::size_t b = 0; b < size(); ++b) free_loads[b] += module_loads[k][b];
+  }
+  for (std::size_t b = 0; b < size(); ++b)
+    if (!(free_loads[b].force.allFinite() && free_loads[b].torque.allFinite()))
+      throw SimulationError("at " + std::to_string(time()) + " s the loads on body '" + parts.bodies.name[b] +
+                            "' left finite numbers; try a smaller <time step>");
+  return free_loads;
+}
+
+std::vector<ArticulatedBlock> Simulation::World::begin_vessel(const Wrenches& free) {
+  if (!parts.vessel || parts.vessel->fixed()) return {};
+  VesselBlock block = parts.vessel->begin(free[static_cast<std::size_t>(parts.vessel_index)], h);
+  return {{parts.vessel_index, std::move(block.mass), std::move(block.f), std::move(block.jacobian), block.prescribed}};
+}
+
+std::vector<ContactPoint> Simulation::World::find_contacts() {
+  auto points = model.margin > 0 ? detector.detect(parts.bodies, model.margin)
+                                 : detector.detect(parts.bodies, own_reach(parts.bodies, free_loads, h, k_reach_share));
+  // in the middle of the motion what bounces is hit when it is met: then a bounce is its own image in time
+  if (model.hit_when_met)
+    std::erase_if(points, [&](const ContactPoint& c) { return c.gap > 0 && will_bounce_when_met(c); });
+  return points;
+}
+
+/// As assemble() judges it: slower approach than the threshold ends a series of bounces. What could be half through a
+/// body when it is met bounces at once.
+bool Simulation::World::will_bounce_when_met(const ContactPoint& c) {
+  const double before = c.n.dot(parts.bodies.velocity_at(c.b, c.p) - parts.bodies.velocity_at(c.a, c.p));
+  if (before >= -model.assembly.restitution_threshold) return false;
+  constexpr double k_deepest_share = 0.5;
+  const double thinner = std::min(width[static_cast<std::size_t>(c.a)], width[static_cast<std::size_t>(c.b)]);
+  if (-before * h > k_deepest_share * thinner) return false;
+  const auto& material = parts.bodies.material;
+  return parts.friction.find(material[static_cast<std::size_t>(c.a)], material[static_cast<std::size_t>(c.b)])
+             .restitution > 0;
+}
+
+static void add_couples(const AssembledContacts& contacts, const ContactSolution& solution, StepMotion& motion) {
+  motion.couples.assign(motion.points.size(), Vec3::Zero());
+  for (std::size_t c = motion.points.size(); c < contacts.C.size(); ++c)
+    motion.couples[static_cast<std::size_t>(contacts.problem.moments[c].contact)] =
+        contacts.C[c] * solution.r.segment<3>(3 * static_cast<Eigen::Index>(c));
+}
+
+StepMotion Simulation::World::velocity_step(const AssembledContacts& contacts, const ContactSolution& solution,
+                                            const Wrenches& free, std::vector<ContactPoint> points) {
+  StepMotion motion;
+  motion.h = h;
+  motion.p = parts.bodies.p_GB;
+  motion.R = parts.bodies.R_GB;
+  motion.before = {parts.bodies.v_GB, parts.bodies.w_GB};
+  if (parts.vessel && parts.vessel->on_carriage()) {
+    const auto vessel = static_cast<std::size_t>(parts.vessel_index);
+    motion.before.v[vessel] = vessel_start.v;
+    motion.before.w[vessel] = vessel_start.w;
+  }
+  motion.points = std::move(points);
+  for (std::size_t i = 0; i < motion.points.size(); ++i) {
+    const Vec3 r = solution.r.segment<3>(3 * static_cast<Eigen::Index>(i));
+    motion.impulses.emplace_back(contacts.C[i] * r);
+    motion.normal_impulses.emplace_back(contacts.C[i].col(0) * r[0]);
+  }
+  motion.speed_asked = contacts.speed_asked;
+  if (contacts.problem.has_moments()) add_couples(contacts, solution, motion);
+  free_velocities(parts.bodies, free, h, motion.after);
+  for (std::size_t b = 0; b < size(); ++b) {
+    const int block = contacts.block_of_body[b];
+    if (block < 0 || !parts.bodies.is_free(static_cast<int>(b))) continue;
+    const int first = contacts.problem.block_offset[static_cast<std::size_t>(block)];
+    motion.after.v[b] = solution.v.segment<3>(first);
+    motion.after.w[b] = solution.v.segment<3>(first + 3);
+  }
+  return motion;
+}
+
+void Simulation::World::copy_vessel_state() {
+  const VesselState& state = parts.vessel->state();
+  const auto b = static_cast<std::size_t>(parts.vessel_index);
+  parts.bodies.set_pose(parts.vessel_index, state.pose.p, state.pose.q);
+  parts.bodies.v_GB[b] = state.v;
+  parts.bodies.w_GB[b] = state.w;
+}
+
+void Simulation::World::advance_poses(StepMotion& motion) {
+  advance(parts.bodies, motion.after, model.theta * h, gyroscopic, threads);
+  if (!parts.vessel || parts.vessel->fixed()) return;
+  parts.vessel->finish(contact_impulse_on(motion, parts.vessel_index));
+  const Vec6 twist = parts.vessel->velocity_after_impulses();
+  const auto b = static_cast<std::size_t>(parts.vessel_index);
+  motion.after.v[b] = twist.head<3>();
+  motion.after.w[b] = twist.tail<3>();
+  copy_vessel_state();
+}
+
+/// A point that was hit deep leaves as it came; lifted out as well, it would win height in every bounce.
+static void leave_to_their_motion(const StepMotion& motion, std::vector<ContactPoint>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double speed = points[i].n.dot(relative_velocity(motion, motion.after, i));
+    if (points[i].gap < 0 && speed * motion.h >= -points[i].gap) points[i].gap = 0;
+  }
+}
+
+Velocities Simulation::World::correct_positions(const StepMotion& motion, const AssembledContacts& contacts,
+                                                StepRecord& record) {
+  if (model.position_step == PositionStep::none) return {};
+  Velocities pseudo{std::vector<Vec3>(size(), Vec3::Zero()), std::vector<Vec3>(size(), Vec3::Zero())};
+  std::vector<ContactPoint> points =
+      model.position_step == PositionStep::projection ? carried_points(motion, parts.bodies) : motion.points;
+  if (model.hit_when_met) leave_to_their_motion(motion, points);
+  record.positions_corrected = correction_velocities(contacts, points, model.correction, pseudo.v, pseudo.w).converged;
+  displace(parts.bodies, pseudo, h);
+  return pseudo;
+}
+
+}  // namespace nilas

@@ -1,0 +1,75 @@
+#pragma once
+/// What a simulation holds and the parts that its step is put together from; for core/sim/simulation*.cpp alone.
+#include <optional>
+#include <vector>
+
+#include "contact/assemble.h"
+#include "contact/detect/detector.h"
+#include "core/sim/contact_model.h"
+#include "core/sim/ledger.h"
+#include "core/sim/reference.h"
+#include "core/sim/simulation.h"
+#include "core/sim/warm_start.h"
+#include "core/sim/world.h"
+
+namespace nilas {
+
+/// A vessel on a carriage at the step's start: its momenta balance from there, not from where the contacts are found.
+struct VesselStart {
+  Vec3 v = Vec3::Zero(), w = Vec3::Zero();  ///< [m/s, rad/s]
+  Mat3 inertia = Mat3::Zero();              ///< in G [kg m^2]
+};
+
+struct Simulation::World {
+  World(const Scene& scene, int thread_count, WarningCounts& warning_counts);
+
+  std::size_t size() const { return static_cast<std::size_t>(parts.bodies.size()); }
+
+  double potential();
+  double time() const { return start + static_cast<double>(steps) * h; }
+
+  void move_before_impulses();
+  void move_vessel_before_impulses();
+  const Wrenches& evaluate_loads();
+  std::vector<ArticulatedBlock> begin_vessel(const Wrenches& free);
+  std::vector<ContactPoint> find_contacts();
+  bool will_bounce_when_met(const ContactPoint& c);
+  StepMotion velocity_step(const AssembledContacts& contacts, const ContactSolution& solution, const Wrenches& free,
+                           std::vector<ContactPoint> points);
+  void advance_poses(StepMotion& motion);
+  Velocities correct_positions(const StepMotion& motion, const AssembledContacts& contacts, StepRecord& record);
+  void note_solution(const ContactSolution& solution, StepRecord& record) const;
+  void copy_vessel_state();
+  VesselAccount vessel_account() const;
+  StepLoads step_loads() const;
+  VesselRecord vessel_record(const StepMotion& motion) const;
+  StepRecord reference_step();
+  void note_end(const MomentumBalance& balance, StepRecord& record) const;
+  void stop_on_failure(const StepRecord& record) const;
+  std::uint64_t state_hash() const;
+  void demand_finite() const;
+  void name_unnamed_pairs();
+  void save(StateWriter out) const;
+  void restore(const StateReader& in);
+
+  WorldParts parts;
+  WarningCounts& warnings;
+  int threads;
+  double h, start;
+  long steps = 0;
+  Vec3 gravity;
+  bool gyroscopic;
+  ContactDetector detector;
+  ContactModel model;
+  WarmStart warm;
+  Wrenches weight, free_loads;
+  std::vector<Wrenches> module_loads;
+  std::vector<double> width;  ///< smallest of each body, where the contact model needs it [m]
+  EnergyAccount energy;
+  VesselStart vessel_start;
+  SolvedProblem last;
+  std::optional<ReferenceIntegrator> reference;  ///< moves the bodies in place of all else
+  std::size_t pairs_named = 0;                   ///< of the pairs without friction, already told
+};
+
+}  // namespace nilas
