@@ -1,5 +1,6 @@
 #include "apps/nilas/help_text.h"
 
+#include <algorithm>
 #include <sstream>
 
 namespace nilas {
@@ -45,7 +46,10 @@ std::string entry(const std::string& name, const std::string& description) {
 HelpText::HelpText() { column_width(k_name_columns); }
 
 std::string HelpText::make_option(const CLI::Option* option, bool is_positional) const {
-  return entry(make_option_name(option, is_positional) + make_option_opts(option), make_option_desc(option));
+  // which flags exclude each other is said when they meet
+  std::string values = make_option_opts(option);
+  values.erase(std::min(values.size(), values.find(" Excludes:")));
+  return entry(make_option_name(option, is_positional) + values, make_option_desc(option));
 }
 
 std::string HelpText::make_subcommand(const CLI::App* command) const {

@@ -115,7 +115,7 @@ std::vector<Quantity> ball_on_three(const Setting& s) {
     const double t = (touch.force - touch.force.dot(touch.normal) * touch.normal).norm();
     worst = std::max({worst, std::abs(n - normal), std::abs(t - normal * half)});
   }
-  found.push_back({"largest error of normal force and friction of the upper ball [N]", worst, 0, normal});
+  found.push_back({"largest error of the forces on the upper ball [N]", worst, 0, normal});
   found.push_back({"speed with 1.02 of both coefficients [m/s]", fastest(stands, balls), 0, 1});
   found.push_back({"moves with 0.98 of that between balls", moves(fastest(with(0.98 * between, 1), balls)), 1});
   found.push_back({"moves with 0.98 of that on the floor", moves(fastest(with(1, 0.98 * on_floor), balls)), 1});

@@ -28,7 +28,8 @@ struct Group {
   bool holds = true;
 };
 
-using GroupKey = std::tuple<std::string, std::string, std::string, std::string, std::string>;
+/// Case, quantity, input.
+using Heading = std::tuple<std::string, std::string, std::string>;
 
 }  // namespace
 
@@ -37,26 +38,30 @@ bool all_hold(const std::vector<Row>& rows) {
 }
 
 std::string table_text(const std::vector<Row>& rows) {
-  std::map<GroupKey, Group> groups;
-  std::vector<GroupKey> order;
+  std::map<Heading, std::map<std::pair<std::string, std::string>, Group>> groups;
+  std::vector<Heading> order;
   for (const auto& row : rows) {
-    const GroupKey key{row.id, row.quantity, row.model.law, row.model.integrator, row.input};
-    const auto [at, fresh] = groups.try_emplace(key);
-    if (fresh) order.push_back(key);
-    Group& group = at->second;
+    const Heading heading{row.id, row.quantity, row.input};
+    const auto [at, fresh] = groups.try_emplace(heading);
+    if (fresh) order.push_back(heading);
+    Group& group = at->second[{row.model.law, row.model.integrator}];
     ++group.solvers;
     group.holds = group.holds && row.holds;
     if (group.worst == nullptr || !(strain(row) <= strain(*group.worst))) group.worst = &row;
   }
-  std::string text = fmt::format("{:<4} {:<11} {:<6} {:>2} {:>14} {:>14} {:>8} {:>8} {:>5} {:<6} {}\n", "case", "law",
-                                 "integ.", "n", "measured", "expected", "error", "allowed", "order", "", "quantity");
-  for (const auto& key : order) {
-    const Group& group = groups.at(key);
-    const Row& row = *group.worst;
-    text += fmt::format("{:<4} {:<11} {:<6} {:>2} {:>14.8g} {:>14.8g} {:>8.1e} {:>8.1e} {:>5} {:<6} {}{}\n", row.id,
-                        row.model.law, short_integrator(row.model), group.solvers, row.measured, row.expected,
-                        row.error, row.tolerance, row.proven_order > 0 ? fmt::format("{:.2f}", row.order) : "",
-                        verdict(group.holds), row.quantity, row.input == "as given" ? "" : ", " + row.input);
+  std::string text =
+      fmt::format("of n solvers the one nearest to its limit\n  {:<12} {:<6} {:>2} {:>12} {:>12} {:>8} {:>8} {:>5}\n",
+                  "law", "integ.", "n", "measured", "expected", "error", "allowed", "order");
+  for (const auto& heading : order) {
+    const auto& [id, quantity, input] = heading;
+    text += fmt::format("{} {}{}\n", id, quantity, input == "as given" ? "" : ", " + input);
+    for (const auto& [model, group] : groups.at(heading)) {
+      const Row& row = *group.worst;
+      text +=
+          fmt::format("  {:<12} {:<6} {:>2} {:>12.6g} {:>12.6g} {:>8.1e} {:>8.1e} {:>5} {}\n", row.model.law,
+                      short_integrator(row.model), group.solvers, row.measured, row.expected, row.error, row.tolerance,
+                      row.proven_order > 0 ? fmt::format("{:.2f}", row.order) : "", verdict(group.holds));
+    }
   }
   return text;
 }

@@ -8,7 +8,7 @@
 
 namespace nilas {
 
-/// One line per case, quantity, law, integrator and input: the worst of its solvers. At most 110 columns.
+/// Under each quantity of a case one line per law and integrator, the worst of its solvers, within 80 columns.
 std::string table_text(const std::vector<Row>& rows);
 /// The rows that do not hold, one per line.
 std::string failures_text(const std::vector<Row>& rows);

@@ -14,7 +14,7 @@ struct Row {
   char family = 'A';
   Model model;
   double measured = 0, expected = 0, error = 0, tolerance = 0;
-  double scale = 0;  ///< that the error is a share of
+  double scale = 0;                    ///< that the error is a share of
   double order = 0, proven_order = 0;  ///< over five steps; 0: a discrete closed form, not measured
   bool holds = false;
   std::string message;  ///< why the run could not be made, else empty

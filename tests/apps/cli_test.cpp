@@ -27,7 +27,7 @@ TEST(Cli, HelpNamesEveryCommand) {
   const ScratchFolder folder;
   const auto help = run_nilas("--help", folder.path());
   EXPECT_EQ(help.exit_code, 0);
-  for (const char* command : {"run", "check", "hull", "field", "solve", "solvers", "schema"}) {
+  for (const char* command : {"run", "check", "hull", "field", "solve", "solvers", "schema", "verify"}) {
     EXPECT_TRUE(mentions(help.out, command)) << command;
     EXPECT_EQ(run_nilas(std::string(command) + " --help", folder.path()).exit_code, 0) << command;
   }
@@ -176,7 +176,7 @@ TEST(Cli, AVesselInAWallOrDeeperThanItsHullIsRefused) {
 
 TEST(Cli, HelpFitsATerminal) {
   const ScratchFolder folder;
-  for (const char* command : {"", "run", "check", "hull", "field", "solve", "solvers", "schema"}) {
+  for (const char* command : {"", "run", "check", "hull", "field", "solve", "solvers", "schema", "verify"}) {
     const auto help = run_nilas(std::string(command) + " --help", folder.path());
     ASSERT_EQ(help.exit_code, 0);
     std::istringstream lines(help.out);

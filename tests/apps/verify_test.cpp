@@ -43,6 +43,16 @@ TEST(Verify, RowsAreJson) {
   }
 }
 
+TEST(Verify, TheTableFitsATerminal) {
+  const ScratchFolder folder;
+  const auto result = run_nilas("verify --solver auto --case A --case B --case D --case F", folder.path());
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  std::istringstream lines(result.out);
+  int count = 0;
+  for (std::string line; std::getline(lines, line); ++count) EXPECT_LE(line.size(), 80u) << line;
+  EXPECT_GT(count, 300);
+}
+
 TEST(Verify, WrongNamesAreBadInput) {
   const ScratchFolder folder;
   EXPECT_EQ(run_nilas("verify --case Q1", folder.path()).exit_code, 2);

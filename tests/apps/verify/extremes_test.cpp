@@ -17,9 +17,10 @@ TEST(Extremes, TheDefaultSolverHoldsOrSaysThatItStopped) {
   const auto cells = run_extremes(some, 2, {});
   EXPECT_GE(cells.size(), 50u);
   for (const auto& cell : cells)
-    EXPECT_STREQ(to_string(cell.hold), "holds") << cell.extreme << " " << cell.level << " " << cell.model.integrator << ": won "
-                                      << cell.energy_won << ", momentum " << cell.momentum_error << ", penetration "
-                                      << cell.penetration << ", drift " << cell.drift << " " << cell.message;
+    EXPECT_STREQ(to_string(cell.hold), "holds")
+        << cell.extreme << " " << cell.level << " " << cell.model.integrator << ": won " << cell.energy_won
+        << ", momentum " << cell.momentum_error << ", penetration " << cell.penetration << ", drift " << cell.drift
+        << " " << cell.message;
 }
 
 TEST(Extremes, SweepsAreShortOfGreatMassRatiosAndSaySo) {
