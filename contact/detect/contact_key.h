@@ -15,7 +15,8 @@ enum class FeatureKind {
   support_sets,  ///< nearest points of whole supporting features, by one vertex of each
   rim,           ///< of a cylinder
   edge,
-  face
+  face,
+  cover  ///< the outline of the common area, where it comes out of another part of the same body
 };
 
 struct Feature {

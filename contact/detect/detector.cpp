@@ -9,6 +9,7 @@
 #include "contact/detect/fcl_query.h"
 #include "contact/detect/narrow_phase.h"
 #include "contact/detect/reach.h"
+#include "contact/detect/seam_points.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 
@@ -79,7 +80,7 @@ struct ContactDetector::Implementation {
   void order_by_place(const Bodies& bodies);
   void list_pairs(const Bodies& bodies, double margin);
   void search_pairs(const Bodies& bodies, const std::vector<double>& margins);
-  std::vector<ContactPoint> collect();
+  std::vector<ContactPoint> collect(const Bodies& bodies, const std::vector<double>& margins);
   void save_pairs(StateWriter out) const;
   void restore_pairs(const StateReader& in);
 };
@@ -157,17 +158,31 @@ void ContactDetector::Implementation::search_pairs(const Bodies& bodies, const s
   });
 }
 
-std::vector<ContactPoint> ContactDetector::Implementation::collect() {
+std::vector<ContactPoint> ContactDetector::Implementation::collect(const Bodies& bodies,
+                                                                   const std::vector<double>& margins) {
   std::vector<ContactPoint> points;
   counts = {};
   counts.candidate_pairs = static_cast<long>(pairs.size());
-  for (const FoundPoints& pair : found) {
+  std::size_t of_bodies = 0;  // where the points of the present two bodies begin
+  double touching = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const FoundPoints& pair = found[i];
+    const bool same_bodies = i > 0 && pairs[i].body_a == pairs[i - 1].body_a && pairs[i].body_b == pairs[i - 1].body_b;
+    if (!same_bodies) {
+      of_bodies = points.size();
+      touching = 0;
+    }
+    for (const int part : {pairs[i].part_a, pairs[i].part_b})
+      if (parts[part].cover) touching = std::max(touching, parts[part].cover->tolerance);
     const auto first = stretches[pair.stretch].points.begin() + static_cast<std::ptrdiff_t>(pair.first);
     points.insert(points.end(), first, first + pair.contacts.count);
     counts.cached_separations += pair.contacts.separated_by_memory ? 1 : 0;
     counts.kept_axes += pair.contacts.search.kept;
     counts.fcl_queries += pair.contacts.search.fcl_queries;
     counts.fallbacks += pair.contacts.search.fallbacks;
+    const bool last =
+        i + 1 == pairs.size() || pairs[i + 1].body_a != pairs[i].body_a || pairs[i + 1].body_b != pairs[i].body_b;
+    if (last && touching > 0) join_at_seams(bodies, touching, margins[i], of_bodies, points);
   }
   return points;
 }
@@ -216,8 +231,9 @@ ContactDetector& ContactDetector::operator=(ContactDetector&&) noexcept = defaul
 std::vector<ContactPoint> ContactDetector::detect(const Bodies& bodies, double margin) {
   Implementation& work = *implementation_;
   work.list_pairs(bodies, margin);
-  work.search_pairs(bodies, std::vector<double>(work.pairs.size(), margin));
-  return work.collect();
+  const std::vector<double> margins(work.pairs.size(), margin);
+  work.search_pairs(bodies, margins);
+  return work.collect(bodies, margins);
 }
 
 std::vector<ContactPoint> ContactDetector::detect(const Bodies& bodies, const std::vector<double>& own_reach) {
@@ -228,8 +244,9 @@ std::vector<ContactPoint> ContactDetector::detect(const Bodies& bodies, const st
   std::partial_sort(farthest.begin(), farthest.begin() + 2, farthest.end(), std::greater<>());
   Implementation& work = *implementation_;
   work.list_pairs(bodies, farthest[0] + farthest[1]);
-  work.search_pairs(bodies, pair_margins(bodies, own_reach, work.pairs));
-  std::vector<ContactPoint> points = work.collect();
+  const std::vector<double> margins = pair_margins(bodies, own_reach, work.pairs);
+  work.search_pairs(bodies, margins);
+  std::vector<ContactPoint> points = work.collect(bodies, margins);
   drop_out_of_reach(bodies, own_reach, points);
   return points;
 }

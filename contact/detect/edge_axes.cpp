@@ -95,6 +95,20 @@ bool normal_arcs_cross(const EdgeInA& a, const EdgeInA& b) {
   return a0 * a1 < 0 && -b0 * a1 > 0;
 }
 
+/// Calls use(a, b, n, s) for each pair of edges that makes an axis.
+template <class Use>
+void for_each_crossing(const EdgeChoice& edges, const Use& use) {
+  for (const EdgeInA& a : edges.of_a)
+    for (const EdgeInA& b : edges.of_b) {
+      if (!normal_arcs_cross(a, b)) continue;
+      Vec3 n = a.along.cross(b.along);
+      const double length = n.norm();
+      if (length <= k_parallel_sine * std::sqrt(a.along.squaredNorm() * b.along.squaredNorm())) continue;
+      n /= n.dot(a.n0 + a.n1) < 0 ? -length : length;
+      use(a, b, n, n.dot(b.middle - a.middle));
+    }
+}
+
 }  // namespace
 
 void choose_facing_edges(const PairView& pair, double at_least, const NearPoints& near, EdgeChoice& edges) {
@@ -121,16 +135,15 @@ void choose_two_edges(const PairView& pair, int edge_a, int edge_b, EdgeChoice& 
 }
 
 void try_crossing_edges(const PairView& pair, const EdgeChoice& edges, Axis& best) {
-  for (const EdgeInA& a : edges.of_a)
-    for (const EdgeInA& b : edges.of_b) {
-      if (!normal_arcs_cross(a, b)) continue;
-      Vec3 n = a.along.cross(b.along);
-      const double length = n.norm();
-      if (length <= k_parallel_sine * std::sqrt(a.along.squaredNorm() * b.along.squaredNorm())) continue;
-      n /= n.dot(a.n0 + a.n1) < 0 ? -length : length;
-      const double s = n.dot(b.middle - a.middle);
-      if (beats(pair, n, s, best)) best = {n, s, AxisKind::edges, a.edge, b.edge};
-    }
+  for_each_crossing(edges, [&](const EdgeInA& a, const EdgeInA& b, const Vec3& n, double s) {
+    if (beats(pair, n, s, best)) best = {n, s, AxisKind::edges, a.edge, b.edge};
+  });
+}
+
+void list_crossing_edges(const EdgeChoice& edges, double least, std::vector<Axis>& out) {
+  for_each_crossing(edges, [&](const EdgeInA& a, const EdgeInA& b, const Vec3& n, double s) {
+    if (s > least) out.push_back({n, s, AxisKind::edges, a.edge, b.edge});
+  });
 }
 
 void try_nearest_edges(const PairView& pair, const EdgeChoice& edges, Axis& best) {

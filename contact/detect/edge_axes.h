@@ -44,6 +44,8 @@ void choose_two_edges(const PairView& pair, int edge_a, int edge_b, EdgeChoice& 
 /// normal arcs cross [Gregorius 2013, The separating axis test between convex polyhedra], and then s is exact without a
 /// search.
 void try_crossing_edges(const PairView& pair, const EdgeChoice& edges, Axis& best);
+/// All crossings with a separation above `least` [m], as axes.
+void list_crossing_edges(const EdgeChoice& edges, double least, std::vector<Axis>& out);
 /// Replaces `best` where the nearest points of two edges give a larger separation; needs parts that are apart.
 void try_nearest_edges(const PairView& pair, const EdgeChoice& edges, Axis& best);
 

@@ -22,6 +22,7 @@ void lay_over(const SurfaceLoop& a, const SurfaceLoop& b, double tolerance, Faci
   if (!a_can && !b_can) return;
   const bool a_is_window = a_can && (!b_can || a.alignment >= b.alignment - k_same_alignment);
   clip(a, b, a_is_window, tolerance, facing.buffers, facing.points);
+  facing.loop_ends.push_back(static_cast<int>(facing.points.size()));
 }
 
 /// Supporting edges whose directions differ by less than this sine meet along a length, not at a crossing [-].
@@ -145,6 +146,7 @@ void face_each_other(const PairView& pair, const Axis& axis, FacingSurfaces& fac
   show_surface({pair.b, pair.b_in_a, -1.0, face_b, slack, a_in_b, pair.a.bounding_radius}, facing.plane, pair.tolerance,
                facing.b);
   facing.points.clear();
+  facing.loop_ends.clear();
   for (int i = 0; i < facing.a.size(); ++i)
     for (int j = 0; j < facing.b.size(); ++j) lay_over(facing.a[i], facing.b[j], pair.tolerance, facing);
   facing.smallest_gap = std::numeric_limits<double>::infinity();

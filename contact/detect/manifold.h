@@ -13,6 +13,7 @@ struct FacingSurfaces {
   ContactPlane plane;
   SurfacePatch a, b;
   std::vector<OverlayPoint> points;  ///< corners of the common areas, all gaps
+  std::vector<int> loop_ends;        ///< each common area's corners end here in `points`, in turn around it
   double smallest_gap = 0;           ///< among points [m]; infinite without any
   bool curved = false;               ///< a patch of several faces: normals differ from point to point
   ClipBuffers buffers;

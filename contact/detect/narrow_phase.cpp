@@ -7,6 +7,7 @@
 #include "contact/detect/contact_key.h"
 #include "contact/detect/cylinder_axis.h"
 #include "contact/detect/primitive_contacts.h"
+#include "contact/detect/way_out.h"
 
 namespace nilas {
 
@@ -65,6 +66,7 @@ void primitive_pair(const Bodies& bodies, const Part& a, const Part& b, double m
   const std::uint64_t key = pair_key(bodies, a, b);
   const Mat3& R = bodies.R_GB[host.body];
   for (const LocalContact& contact : contacts) {
+    if (host.cover && host.cover->hides(contact.p - 0.5 * contact.gap * contact.n, contact.n)) continue;
     ContactPoint& point = add_point(a, b, points);
     point.p = bodies.p_GB[host.body] + R * contact.p;
     point.n = a_hosts ? Vec3(R * contact.n) : Vec3(-(R * contact.n));
@@ -77,15 +79,16 @@ void polytope_or_cylinder_pair(const Bodies& bodies, const Part& a, const Part& 
                                AxisSearchRoom& room, PairMemory& memory, AxisSearchCounts& counts, Points& points) {
   const PairView pair = view_pair(a, b, pose_of_b_in_a(bodies, a.body, b.body), margin);
   const bool both_faceted = a.facets && b.facets;
-  const Axis axis = both_faceted ? find_axis(pair, memory.contact_axis, fcl, room, counts)
-                                 : find_cylinder_axis(pair, fcl, room, counts);
+  Axis axis = both_faceted ? find_axis(pair, memory.contact_axis, fcl, room, counts)
+                           : find_cylinder_axis(pair, fcl, room, counts);
   const Mat3& R = bodies.R_GB[a.body];
-  const Vec3 n_G = R * axis.n;
   memory = {};
   if (axis.s > margin) {
-    memory.separating = n_G;
+    memory.separating = R * axis.n;
     return;
   }
+  if ((a.cover || b.cover) && !find_way_out(pair, room, axis)) return;
+  const Vec3 n_G = R * axis.n;
   if (axis.proven) memory.contact_axis = {axis.kind, axis.feature_a, axis.feature_b};
   select_points(pair, axis, room.facing);
   const std::uint64_t key = pair_key(bodies, a, b);

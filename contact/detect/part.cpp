@@ -221,6 +221,7 @@ std::vector<Part> make_parts(const Bodies& bodies, int b) {
   }
   for (std::size_t i = 0; i < shape.parts.size(); ++i)
     parts.push_back(polytope_part(shape.parts[i], b, static_cast<int>(i)));
+  cover_each_other(parts);
   return parts;
 }
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/detect/part_cover.h"
 #include "core/base/math.h"
 #include "core/bodies/bodies.h"
 #include "core/bodies/shape.h"
@@ -57,6 +58,7 @@ struct Part {
   int index = 0;  ///< of the part within its body
   PartKind kind = PartKind::polytope;
   std::unique_ptr<const FacetedGeometry> facets;  ///< polytope only
+  std::shared_ptr<const PartCover> cover;         ///< of parts that touch others of their body; null for the rest
   double radius = 0;                              ///< sphere, cylinder [m]
   double half_height = 0;                         ///< cylinder, axis z [m]
   Vec3 centre = Vec3::Zero();                     ///< a point inside
