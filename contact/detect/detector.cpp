@@ -188,26 +188,31 @@ std::vector<ContactPoint> ContactDetector::Implementation::collect(const Bodies&
 }
 
 void ContactDetector::Implementation::save_pairs(StateWriter out) const {
-  std::vector<int> names, axes;
+  std::vector<int> names, axes, kept;
   std::vector<Vec3> separating;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     names.insert(names.end(), {pairs[i].part_a, pairs[i].part_b});
     const RememberedAxis& axis = memory[i].contact_axis;
     axes.insert(axes.end(), {static_cast<int>(axis.kind), axis.feature_a, axis.feature_b});
     separating.push_back(memory[i].separating);
+    kept.push_back(memory[i].has_kept ? 1 : 0);
+    for (const Feature& f : memory[i].kept) kept.insert(kept.end(), {static_cast<int>(f.kind), f.first, f.second});
   }
   out.add("parts", names);
   out.add("contact_axis", axes);
   out.add("separating", separating);
+  out.add("kept", kept);
 }
 
 void ContactDetector::Implementation::restore_pairs(const StateReader& in) {
-  std::vector<int> names, axes;
+  std::vector<int> names, axes, kept;
   std::vector<Vec3> separating;
   in.get("separating", separating);
   const std::size_t count = separating.size();
   in.get("parts", names, 2 * count);
   in.get("contact_axis", axes, 3 * count);
+  constexpr std::size_t k_kept_numbers = 1 + 3 * k_spread_points;
+  in.get("kept", kept, k_kept_numbers * count);
   pairs.clear();
   memory.clear();
   for (std::size_t i = 0; i < count; ++i) {
@@ -217,7 +222,15 @@ void ContactDetector::Implementation::restore_pairs(const StateReader& in) {
     const RememberedAxis axis{static_cast<AxisKind>(axes[3 * i]), axes[3 * i + 1], axes[3 * i + 2]};
     if (!is_of(axis, parts[a], parts[b])) in.refuse("contact_axis", "names a feature that its parts do not have");
     pairs.push_back({parts[a].body, parts[b].body, a, b});
-    memory.push_back({separating[i], axis});
+    PairMemory& last = memory.emplace_back();
+    last.separating = separating[i];
+    last.contact_axis = axis;
+    const int* number = kept.data() + k_kept_numbers * i;
+    last.has_kept = *number++ != 0;
+    for (Feature& f : last.kept) {
+      f = {static_cast<FeatureKind>(number[0]), number[1], number[2]};
+      number += 3;
+    }
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 /// The contact points of two parts along a chosen axis.
+#include <span>
 #include <vector>
 
 #include "contact/detect/overlay.h"
@@ -33,6 +34,7 @@ bool is_proven(const PairView& pair, const Axis& axis, const FacingSurfaces& fac
 
 /// Leaves in facing.points the contact points: gaps below the margin, at most four, the deepest gap equal to axis.s.
 /// Where the surfaces show no such point (two edges or corners) the nearest points of the supporting features give it.
-void select_points(const PairView& pair, const Axis& axis, FacingSurfaces& facing);
+/// `last`: the features of the four that were kept of this pair before (point_reduction.h).
+void select_points(const PairView& pair, const Axis& axis, std::span<const Feature> last, FacingSurfaces& facing);
 
 }  // namespace nilas

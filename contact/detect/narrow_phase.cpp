@@ -53,16 +53,26 @@ void order_by_key(std::span<ContactPoint> points) {
     if (points[i].key <= points[i - 1].key) points[i].key = points[i - 1].key + 1;
 }
 
-void primitive_pair(const Bodies& bodies, const Part& a, const Part& b, double margin, Points& points) {
+/// The first of `points` are those that spread best.
+template <class AnyPoint>
+void remember(const std::vector<AnyPoint>& points, PairMemory& memory) {
+  memory.has_kept = points.size() >= memory.kept.size();
+  if (!memory.has_kept) return;
+  for (std::size_t k = 0; k < memory.kept.size(); ++k) memory.kept[k] = points[k].feature;
+}
+
+void primitive_pair(const Bodies& bodies, const Part& a, const Part& b, double margin, PairMemory& memory,
+                    Points& points) {
   const bool a_hosts = a.kind == PartKind::plane || (a.kind != PartKind::sphere && b.kind == PartKind::sphere);
   const Part& host = a_hosts ? a : b;
   const Part& guest = a_hosts ? b : a;
   std::vector<LocalContact> contacts;
-  const HostView view{host, guest, pose_of_b_in_a(bodies, host.body, guest.body), margin};
+  const HostView view{host, guest, pose_of_b_in_a(bodies, host.body, guest.body), margin, memory.last()};
   if (host.kind == PartKind::plane)
     plane_contacts(view, contacts);
   else
     sphere_contacts(view, contacts);
+  remember(contacts, memory);
   const std::uint64_t key = pair_key(bodies, a, b);
   const Mat3& R = bodies.R_GB[host.body];
   for (const LocalContact& contact : contacts) {
@@ -82,6 +92,7 @@ void polytope_or_cylinder_pair(const Bodies& bodies, const Part& a, const Part& 
   Axis axis = both_faceted ? find_axis(pair, memory.contact_axis, fcl, room, counts)
                            : find_cylinder_axis(pair, fcl, room, counts);
   const Mat3& R = bodies.R_GB[a.body];
+  const PairMemory before = memory;
   memory = {};
   if (axis.s > margin) {
     memory.separating = R * axis.n;
@@ -90,7 +101,8 @@ void polytope_or_cylinder_pair(const Bodies& bodies, const Part& a, const Part& 
   if ((a.cover || b.cover) && !find_way_out(pair, room, axis)) return;
   const Vec3 n_G = R * axis.n;
   if (axis.proven) memory.contact_axis = {axis.kind, axis.feature_a, axis.feature_b};
-  select_points(pair, axis, room.facing);
+  select_points(pair, axis, before.last(), room.facing);
+  remember(room.facing.points, memory);
   const std::uint64_t key = pair_key(bodies, a, b);
   const ContactPlane& plane = room.facing.plane;
   for (const OverlayPoint& p : room.facing.points) {
@@ -120,7 +132,7 @@ PairContacts find_pair_contacts(const Bodies& bodies, const Part& a, const Part&
     return part.kind == PartKind::sphere || part.kind == PartKind::plane;
   };
   if (is_primitive(a) || is_primitive(b)) {
-    primitive_pair(bodies, a, b, margin, points);
+    primitive_pair(bodies, a, b, margin, memory, points);
   } else if (!memory.separating.isZero(0) && separated_by_memory(bodies, a, b, margin, memory)) {
     out.separated_by_memory = true;
     return out;

@@ -149,8 +149,8 @@ class SetChoice {
         along_(points, centre_, -1, 1, tolerance) {
     for (const OverlayPoint& p : points)
       reach_ = std::max({reach_, std::abs(p.u - centre_.u), std::abs(p.v - centre_.v)});
-    const double range = std::max(margin - deepest, k_least_slope * reach_);
-    for (const OverlayPoint& p : points) closeness_.push_back(std::pow(1 - (p.gap - deepest) / range, k_sharpness));
+    range_ = std::max(margin - deepest, k_least_slope * reach_);
+    for (const OverlayPoint& p : points) closeness_.push_back(std::pow(1 - (p.gap - deepest) / range_, k_sharpness));
     tie_ = tolerance * reach_;
   }
 
@@ -161,6 +161,23 @@ class SetChoice {
     if (!merit.beats(most_, tie_)) return;
     most_ = merit;
     best_ = four;
+  }
+  /// Goes back to the set of these features where the points have it and it is nearly as good.
+  void prefer(std::span<const Feature> last) {
+    if (last.size() != k_spread_points) return;
+    Four four{};
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < k_spread_points; ++k) {
+      const auto found =
+          std::find_if(points_.begin(), points_.end(), [&](const OverlayPoint& p) { return p.feature == last[k]; });
+      if (found == points_.end()) return;
+      four[k] = static_cast<int>(found - points_.begin());
+      nearest = std::min(nearest, found->gap);
+    }
+    std::sort(four.begin(), four.end());
+    const Merit merit = merit_of(four);
+    if (nearest > deepest_ + k_kept_depth * range_ || merit.symmetry_v + tie_ < most_.symmetry_v) return;
+    if (merit.area > k_kept_area * most_.area) best_ = four;
   }
   const Four& best() const { return best_; }
 
@@ -196,7 +213,7 @@ class SetChoice {
 
   const Points& points_;
   Mean centre_;
-  double deepest_, reach_ = 0, tie_ = 0;
+  double deepest_, reach_ = 0, range_ = 0, tie_ = 0;
   /// Per point: 1 as deep as the deepest, 0 at the margin; what is about to touch counts before what only might.
   std::vector<double> closeness_;
   Images across_, along_;
@@ -249,7 +266,7 @@ void cover_the_rest(double tolerance, double cover, const Points& points, Points
 }
 
 /// The four of `points` (in turn around their middle) that spread best.
-Points best_four(const Points& points, double deepest, double margin, double tolerance) {
+Points best_four(const Points& points, double deepest, double margin, double tolerance, std::span<const Feature> last) {
   if (points.size() <= k_spread_points) return points;
   SetChoice choice(points, deepest, margin, tolerance);
   const int count = static_cast<int>(points.size());
@@ -257,6 +274,7 @@ Points best_four(const Points& points, double deepest, double margin, double tol
     for (int j = i + 1; j < count; ++j)
       for (int k = j + 1; k < count; ++k)
         for (int l = k + 1; l < count; ++l) choice.consider({i, j, k, l}, tolerance);
+  choice.prefer(last);
   Points four;
   for (int i : choice.best()) four.push_back(points[i]);
   return four;
@@ -264,7 +282,7 @@ Points best_four(const Points& points, double deepest, double margin, double tol
 
 }  // namespace
 
-void keep_spread_points(double tolerance, double margin, double cover, Points& points) {
+void keep_spread_points(double tolerance, double margin, double cover, Points& points, std::span<const Feature> last) {
   if (points.size() <= k_spread_points) return;
   sort_around(mean_of(points), points);
   const auto shallower = [](const OverlayPoint& p, const OverlayPoint& q) { return p.gap < q.gap; };
@@ -272,7 +290,7 @@ void keep_spread_points(double tolerance, double margin, double cover, Points& p
   const Points all = points;
   if (points.size() > k_most_candidates) keep_first_to_touch(deepest + tolerance, tolerance, points);
   drop_flat_corners(points, deepest + tolerance);
-  points = best_four(points, deepest, margin, tolerance);
+  points = best_four(points, deepest, margin, tolerance, last);
   cover_the_rest(tolerance, cover, all, points);
 }
 

@@ -14,7 +14,8 @@ namespace {
 constexpr double k_upright = 1e-9;
 
 void keep_on_plane(const HostView& view, std::vector<OverlayPoint>& points, std::vector<LocalContact>& out) {
-  keep_spread_points(k_length_resolution * view.guest.bounding_radius, view.margin, k_four_points_do, points);
+  keep_spread_points(k_length_resolution * view.guest.bounding_radius, view.margin, k_four_points_do, points,
+                     view.last);
   for (const OverlayPoint& p : points) out.push_back({Vec3(p.u, p.v, 0.5 * p.gap), Vec3::UnitZ(), p.gap, p.feature});
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 /// Contacts with closed forms: anything with a plane or a sphere.
+#include <span>
 #include <vector>
 
 #include "contact/detect/contact_key.h"
@@ -19,7 +20,8 @@ struct HostView {
   const Part& host;
   const Part& guest;
   RelativePose guest_in_host;
-  double margin = 0;  ///< [m]
+  double margin = 0;                ///< [m]
+  std::span<const Feature> last{};  ///< what was kept of the pair before (point_reduction.h)
 };
 
 /// Half space z < 0 of the host with any guest but a plane: up to four points of a polytope or cylinder, one of a
