@@ -184,7 +184,7 @@ TEST(Detector, MemoryChangesNothingButWhichCornersAreKept) {
 }
 
 /// Plates with more than four common corners that rock by less than a part in a thousand of their room stand on the
-/// same four, and so do two that a detector saw from other sides.
+/// same four; without memory the best four change.
 TEST(Detector, APairThatRocksKeepsItsCorners) {
   Bodies bodies;
   add_body(bodies, floe_shape(regular_outline(8, 1), 0.2), {0, 0, 0});
