@@ -1,0 +1,249 @@
+#include "contact/detect/swept.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/detect/cylinder_axis.h"
+#include "contact/detect/nearest_point.h"
+
+namespace nilas {
+
+namespace {
+
+/// Parts nearer than so many of the pair's tolerances touch.
+constexpr double k_touching = 4;
+/// FCL's direction is used while it separates by this share of the smaller part: nearer, the rounding of its nearest
+/// points turns it by too much.
+constexpr double k_near = 1e-3;
+/// An advance goes to where the bound on the separation is left with this share of it: closer would be lost on the
+/// bound's own slack.
+constexpr double k_left = 1e-3;
+constexpr int k_most_cuts = 60;
+/// A pair that needs more is one that goes along at the tolerance: it counts as touching.
+constexpr int k_most_advances = 10000;
+
+/// Heights along n of one part's points, as bounds over the time ahead: h + rate t + bend t^2.
+struct Heights {
+  Eigen::ArrayXd h, rate, bend;
+
+  double largest(double t) const { return (h + t * (rate + t * bend)).maxCoeff(); }
+};
+
+/// Vertices have exact rates; |n_across_turn| |turn x r| bounds the second derivative.
+void vertex_heights(const Part& part, const Mat3& R, const Vec3& turn, const Vec3& n, Heights& out) {
+  const auto& x = part.facets->vertices;
+  const auto along = [&](const Vec3& g) -> Eigen::ArrayXd {
+    const Vec3 d = R.transpose() * g;
+    return x.col(0) * d.x() + x.col(1) * d.y() + x.col(2) * d.z();
+  };
+  out.h = along(n);
+  out.rate = along(n.cross(turn));
+  const double speed = turn.norm();
+  if (speed == 0) {
+    out.bend.setZero(x.rows());
+    return;
+  }
+  const Eigen::ArrayXd on_axis = along(turn / speed);
+  const Eigen::ArrayXd off_axis = (x.square().rowwise().sum() - on_axis.square()).max(0.0).sqrt();
+  out.bend = 0.5 * speed * n.cross(turn).norm() * off_axis;
+}
+
+/// A sphere's centre moves as a vertex; of a cylinder the whole extent changes by at most what its farthest point
+/// turns.
+void round_heights(const Part& part, const Mat3& R, const Vec3& turn, const Vec3& n, Heights& out) {
+  out.h.resize(1);
+  out.rate.resize(1);
+  out.bend.resize(1);
+  out.h[0] = extent(part, R.transpose() * n);
+  const Vec3 centre = R * part.centre;
+  if (part.kind == PartKind::sphere) {
+    out.rate[0] = n.cross(turn).dot(centre);
+    out.bend[0] = 0.5 * n.cross(turn).norm() * turn.cross(centre).norm();
+  } else {
+    out.rate[0] = n.cross(turn).norm() * (part.centre.norm() + part.bounding_radius);
+    out.bend[0] = 0;
+  }
+}
+
+void part_heights(const Part& part, const Mat3& R, const Vec3& turn, const Vec3& n, Heights& out) {
+  if (part.kind == PartKind::plane) {
+    out.h = out.rate = out.bend = Eigen::ArrayXd::Zero(1);
+  } else if (part.facets) {
+    vertex_heights(part, R, turn, n, out);
+  } else {
+    round_heights(part, R, turn, n, out);
+  }
+}
+
+class Advance {
+ public:
+  Advance(const Part& a, const BodyMotion& motion_a, const Part& b, const BodyMotion& motion_b, FclShapes& fcl,
+          AxisSearchRoom& room)
+      : a_(a), b_(b), motion_a_(motion_a), motion_b_(motion_b), fcl_(fcl), room_(room) {}
+
+  TimeOfImpact find() {
+    TimeOfImpact out;
+    if (a_.kind == PartKind::plane && b_.kind == PartKind::plane) return out;
+    double t = 0;
+    for (;;) {
+      place(t);
+      const Axis axis = separating_axis();
+      const bool touches = axis.s <= k_touching * tolerance_;
+      if (touches || out.advances == k_most_advances) {
+        finish(t, axis, out);
+        return out;
+      }
+      ++out.advances;
+      t += safe_time(axis, 1 - t);
+      if (t >= 1) return out;
+    }
+  }
+
+ private:
+  void place(double t) {
+    R_a_ = motion_a_.attitude(t);
+    R_b_ = motion_b_.attitude(t);
+    between_ = motion_b_.p - motion_a_.p + t * (motion_b_.way - motion_a_.way);
+    b_in_a_ = {R_a_.transpose() * R_b_, R_a_.transpose() * between_};
+    size_ = std::min(a_.bounding_radius, b_.bounding_radius);
+    tolerance_ = k_length_resolution * size_ + k_coordinate_rounding * between_.norm();
+    for (const Part* part : {&a_, &b_}) {
+      if (part->facets) tolerance_ += part->facets->roughness;
+      if (part->kind != PartKind::plane) tolerance_ += k_coordinate_rounding * part->bounding_radius;
+    }
+  }
+
+  /// In A's frame; s below the resolution only when no axis separates by more.
+  Axis separating_axis() {
+    if (a_.kind == PartKind::plane) return of_plane(b_in_a_, b_, 1);
+    if (b_.kind == PartKind::plane) return of_plane(b_in_a_.inverse(), a_, -1);
+    if (b_.kind == PartKind::sphere) return of_sphere(a_, b_, b_in_a_, 1);
+    if (a_.kind == PartKind::sphere) return of_sphere(b_, a_, b_in_a_.inverse(), -1);
+    const PairView pair = view_pair(a_, b_, b_in_a_, k_near * size_);
+    if (const std::optional<Vec3> n = fcl_.direction(pair, true)) {
+      Axis asked;
+      asked.n = *n;
+      asked.s = separation(pair, asked.n);
+      if (asked.s > k_near * size_) return asked;
+    }
+    AxisSearchCounts counts;
+    return a_.facets && b_.facets ? find_axis(pair, {}, fcl_, room_, counts)
+                                  : find_cylinder_axis(pair, fcl_, room_, counts);
+  }
+
+  Axis of_plane(const RelativePose& guest_in_host, const Part& guest, double sign) const {
+    Axis axis;
+    const Vec3 down = -guest_in_host.R.row(2).transpose();
+    axis.s = guest_in_host.p.z() - extent(guest, down);
+    axis.n = in_a(Vec3::UnitZ(), sign);
+    return axis;
+  }
+
+  Axis of_sphere(const Part& host, const Part& guest, const RelativePose& guest_in_host, double sign) const {
+    const NearestPoint nearest = nearest_point(host, guest_in_host.point(guest.centre));
+    Axis axis;
+    axis.s = nearest.distance - guest.radius;
+    axis.n = in_a(nearest.normal, sign);
+    return axis;
+  }
+
+  /// A host's direction to its guest as one from A to B, in A's frame; sign -1: B is the host.
+  Vec3 in_a(const Vec3& n, double sign) const { return sign > 0 ? n : Vec3(-(b_in_a_.R * n)); }
+
+  /// The parts cannot touch within this share of the step, at most `rest`. The bound on the separation is concave in
+  /// time: a chord of it lies below, so its root is safe, and halving the rest makes the chord short.
+  double safe_time(const Axis& axis, double rest) {
+    const Vec3 n = R_a_ * axis.n;
+    const bool turning_plane = (a_.kind == PartKind::plane && !motion_a_.turn.isZero(0)) ||
+                               (b_.kind == PartKind::plane && !motion_b_.turn.isZero(0));
+    if (turning_plane) return rest;
+    part_heights(a_, R_a_, motion_a_.turn, n, above_a_);
+    part_heights(b_, R_b_, motion_b_.turn, -n, below_b_);
+    const double approach = n.dot(motion_b_.way - motion_a_.way);
+    const double start = -above_a_.largest(0) - below_b_.largest(0);
+    const auto left = [&](double t) {
+      return axis.s + t * approach - (above_a_.largest(t) + below_b_.largest(t) + start);
+    };
+    double high_left = left(rest);
+    if (high_left > 0) return rest;
+    const double goal = std::max(k_left * axis.s, 0.5 * k_touching * tolerance_);
+    double low = 0, low_left = axis.s, high = rest;
+    for (int cut = 0; cut < k_most_cuts && low_left > 2 * goal; ++cut) {
+      const auto try_at = [&](double t) {
+        const double value = left(t);
+        (value >= goal ? low : high) = t;
+        (value >= goal ? low_left : high_left) = value;
+      };
+      try_at(low + (high - low) * (low_left - goal) / (low_left - high_left));
+      try_at(0.5 * (low + high));
+    }
+    return low;
+  }
+
+  void finish(double t, const Axis& axis, TimeOfImpact& out) {
+    out.hit = true;
+    out.t = t;
+    out.distance = axis.s;
+    out.n = R_a_ * axis.n;
+    const Vec3 on_a = meeting_point(axis);
+    out.on_a = motion_a_.position(t) + R_a_ * on_a;
+    out.on_b = out.on_a + axis.s * out.n;
+  }
+
+  /// On A's surface, in A's frame.
+  Vec3 meeting_point(const Axis& axis) {
+    if (b_.kind == PartKind::sphere) return b_in_a_.point(b_.centre) - (b_.radius + axis.s) * axis.n;
+    if (a_.kind == PartKind::sphere) return a_.centre + a_.radius * axis.n;
+    if (b_.kind == PartKind::plane) return supporting_point(a_, axis.n);
+    if (a_.kind == PartKind::plane)
+      return b_in_a_.point(supporting_point(b_, -(b_in_a_.R.transpose() * axis.n))) - axis.s * axis.n;
+    const PairView pair = view_pair(a_, b_, b_in_a_, axis.s + k_touching * tolerance_);
+    face_each_other(pair, axis, room_.facing);
+    select_points(pair, axis, room_.facing);
+    Vec3 sum = Vec3::Zero();
+    for (const OverlayPoint& p : room_.facing.points)
+      sum += p.u * room_.facing.plane.t1 + p.v * room_.facing.plane.t2 + p.height_a * room_.facing.plane.n;
+    return sum / static_cast<double>(room_.facing.points.size());
+  }
+
+  /// Middle of what lies highest along n, in the part's frame.
+  Vec3 supporting_point(const Part& part, const Vec3& n) {
+    Vec3 sum = Vec3::Zero();
+    if (!part.facets) {
+      const CylinderSupport support = cylinder_support(part, n, tolerance_);
+      for (int k = 0; k < support.count; ++k) sum += support.points[static_cast<std::size_t>(k)];
+      return sum / support.count;
+    }
+    support_vertices(*part.facets, n, tolerance_, room_.vertices);
+    for (const int v : room_.vertices) sum += part.facets->polytope->vertices[v];
+    return sum / static_cast<double>(room_.vertices.size());
+  }
+
+  const Part& a_;
+  const Part& b_;
+  const BodyMotion& motion_a_;
+  const BodyMotion& motion_b_;
+  FclShapes& fcl_;
+  AxisSearchRoom& room_;
+  Mat3 R_a_, R_b_;
+  Vec3 between_;  ///< from A's origin to B's, in G
+  RelativePose b_in_a_;
+  double size_ = 0, tolerance_ = 0;
+  Heights above_a_, below_b_;
+};
+
+}  // namespace
+
+Mat3 BodyMotion::attitude(double t) const {
+  const double angle = t * turn.norm();
+  if (angle == 0) return R;
+  return Eigen::AngleAxisd(angle, turn.normalized()).toRotationMatrix() * R;
+}
+
+TimeOfImpact time_of_impact(const Part& a, const BodyMotion& motion_a, const Part& b, const BodyMotion& motion_b,
+                            FclShapes& fcl, AxisSearchRoom& room) {
+  return Advance(a, motion_a, b, motion_b, fcl, room).find();
+}
+
+}  // namespace nilas
