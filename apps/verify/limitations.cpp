@@ -97,16 +97,27 @@ void add_fixed_sweeps(std::vector<Limitation>& all) {
 }
 
 void add_discrete_detection(std::vector<Limitation>& all) {
-  const auto below = [&](double margin) {
+  const std::string name =
+      "contacts only where bodies are nearer than their thickness at the step's start (`detection=\"discrete\"`), "
+      "not on their way";
+  const auto below = [&](const std::string& detection) {
     Trial run = trial("ball.xml", {},
                       of("ball", "radius", 0.05) + of("ball", "position", "0 0 0.35") +
-                          of("ball", "velocity", "0 0 -40") + Overrides{{"contact/@margin", text(margin)}});
+                          of("ball", "velocity", "0 0 -40") + Overrides{{"contact/@detection", detection}});
     run.run(5);
     return std::max(0.0, 0.05 - run.body("ball").p.z());
   };
-  all.push_back({"contacts only where bodies touch at the step's start (`margin=\"1e-9\"`), not within its way",
-                 "deepest way into the floor after 0.05 s [m]", "`ball.xml`, radius 0.05 m, 40 m/s down, step 0.01 s",
-                 below(1e-9), below(0), 0});
+  const auto speed = [&](const std::string& detection) {
+    Trial run = trial("bullet.xml", {}, Overrides{{"contact/@detection", detection}});
+    run.run(5);
+    return run.body("target").v.x();
+  };
+  constexpr double k_bullet = 100;  // [m/s]
+  all.push_back({name, "deepest way into the floor after 0.05 s [m]",
+                 "`ball.xml`, radius 0.05 m, 40 m/s down, step 0.01 s", below("discrete"), below("continuous"), 0});
+  all.push_back({name, "speed of a plate of 2 kg that one of 1 kg hit [m/s]",
+                 "`bullet.xml`, plates of 0.01 m, 100 m/s, step 0.01 s", speed("discrete"), speed("continuous"),
+                 k_bullet / 3});
 }
 
 }  // namespace

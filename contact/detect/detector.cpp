@@ -52,6 +52,27 @@ bool is_of(const RememberedAxis& axis, const Part& a, const Part& b) {
   return false;
 }
 
+/// Two parts of a fast pair of bodies.
+struct PartsOnTheirWay {
+  const Part* a = nullptr;
+  const Part* b = nullptr;
+  double width = 0, way = 0;
+};
+
+/// No point of the one goes as far as the balls around both are apart.
+bool stay_apart(const Bodies& bodies, const PartsOnTheirWay& pair) {
+  const auto centre = [&](const Part& part) -> Vec3 {
+    return bodies.p_GB[part.body] + bodies.R_GB[part.body] * part.centre;
+  };
+  const double radii = pair.a->bounding_radius + pair.b->bounding_radius;
+  return (centre(*pair.b) - centre(*pair.a)).norm() - radii > pair.way;
+}
+
+struct BodyOrder {
+  bool operator()(const Part& part, int body) const { return part.body < body; }
+  bool operator()(int body, const Part& part) const { return body < part.body; }
+};
+
 struct PairPlace {
   double strip = 0, along = 0;
   std::ptrdiff_t pair = 0;
@@ -81,6 +102,7 @@ struct ContactDetector::Implementation {
   void list_pairs(const Bodies& bodies, double margin);
   void search_pairs(const Bodies& bodies, const std::vector<double>& margins);
   std::vector<ContactPoint> collect(const Bodies& bodies, const std::vector<double>& margins);
+  std::vector<PartsOnTheirWay> parts_of(const Bodies& bodies, const std::vector<FastPair>& fast) const;
   void save_pairs(StateWriter out) const;
   void restore_pairs(const StateReader& in);
 };
@@ -249,19 +271,76 @@ std::vector<ContactPoint> ContactDetector::detect(const Bodies& bodies, double m
   return work.collect(bodies, margins);
 }
 
-std::vector<ContactPoint> ContactDetector::detect(const Bodies& bodies, const std::vector<double>& own_reach) {
+std::vector<ContactPoint> ContactDetector::detect(const Bodies& bodies, const std::vector<double>& own_reach,
+                                                  double margin) {
   NILAS_DEMAND(own_reach.size() == static_cast<std::size_t>(bodies.size()));
   // no two bodies close a larger gap than the two that reach farthest
   std::vector<double> farthest = own_reach;
   farthest.resize(std::max<std::size_t>(farthest.size(), 2), 0);
   std::partial_sort(farthest.begin(), farthest.begin() + 2, farthest.end(), std::greater<>());
   Implementation& work = *implementation_;
-  work.list_pairs(bodies, farthest[0] + farthest[1]);
-  const std::vector<double> margins = pair_margins(bodies, own_reach, work.pairs);
+  work.list_pairs(bodies, std::max(farthest[0] + farthest[1], margin));
+  std::vector<double> margins = pair_margins(bodies, own_reach, work.pairs);
+  for (double& of_pair : margins) of_pair = std::max(of_pair, margin);
   work.search_pairs(bodies, margins);
   std::vector<ContactPoint> points = work.collect(bodies, margins);
-  drop_out_of_reach(bodies, own_reach, points);
+  drop_out_of_reach(bodies, own_reach, points, margin);
   return points;
+}
+
+/// The parts of a body follow each other.
+std::vector<PartsOnTheirWay> ContactDetector::Implementation::parts_of(const Bodies& bodies,
+                                                                       const std::vector<FastPair>& fast) const {
+  const auto of_body = [&](int b) { return std::equal_range(parts.begin(), parts.end(), b, BodyOrder{}); };
+  std::vector<PartsOnTheirWay> on_ways;
+  for (const FastPair& pair : fast) {
+    const auto [first_a, last_a] = of_body(pair.a);
+    const auto [first_b, last_b] = of_body(pair.b);
+    for (auto a = first_a; a != last_a; ++a)
+      for (auto b = first_b; b != last_b; ++b)
+        if (const PartsOnTheirWay on_way{&*a, &*b, pair.width, pair.way}; !stay_apart(bodies, on_way))
+          on_ways.push_back(on_way);
+  }
+  return on_ways;
+}
+
+std::vector<SweptPair> ContactDetector::sweep(const Bodies& bodies, const std::vector<BodyMotion>& motions,
+                                              const std::vector<FastPair>& fast, double depth) {
+  if (fast.empty()) return {};
+  Implementation& work = *implementation_;
+  work.learn_bodies(bodies);
+  const std::vector<PartsOnTheirWay> on_ways = work.parts_of(bodies, fast);
+  std::vector<SweptPair> swept(on_ways.size());
+  constexpr std::ptrdiff_t k_pairs_per_chunk = 8;
+  parallel_chunks(
+      static_cast<std::ptrdiff_t>(on_ways.size()), k_pairs_per_chunk, work.threads,
+      [&](std::ptrdiff_t, std::ptrdiff_t first, std::ptrdiff_t last) {
+        AxisSearchRoom room;
+        for (std::ptrdiff_t k = first; k < last; ++k) {
+          const Part &a = *on_ways[k].a, &b = *on_ways[k].b;
+          swept[k] = {a.body,
+                      b.body,
+                      a.index,
+                      b.index,
+                      time_of_impact(a, motions[a.body], b, motions[b.body], work.fcl, room, depth * on_ways[k].width),
+                      {}};
+        }
+      });
+  if (std::none_of(swept.begin(), swept.end(), [](const SweptPair& pair) { return pair.first.hit; })) return swept;
+  Bodies there = bodies;
+  AxisSearchRoom room;
+  for (std::size_t k = 0; k < swept.size(); ++k) {
+    const TimeOfImpact& first = swept[k].first;
+    if (!first.hit || first.t == 0) continue;
+    for (const int body : {swept[k].a, swept[k].b}) {
+      there.p_GB[body] = motions[body].position(first.t);
+      there.R_GB[body] = motions[body].attitude(first.t);
+    }
+    PairMemory none;
+    const double margin = std::max((1 - first.t) * on_ways[k].way, 2 * std::abs(first.distance));
+    find_pair_contacts(there, *on_ways[k].a, *on_ways[k].b, margin, work.fcl, room, none, swept[k].points);
+  }
+  return swept;
 }
 
 const DetectorCounts& ContactDetector::counts() const { return implementation_->counts; }

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "contact/detect/contact_point.h"
+#include "contact/detect/fast_pairs.h"
+#include "contact/detect/swept.h"
 #include "core/base/state.h"
 #include "core/bodies/bodies.h"
 
@@ -16,6 +18,14 @@ struct DetectorCounts {
   long kept_axes = 0;           ///< pairs whose axis of the last call served again
   long fcl_queries = 0;
   long fallbacks = 0;  ///< times the library threw or gave an unusable answer and the face axes decided alone
+};
+
+/// Two parts of different bodies on their way through a step.
+struct SweptPair {
+  int a = 0, b = 0;  ///< bodies, a < b
+  int part_a = 0, part_b = 0;
+  TimeOfImpact first;
+  std::vector<ContactPoint> points;  ///< where they meet, as found with both bodies where they are then; none at t = 0
 };
 
 /// Keeps geometry and coherence caches between calls. Results depend on the poses; where two axes of a pair lie within
@@ -33,7 +43,14 @@ class ContactDetector {
   /// last call are picked up; a body whose shape changed must be re-added under a new id.
   std::vector<ContactPoint> detect(const Bodies& bodies, double margin);
   /// The points whose gap the bodies' own reach (contact/detect/reach.h, one length per body [m]) may close.
-  std::vector<ContactPoint> detect(const Bodies& bodies, const std::vector<double>& own_reach);
+  /// All points with gap < margin enter beside them.
+  std::vector<ContactPoint> detect(const Bodies& bodies, const std::vector<double>& own_reach, double margin = 0);
+  /// When the parts of these pairs first touch on the bodies' ways (one motion per body; only those of the pairs are
+  /// read), and the points that the rest of their ways may close; with `depth` > 0, when they overlap by this share of
+  /// the width that made the pair a fast one. Parts too far apart to meet are left out. Keeps nothing; in an order of
+  /// (a, b, part_a, part_b).
+  std::vector<SweptPair> sweep(const Bodies& bodies, const std::vector<BodyMotion>& motions,
+                               const std::vector<FastPair>& pairs, double depth = 0);
   const DetectorCounts& counts() const;  ///< of the last call
 
   /// The coherence caches: the boxes of the broad phase, and what each pair remembers.

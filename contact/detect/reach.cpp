@@ -85,13 +85,15 @@ std::vector<double> pair_margins(const Bodies& bodies, const std::vector<double>
   return margins;
 }
 
-void drop_out_of_reach(const Bodies& bodies, const std::vector<double>& own, std::vector<ContactPoint>& points) {
+void drop_out_of_reach(const Bodies& bodies, const std::vector<double>& own, std::vector<ContactPoint>& points,
+                       double margin) {
   Reach reach(bodies, own);
   for (bool changed = true; changed;) {
     changed = false;
     for (const auto& c : points) changed = reach.hand_on(c.a, c.b, std::max(c.gap, 0.0)) || changed;
   }
-  std::erase_if(points, [&](const ContactPoint& c) { return c.gap > 0 && c.gap >= reach.between(c.a, c.b); });
+  std::erase_if(
+      points, [&](const ContactPoint& c) { return c.gap > 0 && c.gap >= margin && c.gap >= reach.between(c.a, c.b); });
 }
 
 }  // namespace nilas

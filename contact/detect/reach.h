@@ -22,7 +22,9 @@ std::vector<double> pair_margins(const Bodies& bodies, const std::vector<double>
 /// Drops the points whose gap will not close in this step: a gap stays when it is smaller than what one body can reach,
 /// by its own motion or pushed, together with the other's own reach. A body that is hit takes over m/(m + m') of the
 /// reach of the body that hits it less the gap between them (the common speed after an inelastic impact), along any
-/// chain. What a chain pushes farther than that closes its gap a step later. The order of the points is kept.
-void drop_out_of_reach(const Bodies& bodies, const std::vector<double>& own, std::vector<ContactPoint>& points);
+/// chain. What a chain pushes farther than that closes its gap a step later. Points with
+/// gap < margin [m] stay in any case. The order of the points is kept.
+void drop_out_of_reach(const Bodies& bodies, const std::vector<double>& own, std::vector<ContactPoint>& points,
+                       double margin = 0);
 
 }  // namespace nilas

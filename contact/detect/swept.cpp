@@ -79,8 +79,8 @@ void part_heights(const Part& part, const Mat3& R, const Vec3& turn, const Vec3&
 class Advance {
  public:
   Advance(const Part& a, const BodyMotion& motion_a, const Part& b, const BodyMotion& motion_b, FclShapes& fcl,
-          AxisSearchRoom& room)
-      : a_(a), b_(b), motion_a_(motion_a), motion_b_(motion_b), fcl_(fcl), room_(room) {}
+          AxisSearchRoom& room, double depth)
+      : a_(a), b_(b), motion_a_(motion_a), motion_b_(motion_b), fcl_(fcl), room_(room), depth_(depth) {}
 
   TimeOfImpact find() {
     TimeOfImpact out;
@@ -89,7 +89,7 @@ class Advance {
     for (;;) {
       place(t);
       const Axis axis = separating_axis();
-      const bool touches = axis.s <= k_touching * tolerance_;
+      const bool touches = axis.s + depth_ <= k_touching * tolerance_;
       if (touches || out.advances == k_most_advances) {
         finish(t, axis, out);
         return out;
@@ -163,12 +163,12 @@ class Advance {
     const double approach = n.dot(motion_b_.way - motion_a_.way);
     const double start = -above_a_.largest(0) - below_b_.largest(0);
     const auto left = [&](double t) {
-      return axis.s + t * approach - (above_a_.largest(t) + below_b_.largest(t) + start);
+      return axis.s + depth_ + t * approach - (above_a_.largest(t) + below_b_.largest(t) + start);
     };
     double high_left = left(rest);
     if (high_left > 0) return rest;
-    const double goal = std::max(k_left * axis.s, 0.5 * k_touching * tolerance_);
-    double low = 0, low_left = axis.s, high = rest;
+    const double goal = std::max(k_left * (axis.s + depth_), 0.5 * k_touching * tolerance_);
+    double low = 0, low_left = axis.s + depth_, high = rest;
     for (int cut = 0; cut < k_most_cuts && low_left > 2 * goal; ++cut) {
       const auto try_at = [&](double t) {
         const double value = left(t);
@@ -226,6 +226,7 @@ class Advance {
   const BodyMotion& motion_b_;
   FclShapes& fcl_;
   AxisSearchRoom& room_;
+  double depth_;
   Mat3 R_a_, R_b_;
   Vec3 between_;  ///< from A's origin to B's, in G
   RelativePose b_in_a_;
@@ -242,8 +243,8 @@ Mat3 BodyMotion::attitude(double t) const {
 }
 
 TimeOfImpact time_of_impact(const Part& a, const BodyMotion& motion_a, const Part& b, const BodyMotion& motion_b,
-                            FclShapes& fcl, AxisSearchRoom& room) {
-  return Advance(a, motion_a, b, motion_b, fcl, room).find();
+                            FclShapes& fcl, AxisSearchRoom& room, double depth) {
+  return Advance(a, motion_a, b, motion_b, fcl, room, depth).find();
 }
 
 }  // namespace nilas

@@ -18,7 +18,7 @@ struct BodyMotion {
 
 struct TimeOfImpact {
   bool hit = false;
-  double t = 1;              ///< share of the step; 0: they touch or overlap at the start. Without hit: 1
+  double t = 1;              ///< share of the step; 0: they touch (or overlap that deep) at the start. No hit: 1
   Vec3 n = Vec3::UnitX();    ///< unit normal from A to B there, in G
   Vec3 on_a = Vec3::Zero();  ///< the points that meet, in G
   Vec3 on_b = Vec3::Zero();  ///< [m]
@@ -31,7 +31,8 @@ struct TimeOfImpact {
 /// while the parts are well apart, judged by the separation along it alone, the pair's own axis search when they are
 /// near or FCL fails: no answer of the library can lose a contact. A contact is a distance below four times the pair's
 /// tolerance. A plane must not turn, or it is never hit.
+/// With `depth` > 0 [m] it is sought when the parts overlap by as much.
 TimeOfImpact time_of_impact(const Part& a, const BodyMotion& motion_a, const Part& b, const BodyMotion& motion_b,
-                            FclShapes& fcl, AxisSearchRoom& room);
+                            FclShapes& fcl, AxisSearchRoom& room, double depth = 0);
 
 }  // namespace nilas

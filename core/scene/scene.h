@@ -28,6 +28,7 @@ struct ContactScene {
   std::string solver = "auto";
   double tolerance = 1e-6;  ///< law_map_m_s; 0: always max_iterations sweeps
   int max_iterations = 1000;
+  int substeps = 0;  ///< parts that a step is cut into at impacts, at most
   std::string on_failure = "record";
   std::string integrator = "semi-implicit-euler";
   double theta = 0.5;

@@ -72,16 +72,23 @@ static std::vector<AttributeSpec> time_stepping() {
        .type = ValueType::choice,
        .choices = {"discrete", "speculative", "continuous"},
        .default_value = "continuous",
-       .not_built = {"speculative", "continuous"},
-       .fallback = "discrete",
-       .doc =
-           "When contacts are looked for: at the step's start, within the way of the step, or along the swept path."},
+       .doc = "Which gaps at the step's start enter the problem: those that the step can close, but none above the "
+              "thinner body's thickness, so that what goes farther in a step can pass (discrete, as in older tools); "
+              "all that the step can close (speculative); the same, and for pairs that move more than half their "
+              "thickness against each other, what they meet on their way (continuous: nothing passes)."},
+      {.name = "substeps",
+       .type = ValueType::integer,
+       .range = within(0, 1000),
+       .default_value = "0",
+       .applies = {"detection", {"continuous"}},
+       .doc = "Cuts a step at the first impact of a fast pair, and again, into at most so many parts; 0 or 1: such "
+              "impacts enter the step as gaps. Not with moreau."},
       {.name = "margin",
        .unit = "m",
        .range = at_least(0),
        .default_value = "0",
-       .doc = "Gap within which contacts enter the problem; 0: what the bodies can reach in the step, along chains of "
-              "hits."},
+       .doc = "Gap within which contacts enter the problem: with discrete in place of what the bodies can reach in the "
+              "step (0: that, along chains of hits), else beside it."},
       {.name = "stabilisation",
        .type = ValueType::choice,
        .choices = {"none", "baumgarte", "split-impulse", "tasora", "projection"},

@@ -13,6 +13,18 @@ ContactSolution ContactModel::solve(ContactProblem& problem, const VecX& guess) 
   return static_friction ? static_friction->solve(*solver, guess, problem) : solver->solve(problem, guess);
 }
 
+void ContactModel::set_step(double h) {
+  assembly.h = h;
+  correction.h = h;
+}
+
+static void demand_cuts(const ContactScene& contact) {
+  if (contact.substeps > 1 && contact.detection == "continuous" && contact.integrator == "moreau")
+    throw InputError(
+        "substeps: with integrator moreau the impulses of a step act in the middle of its motion, which a cut at an "
+        "impact would move; take integrator semi-implicit-euler, or substeps 0");
+}
+
 void demand_contact_choices(const Scene& scene) {
   const auto& friction = scene.contact.friction;
   const bool rolls = std::any_of(friction.begin(), friction.end(),
@@ -23,6 +35,7 @@ void demand_contact_choices(const Scene& scene) {
     const SolverEntry& solver = find_solver(scene.contact.solver);
     const Law law = parse_law(scene.contact.law).law;
     demand_law(solver, law);
+    demand_cuts(scene.contact);
     if (rolls) demand_moments(solver, law);
     if (spins && scene.output.problems != "never")
       throw InputError("spinning friction has no place in FCLIB's form of a problem; <output problems> must be never");
@@ -58,12 +71,11 @@ static void set_stabilisation(const ContactScene& contact, ContactModel& model) 
 ContactModel build_contact_model(const ContactScene& contact, double h, int threads) {
   ContactModel model;
   const ParsedLaw law = parse_law(contact.law);
-  model.assembly.h = h;
   model.assembly.law = law.law;
   model.assembly.facets = law.facets;
   model.assembly.axes = contact.axes_deg * k_deg;
   set_stabilisation(contact, model);
-  model.correction.h = h;
+  model.set_step(h);
   const SolverEntry& solver = find_solver(contact.solver);
   model.correction.order_free = solver.order_free;
   constexpr int k_extragradient_steps = 1000;  // each does less than a sweep
@@ -77,6 +89,9 @@ ContactModel build_contact_model(const ContactScene& contact, double h, int thre
                                                       [](const FrictionScene& pair) { return pair.restitution > 0; });
   model.warm_start = contact.warm_start;
   model.stop_on_failure = contact.on_failure == "stop" && !model.fixed_sweeps;  // they promise nothing
+  if (contact.detection == "discrete") model.detection = Detection::discrete;
+  if (contact.detection == "speculative") model.detection = Detection::speculative;
+  if (model.detection == Detection::continuous) model.most_substeps = std::max(1, contact.substeps);
   model.margin = contact.margin;
   SolverSettings settings;
   settings.tolerance = contact.tolerance;

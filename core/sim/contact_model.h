@@ -14,6 +14,9 @@ namespace nilas {
 /// What moves the poses after the step's own motion.
 enum class PositionStep { none, split_impulse, projection };
 
+/// Which gaps at the step's start are contacts, and whether fast pairs are followed on their way.
+enum class Detection { discrete, speculative, continuous };
+
 struct ContactModel {
   AssemblySettings assembly;
   CorrectionSettings correction;
@@ -26,13 +29,17 @@ struct ContactModel {
   bool stop_on_failure = false;
   double tolerance = 0;       ///< of the solver, on law_map_m_s [m/s]
   bool fixed_sweeps = false;  ///< tolerance 0: as many iterations as the scene says, whatever they reach
-  double margin = 0;          ///< [m]; 0: from the speeds
+  Detection detection = Detection::continuous;
+  int most_substeps = 1;  ///< parts that a step is cut into at impacts
+  double margin = 0;      ///< [m]; 0: from the speeds
 
+  /// Sets the length of the steps to come [s].
+  void set_step(double h);
   /// Leaves in `problem.mu` the coefficient that each contact had.
   ContactSolution solve(ContactProblem& problem, const VecX& guess);
 };
 
-/// Throws InputError naming file and element where the solver does not take the law.
+/// Throws InputError naming file and element where the solver does not take the law, or the integrator no cut.
 void demand_contact_choices(const Scene& scene);
 
 ContactModel build_contact_model(const ContactScene& contact, double h, int threads);

@@ -176,6 +176,14 @@ double weight_energy(const Bodies& bodies, const Vec3& gravity) {
   return sum;
 }
 
+MomentumBalance& MomentumBalance::operator+=(const MomentumBalance& other) {
+  linear += other.linear;
+  linear_scale += other.linear_scale;
+  angular += other.angular;
+  angular_scale += other.angular_scale;
+  return *this;
+}
+
 MomentumBalance momentum_balance(const Bodies& bodies, const StepMotion& motion, const StepLoads& loads,
                                  const VesselAccount& vessel) {
   Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();

@@ -67,6 +67,7 @@ double weight_energy(const Bodies& bodies, const Vec3& gravity);
 struct MomentumBalance {
   double linear = 0, linear_scale = 0;    ///< [N s]
   double angular = 0, angular_scale = 0;  ///< about G's origin [N m s]
+  MomentumBalance& operator+=(const MomentumBalance& other);
 };
 /// What the velocity step's momenta lack against its impulses, at the configuration where the contacts were found.
 MomentumBalance momentum_balance(const Bodies& bodies, const StepMotion& motion, const StepLoads& loads,

@@ -54,61 +54,84 @@ StepRecord Simulation::World::reference_step() {
   return record;
 }
 
+ContactSolution Simulation::World::solve(ContactProblem& problem, StepRecord& record) {
+  const VecX guess = model.warm_start ? warm.guess(problem.key) : VecX();
+  ContactSolution solution = model.solve(problem, guess);
+  warm.keep(problem.key, solution.r);
+  note_residuals(measure(problem, solution.r, solution.v), record);
+  note_solution(solution, record);
+  return solution;
+}
+
+/// A whole step, or with `may_cut` up to the first impact of a fast pair.
+void Simulation::World::part_of_step(bool may_cut, StepRecord& record, MomentumBalance& balance, Stopwatch& watch) {
+  h = whole_step - elapsed;
+  // what moves before the impulses (moreau), then loads other than contact, at that pose
+  move_before_impulses();
+  const Wrenches& free = evaluate_loads();
+  watch.lap(Phase::hydro);
+
+  // contacts that can close in this step, or in the part of it up to an impact
+  const double left = h;
+  h = may_cut ? until_first_impact(left) : left;
+  cut = h < left;
+  model.set_step(h);
+  std::vector<ContactPoint> points = find_contacts();
+  if (elapsed == 0) note_penetration(points, record);
+  record.detection_fallbacks += detector.counts().fallbacks;
+  watch.lap(Phase::detection);
+
+  // one value holds the step's contact problem
+  const std::vector<ArticulatedBlock> vessel_block = begin_vessel(free);
+  AssembledContacts contacts = assemble(parts.bodies, free, points, parts.friction, model.assembly, vessel_block);
+  watch.lap(Phase::assembly);
+
+  // impulses, judged by the one yardstick; again where they lead fast pairs into each other
+  ContactSolution solution = solve(contacts.problem, record);
+  for (int round = 0; add_missed(contacts, solution, vessel_block, round, points); ++round) {
+    contacts = assemble(parts.bodies, free, points, parts.friction, model.assembly, vessel_block);
+    solution = solve(contacts.problem, record);
+  }
+  watch.lap(Phase::solver);
+  if (!held && !may_cut && can_be_cut(record)) return part_of_step(true, record, balance, watch);
+  if (!held) warn_of_missed();
+
+  // new velocities, then new poses, then the position correction that the scene chose
+  StepMotion motion = velocity_step(contacts, solution, free, std::move(points));
+  advance_poses(motion);
+  const Velocities pseudo = correct_positions(motion, contacts, record);
+  elapsed = cut ? elapsed + h : whole_step;
+  record.contacts = std::max(record.contacts, contacts.problem.num_points());
+  record.islands = std::max(record.islands, static_cast<int>(find_islands(contacts.problem).size()));
+  demand_finite();
+  name_unnamed_pairs();
+  watch.lap(Phase::integration);
+
+  // accounts of energy and momentum
+  const VesselAccount vessel = vessel_account();
+  const StepLoads loads = step_loads();
+  energy.velocity_step(parts.bodies, motion, loads, vessel);
+  energy.position_step(kinetic_energy(parts.bodies), potential(), pseudo, motion, loads);
+  balance += momentum_balance(parts.bodies, motion, loads, vessel);
+  if (parts.vessel) note_vessel(motion, record);
+  ++record.parts;
+  if (record.parts == 1 || contacts.problem.num_points() > 0)
+    last = {std::move(contacts.problem), std::move(solution), std::move(motion.points), std::move(motion.impulses)};
+  watch.lap(Phase::output);
+}
+
 StepRecord Simulation::step() {
   World& world = *world_;
   if (world.reference) return world.reference_step();
   StepRecord record;
   Stopwatch watch(record.ms);
-
-  // what moves before the impulses (moreau), then loads other than contact, at that pose
-  world.move_before_impulses();
-  const Wrenches& free = world.evaluate_loads();
-  watch.lap(Phase::hydro);
-
-  // contacts that can close in this step
-  std::vector<ContactPoint> points = world.find_contacts();
-  note_penetration(points, record);
-  record.detection_fallbacks = world.detector.counts().fallbacks;
-  watch.lap(Phase::detection);
-
-  // one value holds the step's contact problem
-  AssembledContacts contacts =
-      assemble(world.parts.bodies, free, points, world.parts.friction, world.model.assembly, world.begin_vessel(free));
-  watch.lap(Phase::assembly);
-
-  // impulses, judged by the one yardstick
-  const VecX guess = world.model.warm_start ? world.warm.guess(contacts.problem.key) : VecX();
-  const ContactSolution solution = world.model.solve(contacts.problem, guess);
-  world.warm.keep(contacts.problem.key, solution.r);
-  record.residuals = measure(contacts.problem, solution.r, solution.v);
-  world.note_solution(solution, record);
-  watch.lap(Phase::solver);
-
-  // new velocities, then new poses, then the position correction that the scene chose
-  StepMotion motion = world.velocity_step(contacts, solution, free, std::move(points));
-  world.advance_poses(motion);
-  const Velocities pseudo = world.correct_positions(motion, contacts, record);
+  MomentumBalance balance;
+  while (world.elapsed < world.whole_step)
+    world.part_of_step(record.parts + 1 < world.model.most_substeps, record, balance, watch);
+  world.elapsed = 0;
   ++world.steps;
-  record.contacts = contacts.problem.num_points();
-  record.islands = static_cast<int>(find_islands(contacts.problem).size());
-  world.last = {std::move(contacts.problem), solution, {}, {}};
-  world.demand_finite();
-  world.name_unnamed_pairs();
-  watch.lap(Phase::integration);
-
-  // accounts of energy and momentum
-  const VesselAccount vessel = world.vessel_account();
-  const StepLoads loads = world.step_loads();
-  world.energy.velocity_step(world.parts.bodies, motion, loads, vessel);
-  world.energy.position_step(kinetic_energy(world.parts.bodies), world.potential(), pseudo, motion, loads);
-  const MomentumBalance balance = momentum_balance(world.parts.bodies, motion, loads, vessel);
-  watch.lap(Phase::output);
-
-  // what the outputs need
   world.note_end(balance, record);
-  if (world.parts.vessel) record.vessel = world.vessel_record(motion);
-  world.last.points = std::move(motion.points);
-  world.last.impulses = std::move(motion.impulses);
+  watch.lap(Phase::output);
   world.stop_on_failure(record);
   return record;
 }

@@ -8,13 +8,20 @@
 
 namespace nilas {
 
+/// The worst of all solutions of the step.
+void Simulation::World::note_residuals(const Residuals& residuals, StepRecord& record) {
+  if (!(residuals.law_map_m_s < record.residuals.law_map_m_s)) record.residuals = residuals;
+}
+
 void Simulation::World::note_solution(const ContactSolution& solution, StepRecord& record) const {
-  record.status = solution.status;
-  record.iterations = solution.iterations;
-  record.solver_message = solution.message;
+  record.iterations += solution.iterations;
+  if (solution.status >= record.status) {
+    record.status = solution.status;
+    record.solver_message = solution.message;
+  }
   const bool as_asked = solution.status == SolveStatus::converged ||
                         (model.fixed_sweeps && solution.status == SolveStatus::iteration_limit);
-  record.solver_short = !as_asked;
+  record.solver_short = record.solver_short || !as_asked;
   if (as_asked) return;
   warnings.warn("steps short of the contact tolerance",
                 fmt::format("contact solver at {:g} s: {}, law_map_m_s {:.3g} above the tolerance {:.3g}{}", time() + h,
@@ -64,6 +71,38 @@ VesselRecord Simulation::World::vessel_record(const StepMotion& motion) const {
     for (const auto& loads : module_loads) *record.hydro += loads[static_cast<std::size_t>(parts.vessel_index)];
   }
   return record;
+}
+
+static void add_share(const Wrench& part, double share, Wrench& sum) {
+  sum += {share * part.force, share * part.torque};
+}
+
+/// Loads are means over the step: each part adds its share.
+void Simulation::World::note_vessel(const StepMotion& motion, StepRecord& record) const {
+  VesselRecord part = vessel_record(motion);
+  if (h == whole_step) {
+    record.vessel = std::move(part);
+    return;
+  }
+  const double share = h / whole_step;
+  if (!record.vessel) record.vessel.emplace();
+  VesselRecord& sum = *record.vessel;
+  add_share(part.contact, share, sum.contact);
+  sum.contact_port += share * part.contact_port;
+  sum.contact_starboard += share * part.contact_starboard;
+  if (part.carriage) {
+    if (!sum.carriage) sum.carriage.emplace();
+    add_share(part.carriage->about_com, share, sum.carriage->about_com);
+    add_share(part.carriage->about_joint, share, sum.carriage->about_joint);
+    for (std::size_t k = 0; k < part.carriage->cells.size(); ++k)
+      sum.carriage->cells[k] += share * part.carriage->cells[k];
+  }
+  if (part.hydro) {
+    if (!sum.hydro) sum.hydro.emplace();
+    add_share(*part.hydro, share, *sum.hydro);
+  }
+  sum.has_cells = part.has_cells;
+  sum.state = part.state;
 }
 
 std::uint64_t Simulation::World::state_hash() const {
@@ -127,7 +166,7 @@ void Simulation::World::restore(const StateReader& in) {
 void Simulation::World::note_end(const MomentumBalance& balance, StepRecord& record) const {
   record.step = steps;
   record.t = time();
-  record.h = h;
+  record.h = whole_step;
   record.floes = parts.info.floes;
   record.ledger = energy.ledger();
   record.momentum_imbalance = balance.linear;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "contact/detect/reach.h"
 #include "core/base/error.h"
@@ -17,27 +16,15 @@ namespace {
 /// points of a floe faster than what hit it.
 constexpr double k_reach_share = 1.5;
 
-/// Per body; infinite for a half space [m].
-std::vector<double> smallest_widths(const Bodies& bodies) {
-  std::vector<double> widths;
-  for (const auto& shape : bodies.shape) {
-    double width = std::numeric_limits<double>::infinity();
-    for (const auto& part : shape->parts) width = std::min(width, part.smallest_width);
-    if (shape->radius > 0) width = 2 * shape->radius;
-    if (shape->half_height > 0) width = std::min(width, 2 * shape->half_height);
-    widths.push_back(width);
-  }
-  return widths;
-}
-
 }  // namespace
 
 Simulation::World::World(const Scene& scene, int thread_count, WarningCounts& warning_counts)
     : parts(build_world(scene, thread_count, warning_counts)),
       warnings(warning_counts),
       threads(thread_count),
-      h(scene.time.step),
+      whole_step(scene.time.step),
       start(scene.time.start),
+      h(scene.time.step),
       gravity(scene.gravity),
       gyroscopic(scene.contact.gyroscopic),
       detector(thread_count),
@@ -48,7 +35,7 @@ Simulation::World::World(const Scene& scene, int thread_count, WarningCounts& wa
                                                  scene.contact.detection + ", integrator " + scene.contact.integrator +
                                                  (model.static_friction ? ", static friction above kinetic" : ""));
   module_loads.resize(parts.modules.size(), Wrenches(size()));
-  if (model.hit_when_met) width = smallest_widths(parts.bodies);
+  width = smallest_widths(parts.bodies);
   weight.resize(size());
   for (std::size_t b = 0; b < size(); ++b) weight[b].force = parts.bodies.mass[b] * gravity;
   energy = EnergyAccount(parts.info.work_names, kinetic_energy(parts.bodies), potential());
@@ -102,8 +89,15 @@ std::vector<ArticulatedBlock> Simulation::World::begin_vessel(const Wrenches& fr
 }
 
 std::vector<ContactPoint> Simulation::World::find_contacts() {
-  auto points = model.margin > 0 ? detector.detect(parts.bodies, model.margin)
-                                 : detector.detect(parts.bodies, own_reach(parts.bodies, free_loads, h, k_reach_share));
+  const bool by_margin = model.detection == Detection::discrete && model.margin > 0;
+  std::vector<ContactPoint> points =
+      by_margin ? detector.detect(parts.bodies, model.margin)
+                : detector.detect(parts.bodies, own_reach(parts.bodies, free_loads, h, k_reach_share), model.margin);
+  if (model.detection == Detection::discrete && !by_margin)
+    std::erase_if(points, [&](const ContactPoint& c) {
+      return c.gap > std::min(width[static_cast<std::size_t>(c.a)], width[static_cast<std::size_t>(c.b)]);
+    });
+  if (model.detection == Detection::continuous) follow_fast_pairs(points);
   // in the middle of the motion what bounces is hit when it is met: then a bounce is its own image in time
   if (model.hit_when_met)
     std::erase_if(points, [&](const ContactPoint& c) { return c.gap > 0 && will_bounce_when_met(c); });
@@ -150,15 +144,23 @@ StepMotion Simulation::World::velocity_step(const AssembledContacts& contacts, c
   }
   motion.speed_asked = contacts.speed_asked;
   if (contacts.problem.has_moments()) add_couples(contacts, solution, motion);
-  free_velocities(parts.bodies, free, h, motion.after);
+  motion.after = new_velocities(contacts, solution, free);
+  return motion;
+}
+
+/// Of the free bodies; others keep what they have.
+Velocities Simulation::World::new_velocities(const AssembledContacts& contacts, const ContactSolution& solution,
+                                             const Wrenches& free) const {
+  Velocities after;
+  free_velocities(parts.bodies, free, h, after);
   for (std::size_t b = 0; b < size(); ++b) {
     const int block = contacts.block_of_body[b];
     if (block < 0 || !parts.bodies.is_free(static_cast<int>(b))) continue;
     const int first = contacts.problem.block_offset[static_cast<std::size_t>(block)];
-    motion.after.v[b] = solution.v.segment<3>(first);
-    motion.after.w[b] = solution.v.segment<3>(first + 3);
+    after.v[b] = solution.v.segment<3>(first);
+    after.w[b] = solution.v.segment<3>(first + 3);
   }
-  return motion;
+  return after;
 }
 
 void Simulation::World::copy_vessel_state() {
@@ -193,7 +195,7 @@ Velocities Simulation::World::correct_positions(const StepMotion& motion, const 
   if (model.position_step == PositionStep::none) return {};
   Velocities pseudo{std::vector<Vec3>(size(), Vec3::Zero()), std::vector<Vec3>(size(), Vec3::Zero())};
   std::vector<ContactPoint> points =
-      model.position_step == PositionStep::projection ? carried_points(motion, parts.bodies) : motion.points;
+      model.position_step == PositionStep::projection ? points_at_the_end(motion) : motion.points;
   if (model.hit_when_met) leave_to_their_motion(motion, points);
   record.positions_corrected = correction_velocities(contacts, points, model.correction, pseudo.v, pseudo.w).converged;
   displace(parts.bodies, pseudo, h);

@@ -9,6 +9,7 @@
 #include "core/sim/ledger.h"
 #include "core/sim/reference.h"
 #include "core/sim/simulation.h"
+#include "core/sim/stopwatch.h"
 #include "core/sim/warm_start.h"
 #include "core/sim/world.h"
 
@@ -20,13 +21,16 @@ struct VesselStart {
   Mat3 inertia = Mat3::Zero();              ///< in G [kg m^2]
 };
 
+/// Solutions of one step, each with the contacts that the one before turned out to miss.
+constexpr int k_most_solutions = 8;
+
 struct Simulation::World {
   World(const Scene& scene, int thread_count, WarningCounts& warning_counts);
 
   std::size_t size() const { return static_cast<std::size_t>(parts.bodies.size()); }
 
   double potential();
-  double time() const { return start + static_cast<double>(steps) * h; }
+  double time() const { return start + static_cast<double>(steps) * whole_step + elapsed; }
 
   void move_before_impulses();
   void move_vessel_before_impulses();
@@ -34,16 +38,34 @@ struct Simulation::World {
   std::vector<ArticulatedBlock> begin_vessel(const Wrenches& free);
   std::vector<ContactPoint> find_contacts();
   bool will_bounce_when_met(const ContactPoint& c);
+  std::vector<BodyMotion> ways(const Velocities& velocities, const std::vector<FastPair>& pairs, double exact,
+                               double horizon) const;
+  std::vector<SweptPair> sweep(const Velocities& velocities, double exact, double horizon, double depth = 0);
+  Velocities velocities_until_impact();
+  double until_first_impact(double left);
+  ContactPoint as_gap(const ContactPoint& met, double t, const Velocities& velocities) const;
+  void follow_fast_pairs(std::vector<ContactPoint>& points);
+  std::vector<ContactPoint> points_at_the_end(const StepMotion& motion) const;
+  bool add_missed(const AssembledContacts& contacts, const ContactSolution& solution,
+                  const std::vector<ArticulatedBlock>& vessel, int round, std::vector<ContactPoint>& points);
+  bool can_be_cut(const StepRecord& record) const;
+  void warn_of_missed();
+  Velocities new_velocities(const AssembledContacts& contacts, const ContactSolution& solution,
+                            const Wrenches& free) const;
   StepMotion velocity_step(const AssembledContacts& contacts, const ContactSolution& solution, const Wrenches& free,
                            std::vector<ContactPoint> points);
   void advance_poses(StepMotion& motion);
   Velocities correct_positions(const StepMotion& motion, const AssembledContacts& contacts, StepRecord& record);
   void note_solution(const ContactSolution& solution, StepRecord& record) const;
+  static void note_residuals(const Residuals& residuals, StepRecord& record);
   void copy_vessel_state();
   VesselAccount vessel_account() const;
   StepLoads step_loads() const;
   VesselRecord vessel_record(const StepMotion& motion) const;
   StepRecord reference_step();
+  void part_of_step(bool may_cut, StepRecord& record, MomentumBalance& balance, Stopwatch& watch);
+  ContactSolution solve(ContactProblem& problem, StepRecord& record);
+  void note_vessel(const StepMotion& motion, StepRecord& record) const;
   void note_end(const MomentumBalance& balance, StepRecord& record) const;
   void stop_on_failure(const StepRecord& record) const;
   std::uint64_t state_hash() const;
@@ -55,7 +77,12 @@ struct Simulation::World {
   WorldParts parts;
   WarningCounts& warnings;
   int threads;
-  double h, start;
+  double whole_step, start;
+  double h;                               ///< of the part of the step at work: all of it unless it is cut [s]
+  double elapsed = 0;                     ///< of the step, in the parts before [s]
+  bool held = true;                       ///< the last solution leads no fast pair into each other
+  bool cut = false;                       ///< the part at work ends with an impact
+  std::vector<std::uint64_t> on_the_way;  ///< keys of contacts whose gap is what closes until then, no distance
   long steps = 0;
   Vec3 gravity;
   bool gyroscopic;
@@ -64,7 +91,7 @@ struct Simulation::World {
   WarmStart warm;
   Wrenches weight, free_loads;
   std::vector<Wrenches> module_loads;
-  std::vector<double> width;  ///< smallest of each body, where the contact model needs it [m]
+  std::vector<double> width;  ///< smallest of each body [m]
   EnergyAccount energy;
   VesselStart vessel_start;
   SolvedProblem last;

@@ -50,6 +50,7 @@ struct StepRecord {
   long step = 0;  ///< 1 for the first
   double t = 0;   ///< at the step's end [s]
   double h = 0;   ///< [s]
+  int parts = 0;  ///< that the step was cut into at impacts; the counts are the largest of them, iterations their sum
   int floes = 0, contacts = 0, islands = 0, iterations = 0;
   SolveStatus status = SolveStatus::converged;
   bool solver_short = false;        ///< the solver missed the tolerance that the scene asks for
@@ -67,7 +68,7 @@ struct StepRecord {
   std::vector<ContactEvent> events;  ///< in the order of time
 };
 
-/// A step's contact problem and what its solver made of it.
+/// A step's contact problem and what its solver made of it; of a step that was cut, the last part with contacts.
 struct SolvedProblem {
   ContactProblem problem;
   ContactSolution solution;

@@ -58,12 +58,13 @@ struct FirstContact {
   double t = 1;                                                       ///< of the contact, when there is one
   double least_separation = std::numeric_limits<double>::infinity();  ///< met on the way, when there is none
   bool hit = false;
+  bool certain_miss = false;  ///< no separation met is smaller than what the longest blind march can close
 };
 
 /// Marches by what the separation allows, at least by a share of the thickness, then bisects.
 inline FirstContact first_contact(const PairOnItsWay& pair) {
   const double speed = pair.largest_speed();
-  const double least = 0.01 * pair.thickness() / speed;
+  const double blind = 0.01 * pair.thickness(), least = blind / speed;
   FirstContact out;
   double before = 0;
   for (double t = 0;;) {
@@ -80,7 +81,10 @@ inline FirstContact first_contact(const PairOnItsWay& pair) {
       out.t = together;
       return out;
     }
-    if (t >= 1) return out;
+    if (t >= 1) {
+      out.certain_miss = out.least_separation > blind;
+      return out;
+    }
     before = t;
     t = std::min(1.0, t + std::max(s / speed, least));
   }

@@ -80,7 +80,7 @@ TEST_P(SweptPlates, CertainMissesAreNoHits) {
   while (misses < k_pairs) {
     const oracle::PairOnItsWay pair = oracle::passing_pair(GetParam(), random);
     const oracle::FirstContact truth = oracle::first_contact(pair);
-    if (truth.hit) continue;
+    if (!truth.certain_miss) continue;
     ++misses;
     SweptPair swept(pair);
     EXPECT_FALSE(swept.find().hit) << "pair " << misses << ", separation " << truth.least_separation;

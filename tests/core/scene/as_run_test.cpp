@@ -52,7 +52,7 @@ TEST(AsRun, DefaultsAreWrittenOutAsTheyWereUsed) {
   expect_round_trip(folder, scene);
   for (const char* part :
        {"<time step=\"0.01\" start=\"0\" end=\"10\"/>", "<gravity value=\"0 0 -9.81\"/>", "<seed value=\"1\"/>",
-        "solver=\"auto\"", "integrator=\"semi-implicit-euler\"", "detection=\"discrete\"",
+        "solver=\"auto\"", "integrator=\"semi-implicit-euler\"", "detection=\"continuous\"",
         "stabilisation=\"projection\"", "contacts=\"none\"", "region=\"0 0 1.5 1\"", "<size distribution=\"lognormal\"",
         "<shape kind=\"polygon\"", "name=\"body 1\" shape=\"sphere\" radius=\"0.5\"", "density=\"1000\"",
         "tolerance=\"1e-06\""})

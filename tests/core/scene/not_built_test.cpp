@@ -19,9 +19,6 @@ TEST(NotBuilt, EachIsRefusedWithItsPlace) {
   folder.write("file", "");
   const std::string vessel = "<vessel><hull/><mass value='1'/>", field = "<ice><field region='0 0 1 1' ";
   const std::vector<NotBuilt> cases{
-      {"<contact preset='seed-2014' detection='continuous'/>", "<contact detection>"},
-      {"<contact detection='speculative'/>", "<contact detection>"},
-      {"<contact detection='continuous'/>", "<contact detection>"},
       {"<water><current profile='file'/></water>", "<water><current profile>"},
       {"<water><waves kind='regular' height='0.1' period='2'/></water>", "<water><waves>"},
       {"<hydro><added_mass model='strip'/></hydro>", "<hydro><added_mass>"},
@@ -46,8 +43,8 @@ TEST(NotBuilt, EachIsRefusedWithItsPlace) {
 TEST(NotBuilt, TheMessageSaysWhatToDo) {
   const SceneFolder folder;
   expect_fault(folder.faults(in_scene("<water><waves/></water>")), 2, "<water><waves>", {"remove the element"});
-  expect_fault(folder.faults(in_scene("<contact detection='speculative'/>")), 2, "<contact detection>",
-               {"built: discrete"});
+  expect_fault(folder.faults(in_scene("<ice><field region='0 0 1 1' kind='voronoi'/></ice>")), 2, "<ice><field kind>",
+               {"built: "});
 }
 
 TEST(NotBuilt, WhatSaysTheSameAsNothingIsTaken) {

@@ -193,10 +193,10 @@ TEST(ReadScene, DefaultsWithoutAModelFallBackAndSaySo) {
   EXPECT_EQ(scene.contact.solver, "auto");
   EXPECT_EQ(scene.contact.integrator, "semi-implicit-euler");
   EXPECT_EQ(scene.contact.stabilisation, "projection");
-  EXPECT_EQ(scene.contact.detection, "discrete");
+  EXPECT_EQ(scene.contact.detection, "continuous");
+  EXPECT_EQ(scene.contact.substeps, 0);
   EXPECT_EQ(scene.output.contacts, "none");
   const std::vector<std::string> expected{
-      "<contact detection>: the default 'continuous' is not built in this version; 'discrete' is used.",
       "<output contacts>: the default 'hull' is not built in this version; 'none' is used."};
   EXPECT_EQ(scene.notes, expected);
 }
