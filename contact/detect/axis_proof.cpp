@@ -9,11 +9,12 @@ namespace nilas {
 
 namespace {
 
-/// Depths above this share of both parts' widths along the axis together are not proven for crossing edges.
-constexpr double k_shallow = 0.05;
 /// How far, in depths, the Minkowski difference's face of two crossing edges must reach: its neighbours may then turn
 /// by up to 2 atan(8) = 166 degrees before their planes come nearer.
 constexpr double k_crossing_reach = 8.0;
+/// How far, in depths, both parts together must reach along the axis from the crossing on, so that the planes that turn
+/// farther stay away too: 1 + 1 / cos(180 - 166 degrees), rounded up.
+constexpr double k_crossing_thickness = 2.04;
 /// How far, in depths, a point of a gentle slope must lie from the other faces.
 constexpr double k_slope_reach = 2.0;
 
@@ -58,27 +59,35 @@ bool face_is_proven(const PairView& pair, const Axis& axis, const FacingSurfaces
   return reach >= (k_slope_reach - 1) * depth && 0.5 * depth * rise * rise <= pair.tolerance * reach * reach;
 }
 
-bool is_shallow(const PairView& pair, const Axis& axis) {
-  const double narrow = std::min(pair.a.smallest_width, pair.b.smallest_width);
-  if (-axis.s <= k_shallow * narrow) return true;
-  // Both widths are what the parts overlap by along -n, less the depth.
-  return -axis.s <= k_shallow * -separation(pair, -axis.n);
+/// How far a part reaches from a point of its surface along the unit vector d, both in its frame.
+double reach_inside(const FacetedGeometry& facets, const Vec3& x, const Vec3& d) {
+  double reach = std::numeric_limits<double>::infinity();
+  for (std::size_t f = 0; f < facets.polytope->normals.size(); ++f) {
+    const Vec3& n = facets.polytope->normals[f];
+    const double rate = n.dot(d);
+    if (rate > 0) reach = std::min(reach, (facets.polytope->offsets[f] - n.dot(x)) / rate);
+  }
+  return std::max(reach, 0.0);
 }
 
 bool crossing_is_proven(const PairView& pair, const Axis& axis) {
-  if (!is_shallow(pair, axis)) return false;
   const ConvexPolytope& a = *pair.a.facets->polytope;
   const ConvexPolytope& b = *pair.b.facets->polytope;
   const PartEdge& edge_a = pair.a.facets->edges[axis.feature_a];
   const PartEdge& edge_b = pair.b.facets->edges[axis.feature_b];
   const Vec3 along_b = pair.b_in_a.R * edge_b.along;
+  const Vec3 start_a = a.vertices[edge_a.v0], start_b = pair.b_in_a.point(b.vertices[edge_b.v0]);
   // The edges' common perpendicular is the axis, so the nearest points of their lines are the crossing.
-  const NearestOnSegments nearest =
-      nearest_on_segments(a.vertices[edge_a.v0], edge_a.along, pair.b_in_a.point(b.vertices[edge_b.v0]), along_b);
+  const NearestOnSegments nearest = nearest_on_segments(start_a, edge_a.along, start_b, along_b);
   const double area = edge_a.along.cross(along_b).norm();
   const double from_b = std::min(nearest.t, 1.0 - nearest.t) * area / along_b.norm();
   const double from_a = std::min(nearest.u, 1.0 - nearest.u) * area / edge_a.along.norm();
-  return std::min(from_a, from_b) >= k_crossing_reach * -axis.s;
+  const double depth = -axis.s;
+  if (std::min(from_a, from_b) < k_crossing_reach * depth) return false;
+  const Vec3 on_b = pair.a_in_b.point(start_b + nearest.u * along_b);
+  const double thickness = reach_inside(*pair.a.facets, start_a + nearest.t * edge_a.along, -axis.n) +
+                           reach_inside(*pair.b.facets, on_b, pair.b_in_a.R.transpose() * axis.n);
+  return thickness >= k_crossing_thickness * depth;
 }
 
 }  // namespace
