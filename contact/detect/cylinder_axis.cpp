@@ -1,15 +1,20 @@
 #include "contact/detect/cylinder_axis.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "contact/detect/face_axes.h"
 #include "contact/detect/nearest_point.h"
+#include "contact/detect/round_axes.h"
 
 namespace nilas {
 
 namespace {
 
 constexpr int k_most_steps = 6;
+/// Directions from which the tops between two rims are sought, and how many of them are followed.
+constexpr int k_rim_samples = 200, k_rim_starts = 6;
 
 class CylinderSearch {
  public:
@@ -25,8 +30,12 @@ class CylinderSearch {
     try_both_ways(pair_.b_in_a.point(pair_.b.centre) - pair_.a.centre);
     improve();
     if (settled()) return best_;
-    ask_fcl(fcl);
-    settled();
+    try_all_round_axes();
+    improve();
+    if (!settled() && best_.s > 0) {
+      ask_fcl(fcl);
+      settled();
+    }
     return best_;
   }
 
@@ -66,6 +75,80 @@ class CylinderSearch {
     const Vec3 between = pair_.b_in_a.p;
     try_both_ways(between - between.dot(axis_a) * axis_a);
     try_both_ways(between - between.dot(axis_b) * axis_b);
+  }
+
+  // Parts overlap least along the normal of a smooth place on their Minkowski difference [regular points, Schneider
+  // 2013, Convex Bodies, 2.2]: a face, a cap, an edge or side that crosses a side, a vertex beside a side, a rim along
+  // an edge, or two rims. The first three have single directions, the others are searched place by place.
+
+  void try_all_round_axes() {
+    if (is_round(side_a()) && is_round(side_b())) {
+      try_rim_along_side(side_a(), side_b());
+      try_rim_along_side(side_b(), side_a());
+      try_rims();
+    } else if (is_round(side_a())) {
+      try_edges_and_vertices(side_b(), side_a());
+    } else {
+      try_edges_and_vertices(side_a(), side_b());
+    }
+  }
+
+  static RoundBody round_body(const Part& part, const RelativePose& pose) {
+    return {pose.point(part.centre), pose.R.col(2), part.radius, part.half_height};
+  }
+
+  /// `polytope` against `round`, in the polytope's frame and along the polytope's outward directions.
+  void try_edges_and_vertices(const Side& polytope, const Side& round) {
+    const FacetedGeometry& facets = *polytope.part.facets;
+    const RelativePose to_own = polytope.in_a.inverse();
+    const RoundBody body = round_body(round.part, {to_own.R * round.in_a.R, to_own.point(round.in_a.p)});
+    const auto offer = [&](const Vec3& n) { try_direction(polytope.sign * (polytope.in_a.R * n)); };
+    const auto try_square_to_axis = [&](const Vec3& vertex, const Vec3& direction) {
+      const double length = direction.norm();
+      const Vec3 n = direction / length;
+      if (length > pair_.tolerance && n.dot(body.centre - vertex) - body.radius > best_.s) offer(n);
+    };
+    for (const Vec3& v : facets.polytope->vertices) {
+      const Vec3 out = body.centre - v;
+      const Vec3 across = out - out.dot(body.axis) * body.axis;
+      try_square_to_axis(v, across);
+      try_square_to_axis(v, -across);
+    }
+    for (const PartEdge& edge : facets.edges) {
+      const Vec3& v = facets.polytope->vertices[edge.v0];
+      const Vec3 crossing = edge.along.cross(body.axis);
+      try_square_to_axis(v, crossing);
+      try_square_to_axis(v, -crossing);
+      const Arc arc = arc_between(facets.polytope->normals[edge.f0], facets.polytope->normals[edge.f1]);
+      if (most_over_arc(arc, v, round.part.inner_radius, body) <= best_.s) continue;
+      const RoundAxis best = best_over_arc(arc, v, body);
+      if (best.s > best_.s) offer(best.n);
+    }
+  }
+
+  /// The side of `straight` is an edge around which directions turn fully.
+  void try_rim_along_side(const Side& straight, const Side& round) {
+    const RoundBody line = round_body(straight.part, straight.in_a), body = round_body(round.part, round.in_a);
+    const Vec3 start = line.axis.unitOrthogonal();
+    for (const double sign : {1.0, -1.0}) {
+      const Arc half_turn{sign * start, sign * line.axis.cross(start), k_pi};
+      try_direction(straight.sign * best_over_arc(half_turn, line.centre, body).n);
+    }
+  }
+
+  void try_rims() {
+    const RoundBody a = round_body(pair_.a, own_frame_), b = round_body(pair_.b, pair_.b_in_a);
+    std::vector<RoundAxis> starts{{best_.n, best_.s}};
+    for (int k = 0; k < k_rim_samples; ++k) {  // evenly over the sphere
+      constexpr double k_golden_angle = 2.399963229728653;
+      const double z = 1 - (2.0 * k + 1) / k_rim_samples, r = std::sqrt(1 - z * z);
+      const Vec3 n(r * std::cos(k * k_golden_angle), r * std::sin(k * k_golden_angle), z);
+      starts.push_back({n, separation(pair_, n)});
+    }
+    std::partial_sort(starts.begin() + 1, starts.begin() + 1 + k_rim_starts, starts.end(),
+                      [](const RoundAxis& p, const RoundAxis& q) { return p.s > q.s; });
+    for (int k = 0; k <= k_rim_starts; ++k)
+      try_direction(climb_between_rims(a, b, starts[static_cast<std::size_t>(k)].n).n);
   }
 
   /// From the best axis to exact ones near it.

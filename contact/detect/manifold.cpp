@@ -58,6 +58,7 @@ void drop_repeated(double tolerance, std::vector<OverlayPoint>& points) {
 struct SupportSet {
   std::vector<LoopCorner> corners;
   double height = 0;
+  bool is_cap = false;  ///< the one corner is the centre of a cylinder's cap
 };
 
 SupportSet support_set(const PatchView& view, const ContactPlane& plane, double tolerance) {
@@ -76,6 +77,7 @@ SupportSet support_set(const PatchView& view, const ContactPlane& plane, double 
   } else {
     const CylinderSupport support = cylinder_support(view.part, direction, tolerance);
     for (int i = 0; i < support.count; ++i) add(support.points[i], i);
+    set.is_cap = support.points[0].head<2>().isZero(0);
   }
   return set;
 }
@@ -115,8 +117,16 @@ void reduce_to_ends(SupportSet& set, double tolerance) {
   set.corners = {first, last};
 }
 
+/// Where a vertex or an edge lies on a cap: at its point nearest to the cap's centre.
+Vec3 point_on_cap(const LoopCorner& centre, const SupportSet& set) {
+  const Vec3 p = in_plane(set.corners.front()), along = in_plane(set.corners.back()) - p;
+  if (along.isZero(0)) return p;
+  return p + std::clamp(along.dot(in_plane(centre) - p) / along.squaredNorm(), 0.0, 1.0) * along;
+}
+
 /// Where two supporting features (vertex, edge or more) meet in the contact plane.
 Vec3 meeting_point(const SupportSet& a, const SupportSet& b) {
+  if (a.is_cap != b.is_cap) return a.is_cap ? point_on_cap(a.corners[0], b) : point_on_cap(b.corners[0], a);
   if (a.corners.size() == 2 && b.corners.size() == 2) {
     const Vec3 p = in_plane(a.corners[0]), q = in_plane(b.corners[0]);
     const Vec3 along_p = in_plane(a.corners[1]) - p, along_q = in_plane(b.corners[1]) - q;
