@@ -9,7 +9,7 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "core/bodies/mass_properties.h"
+#include "core/bodies/orientation.h"
 #include "core/bodies/polygon.h"
 
 namespace nilas {
@@ -64,7 +64,7 @@ std::vector<int> with_straight_vertices(const std::vector<int>& piece, const std
 
 std::vector<std::vector<int>> convex_piece_indices(const std::vector<Vec2>& outline) {
   if (!is_simple(outline)) throw InputError("a floe outline crosses itself or repeats a point");
-  if (polygon_moments(outline).area <= 0) throw InputError("a floe outline must run counter-clockwise");
+  if (is_clockwise(outline)) throw InputError("a floe outline must run counter-clockwise");
   const int n = static_cast<int>(outline.size());
   std::vector<int> all(outline.size());
   std::iota(all.begin(), all.end(), 0);

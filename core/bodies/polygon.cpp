@@ -48,12 +48,9 @@ double edge_separation(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
 bool is_simple(const std::vector<Vec2>& outline) {
   const std::size_t n = outline.size();
   if (n < 3) return false;
-  double perimeter = 0;
-  for (std::size_t i = 0; i < n; ++i) perimeter += (outline[(i + 1) % n] - outline[i]).norm();
-  constexpr double k_shortest_edge = 1e-12;  // of the perimeter: rounding is 1e-16 of it
   for (std::size_t i = 0; i < n; ++i) {
     const Vec2 &a = outline[i], &b = outline[(i + 1) % n], &c = outline[(i + 2) % n];
-    if (!((b - a).norm() >= k_shortest_edge * perimeter)) return false;
+    if (a == b || !a.allFinite()) return false;
     // neighbours may share their vertex only: no folding back
     if ((b - a).dot(c - b) < 0 && orientation(a, b, c) == 0) return false;
     for (std::size_t j = i + 2; j < n; ++j) {

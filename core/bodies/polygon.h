@@ -6,8 +6,8 @@
 
 namespace nilas {
 
-/// True when no two edges cross or touch except neighbours at their shared vertex, and no edge is shorter than 1e-9 of
-/// the perimeter. Decided exactly.
+/// True when no two edges cross or touch except neighbours at their shared vertex, and no edge has length zero: none is
+/// too short. Decided exactly.
 bool is_simple(const std::vector<Vec2>& outline);
 /// Simple, and turning one way only; turns below k_straight_angle count as straight.
 bool is_convex(const std::vector<Vec2>& outline);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/bodies/mass_properties.h"
 #include "core/bodies/orientation.h"
 #include "tests/core/bodies/solids.h"
 
@@ -39,7 +40,9 @@ TEST(IsSimple, PlainOutlines) {
   auto clockwise = l_outline();
   std::reverse(clockwise.begin(), clockwise.end());
   EXPECT_TRUE(is_simple(clockwise));
-  EXPECT_TRUE(is_simple({{0, 0}, {1, 0}, {1, 1e-9}, {0, 1}}));  // a nanometre's edge on a metre's floe
+  EXPECT_TRUE(is_simple({{0, 0}, {1, 0}, {1, 1e-9}, {0, 1}}));                   // a nanometre's edge on a metre's floe
+  EXPECT_TRUE(is_simple({{0, 0}, {1e4, 0}, {1e4, 1e-9}, {0, 1e4}}));             // and on a ten kilometre sheet
+  EXPECT_TRUE(is_simple({{1, 0}, {1 + 1e-9, 0}, {1 + 1e-9, 1e-9}, {1, 1e-9}}));  // a floe of nanometres
 }
 
 TEST(IsSimple, CrossingsTouchesAndSpikesAreFound) {
@@ -49,10 +52,24 @@ TEST(IsSimple, CrossingsTouchesAndSpikesAreFound) {
   EXPECT_FALSE(is_simple({{0, 0}, {2, 0}, {2, 1}, {2, -1}, {2, 3}, {0, 3}}));                 // spike
   EXPECT_FALSE(is_simple({{0, 0}, {3, 0}, {3, 1}, {2, 1}, {2, 0}, {1, 0}, {1, 1}, {0, 1}}));  // edges overlap
   EXPECT_FALSE(is_simple({{0, 0}, {1, 0}, {1, 0}, {0, 1}}));                                  // point repeated
-  EXPECT_FALSE(is_simple({{0, 0}, {1, 0}, {1, 1e-12}, {0, 1}}));                              // edge too short
   EXPECT_FALSE(is_simple({{0, 0}, {1, 1}}));
   EXPECT_FALSE(is_simple({{0, 0}, {1, 1}, {2, 2}}));
   EXPECT_FALSE(is_simple({{0, 0}, {1, 0}, {std::nan(""), 1}}));
+}
+
+/// Slivers whose rounded area has the wrong sign or none.
+TEST(IsClockwise, IsExactOnSlivers) {
+  const double u = 0x1.0p-53;
+  int rounded_wrong = 0;
+  for (int i = 0; i < 16; ++i)
+    for (int j = 0; j < 16; ++j) {
+      if (i == j) continue;
+      const std::vector<Vec2> sliver{{0.5 + i * u, 0.5 + j * u}, {12, 12}, {24, 24}};
+      EXPECT_EQ(is_clockwise(sliver), j < i);
+      rounded_wrong += (polygon_moments(sliver).area < 0) != (j < i);
+    }
+  EXPECT_GT(rounded_wrong, 10);
+  EXPECT_FALSE(is_clockwise(l_outline()));
 }
 
 TEST(IsConvex, TellsConvexFromConcave) {
