@@ -15,10 +15,11 @@ struct FieldFloe {
   std::vector<Vec2> outline;  ///< counter-clockwise, in G [m]
   double thickness = 0;       ///< [m]; 0: the scene's
   double density = 0;         ///< [kg/m^3]; 0: the scene's
+  bool fixed = false;         ///< never moves, whatever the field says
 };
 
-enum class FloeShape { polygon, rectangle, square, parallelogram, disc };
-enum class SizeDistribution { fixed, uniform, lognormal, power_law };
+enum class FloeShape { polygon, rectangle, square, parallelogram, disc, library };
+enum class SizeDistribution { fixed, uniform, lognormal, power_law, as_library };
 
 struct PackedSpec {
   Vec2 low = Vec2::Zero(), high = Vec2::Ones();  ///< region [m]
@@ -31,6 +32,8 @@ struct PackedSpec {
   int vertices_min = 5, vertices_max = 9;
   double aspect = 1.5;  ///< long side / short side of rectangle and parallelogram
   double shear = 0;     ///< parallelogram, angle from a rectangle [rad]
+  std::vector<std::vector<Vec2>>
+      library;  ///< simple counter-clockwise outlines to draw from, scaled to the drawn sizes
   std::vector<std::vector<Vec2>>
       keep_out;  ///< convex counter-clockwise outlines that ice keeps clear of; their area is no part of the region
   double keep_out_margin = 0;  ///< [m]
@@ -54,6 +57,35 @@ struct FieldResult {
 /// what was.
 FieldResult pack_field(const PackedSpec& spec);
 
+/// Cells of a power diagram whose areas follow the size distribution, each made smaller about its centroid until the
+/// concentration is the one asked, 1 included; the shape and the overlap tolerance of the spec have no part in it.
+/// Drawn areas are scaled by one factor so that the concentration is met exactly. Convex floes, also beside keep-out
+/// outlines, where cells lose the wedges beyond an outline's corners. Throws InputError for a wrong parameter, and
+/// where those wedges are missed, saying what can be reached.
+FieldResult voronoi_field(const PackedSpec& spec);
+
+/// An intact sheet.
+struct LevelSpec {
+  Vec2 low = Vec2::Zero(), high = Vec2::Ones();  ///< region [m]
+  std::vector<std::vector<Vec2>> keep_out;       ///< convex, counter-clockwise
+  double keep_out_margin = 0;                    ///< [m]
+  Vec2 aft = -Vec2::UnitX();                     ///< where a hull came from
+};
+/// One floe filling the region outside the keep-out outlines, convex or not; several where outlines part it. An outline
+/// that stands wholly inside the region has its track open, as wide as itself, from the region's edge on the side of
+/// `aft`: a floe has no holes. The concentration counts the track as free water. Throws InputError.
+FieldResult level_field(const LevelSpec& spec);
+
+/// A channel of broken ice along X between two sheets.
+struct ChannelSpec {
+  PackedSpec ice;             ///< of the whole region; its concentration is that of the channel
+  double width = 1;           ///< of the channel, about the region's middle line [m]
+  Vec2 aft = -Vec2::UnitX();  ///< see LevelSpec
+};
+/// The broken floes as pack_field makes them within the channel, then the sheets on both sides, fixed. Throws
+/// InputError.
+FieldResult channel_field(const ChannelSpec& spec);
+
 struct GridSpec {
   Vec2 low = Vec2::Zero(), high = Vec2::Ones();
   int rows = 1;      ///< along Y
@@ -74,7 +106,13 @@ FieldResult grid_field(const GridSpec& spec);
 /// GeoJSON FeatureCollection, one Polygon without holes per floe, in metres, its first point repeated at the end;
 /// properties thickness_m and density_kg_m3 where not the scene's. Clockwise rings are turned. worst_overlap is
 /// measured on reading. Throws FileError, InputError naming file and feature (counted from 1).
+/// `fixed` is a property, too, where true.
 FieldResult read_field(const std::filesystem::path& file);
 void write_field(const FieldResult& field, const std::filesystem::path& file);
+
+/// Outlines to draw floes from, counter-clockwise: JSON list of outlines, or an object with such a list "bodies" (as
+/// IceFieldCreator's), each a list of numbers x y x y ... or of pairs [x, y] in metres; or a GeoJSON field. Throws
+/// FileError, InputError naming file and outline (counted from 1).
+std::vector<std::vector<Vec2>> read_outlines(const std::filesystem::path& file);
 
 }  // namespace nilas

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/bodies/mass_properties.h"
+#include "core/bodies/orientation.h"
 #include "core/bodies/polygon.h"
 #include "core/field/field.h"
 #include "core/field/overlaps.h"
@@ -59,6 +60,7 @@ class FieldReader {
     if (feature.contains("properties") && !feature["properties"].is_null()) {
       floe.thickness = number(feature["properties"], "thickness_m");
       floe.density = number(feature["properties"], "density_kg_m3");
+      floe.fixed = feature["properties"].value("fixed", json()) == true;
     }
     return floe;
   }
@@ -77,7 +79,7 @@ class FieldReader {
     if (points.front() != points.back()) refuse("the ring is not closed: its last point must repeat the first");
     points.pop_back();
     if (!is_simple(points)) refuse("the outline crosses or touches itself");
-    if (polygon_moments(points).area < 0) std::reverse(points.begin(), points.end());
+    if (is_clockwise(points)) std::reverse(points.begin(), points.end());
     return points;
   }
 
@@ -125,6 +127,7 @@ json feature_of(const FieldFloe& floe) {
   json properties = json::object();
   if (floe.thickness > 0) properties["thickness_m"] = floe.thickness;
   if (floe.density > 0) properties["density_kg_m3"] = floe.density;
+  if (floe.fixed) properties["fixed"] = true;
   return {{"type", "Feature"},
           {"properties", properties},
           {"geometry", {{"type", "Polygon"}, {"coordinates", json::array({ring})}}}};

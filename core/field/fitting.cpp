@@ -46,7 +46,6 @@ std::size_t sharpest_corner(const std::vector<Vec2>& outline) {
   return sharpest;
 }
 
-/// Both only take ice away, so they make no new overlap.
 void drop_corners(std::vector<Vec2>& outline, double area, const FittingLimits& limits) {
   while (true) {
     const std::size_t i = flattest_corner(outline);
@@ -133,8 +132,7 @@ class Fitter {
     for (Vec2& corner : outline) corner = floes_[i].centre + scale * (corner - floes_[i].centre);
     for (const HalfPlane& side : cells_[i]) outline = cut_outline(outline, side.normal, side.offset);
     if (outline.empty()) return outline;
-    drop_corners(outline, floes_[i].area, limits_);
-    add_corners(outline, limits_);
+    limit_corners(outline, floes_[i].area, limits_);
     return outline;
   }
 
@@ -167,6 +165,11 @@ class Fitter {
 };
 
 }  // namespace
+
+void limit_corners(std::vector<Vec2>& outline, double area, const FittingLimits& limits) {
+  drop_corners(outline, area, limits);
+  add_corners(outline, limits);
+}
 
 std::vector<std::size_t> fit_outlines(std::vector<LooseFloe>& floes, const FieldBounds& bounds,
                                       const FittingLimits& limits) {

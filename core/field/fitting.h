@@ -13,6 +13,10 @@ struct FittingLimits {
   int vertices_max = 9;
 };
 
+/// Drops the corners that hold least ice while there are too many, or while they hold next to none, and chamfers the
+/// sharpest while there are too few; takes ice away only. `area` is that of the floe [m^2].
+void limit_corners(std::vector<Vec2>& outline, double area, const FittingLimits& limits);
+
 /// Draws a line between every two near floes, on the axis where they lie furthest apart and nearer to the smaller one:
 /// the lines, the region's edge and the obstacles bound a cell for each floe, and cells do not overlap. A floe that
 /// reaches beyond its cell is scaled about its centroid and cut to the cell until it has its area again, so that it

@@ -1,5 +1,6 @@
 #include "core/field/floe_shapes.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace nilas {
@@ -26,6 +27,10 @@ std::vector<Vec2> parallelogram(double aspect, double shear) {
   return {{-aspect - lean, -height}, {aspect - lean, -height}, {aspect + lean, height}, {-aspect + lean, height}};
 }
 
+const std::vector<Vec2>& any_of_library(const PackedSpec& spec, RandomStream& random) {
+  return spec.library[static_cast<std::size_t>(random.uniform() * static_cast<double>(spec.library.size()))];
+}
+
 std::vector<Vec2> draw_outline(const PackedSpec& spec, RandomStream& random) {
   switch (spec.shape) {
     case FloeShape::rectangle:
@@ -36,6 +41,8 @@ std::vector<Vec2> draw_outline(const PackedSpec& spec, RandomStream& random) {
       return parallelogram(spec.aspect, spec.shear);
     case FloeShape::disc:
       return ellipse_polygon(k_disc_corners, 1, 0, random);
+    case FloeShape::library:
+      return any_of_library(spec, random);
     case FloeShape::polygon:
       break;
   }
@@ -47,9 +54,25 @@ std::vector<Vec2> draw_outline(const PackedSpec& spec, RandomStream& random) {
 }  // namespace
 
 LooseFloe draw_floe(const PackedSpec& spec, double area, RandomStream& random) {
-  LooseFloe floe = with_area(loose_floe(draw_outline(spec, random)), area);
+  LooseFloe floe = hulled_floe(draw_outline(spec, random));
+  floe = with_area(std::move(floe), area / floe.fill);
   floe.centre.setZero();
   return floe;
+}
+
+std::vector<LooseFloe> draw_library_floes(const PackedSpec& spec, double wanted, RandomStream& random) {
+  std::vector<LooseFloe> floes;
+  double sum = 0;
+  while (true) {
+    LooseFloe floe = hulled_floe(any_of_library(spec, random));
+    floe.centre.setZero();
+    const double area = floe.area * floe.fill;
+    if (std::abs(sum + area - wanted) >= std::abs(sum - wanted)) break;  // without this floe the sum is nearer
+    sum += area;
+    floes.push_back(std::move(floe));
+  }
+  std::stable_sort(floes.begin(), floes.end(), [](const auto& a, const auto& b) { return a.area > b.area; });
+  return floes;
 }
 
 }  // namespace nilas

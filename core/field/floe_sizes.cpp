@@ -24,6 +24,7 @@ double draw_size(const PackedSpec& spec, RandomStream& random) {
     case SizeDistribution::power_law:
       return power_law(spec.exponent, spec.min, spec.max, random.uniform());
     case SizeDistribution::lognormal:
+    case SizeDistribution::as_library:
       break;
   }
   return random.lognormal(spec.mean, spec.sd);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/bodies/mass_properties.h"
+#include "core/bodies/polygon.h"
 
 namespace nilas {
 
@@ -21,9 +22,26 @@ LooseFloe loose_floe(std::vector<Vec2> outline) {
   return floe;
 }
 
+LooseFloe hulled_floe(const std::vector<Vec2>& outline) {
+  if (is_convex(outline)) return loose_floe(outline);
+  LooseFloe floe = loose_floe(convex_hull(outline));
+  floe.fill = polygon_moments(outline).area / floe.area;
+  for (const Vec2& corner : outline) floe.notched.push_back(corner - floe.centre);
+  return floe;
+}
+
+std::vector<Vec2> placed_ice(const LooseFloe& floe) {
+  const double c = std::cos(floe.angle), s = std::sin(floe.angle);
+  std::vector<Vec2> ice = floe.notched.empty() ? floe.shape : floe.notched;
+  for (Vec2& corner : ice)
+    corner = floe.centre + Vec2(c * corner.x() - s * corner.y(), s * corner.x() + c * corner.y());
+  return ice;
+}
+
 LooseFloe with_area(LooseFloe floe, double area) {
   const double scale = std::sqrt(area / floe.area);
   for (Vec2& corner : floe.shape) corner *= scale;
+  for (Vec2& corner : floe.notched) corner *= scale;
   floe.radius *= scale;
   floe.polar_moment *= scale * scale * scale * scale;
   floe.area = area;

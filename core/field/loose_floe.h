@@ -14,11 +14,17 @@ struct LooseFloe {
   double radius = 0;           ///< of the circle about the centroid that holds the shape [m]
   Vec2 centre = Vec2::Zero();  ///< centroid in G [m]
   double angle = 0;            ///< of the shape in G [rad]
+  std::vector<Vec2> notched;   ///< the ice itself, where `shape` is only its convex hull; same axes [m]
+  double fill = 1;             ///< area of the ice over that of the shape
 };
 
 /// Floe of the given outline in G: its centroid becomes the centre, its angle is zero.
 LooseFloe loose_floe(std::vector<Vec2> outline);
-/// The same floe scaled about its centroid to `area` [m^2].
+/// Floe of a simple counter-clockwise outline that need not be convex: packed as its convex hull.
+LooseFloe hulled_floe(const std::vector<Vec2>& outline);
+/// The ice of a floe in its place, counter-clockwise [m].
+std::vector<Vec2> placed_ice(const LooseFloe& floe);
+/// The same floe scaled about its centroid to `area` of its shape [m^2].
 LooseFloe with_area(LooseFloe floe, double area);
 /// Places the floe's shape, scaled by `scale` about the centroid, in G.
 void place_outline(const LooseFloe& floe, double scale, ConvexOutline& outline);

@@ -14,7 +14,9 @@
 #include "core/field/overlaps.h"
 #include "core/field/packed_spec.h"
 #include "core/field/place_floes.h"
+#include "core/field/power_diagram.h"
 #include "core/field/relaxation.h"
+#include "core/field/rows.h"
 
 namespace nilas {
 
@@ -29,16 +31,24 @@ constexpr double k_first_scale = 0.85;  ///< floes start so much smaller and gro
 constexpr double k_growth = 0.002;      ///< of the scale per pass
 constexpr int k_settling_passes = 150;  ///< at full size
 
-constexpr int k_exchange_rounds = 250;         ///< of shaking, exchanging places and relaxing
-constexpr int k_exchange_runs = 3;             ///< of so many rounds, each shaken anew
-constexpr int k_exchange_rounds_polygon = 20;  ///< before outlines are fitted
+constexpr int k_exchange_rounds = 250;       ///< of shaking, exchanging places and relaxing
+constexpr int k_exchange_runs = 3;           ///< of so many rounds, each shaken anew
+constexpr int k_short_exchange_rounds = 20;  ///< before outlines are fitted, or equal floes laid in rows
 constexpr int k_passes_per_round = 20;
 constexpr int k_trials_per_floe = 20;
 constexpr double k_shake = 0.03;        ///< first shaking: standard deviation, floe sizes and radians
 constexpr double k_shaken_share = 0.8;  ///< of the rounds; the shaking fades to nothing over these
 
-constexpr int k_fitting_rounds = 400;
+/// Above it polygons and equal floes keep blocking each other: exchanging their places is left out at first.
+constexpr double k_densest_drawn = 0.88;
+constexpr int k_short_settling_passes = 30;
+
+constexpr double k_row_gap = 0.3;  ///< of the wanted gap, between equal floes laid in rows: no lack
+
+constexpr int k_fitting_rounds = 40;
 constexpr int k_passes_per_fitting = 10;
+constexpr int k_lloyd_rounds = 3;  ///< of the power diagram that takes over where fitting stalls
+constexpr double k_cell_tolerance = 1e-3;
 
 constexpr double k_shrink = 0.99;  ///< of the areas per step, to find what concentration can be reached
 constexpr int k_shrink_rounds = 15;
@@ -53,6 +63,8 @@ const char* name_of(FloeShape shape) {
       return "parallelograms";
     case FloeShape::disc:
       return "discs";
+    case FloeShape::library:
+      return "outlines of the library";
     case FloeShape::polygon:
       break;
   }
@@ -71,7 +83,7 @@ class Packing {
   FieldResult run() {
     if (!pack()) accept_or_refuse();
     FieldResult result;
-    for (ConvexOutline& outline : placed_outlines(floes_)) result.floes.push_back({std::move(outline.corners)});
+    for (const LooseFloe& floe : floes_) result.floes.push_back({placed_ice(floe)});
     result.concentration = concentration();
     result.worst_overlap = deepest_overlap(floes_, bounds_);
     result.passes = passes_;
@@ -80,22 +92,10 @@ class Packing {
   }
 
  private:
-  static FieldBounds field_bounds(const PackedSpec& spec) {
-    FieldBounds bounds{spec.low, spec.high, {}};
-    for (auto& outline : grown_outlines(spec.keep_out, spec.keep_out_margin))
-      bounds.obstacles.push_back(obstacle(std::move(outline)));
-    return bounds;
-  }
-
   std::vector<LooseFloe> draw_floes() {
-    std::vector<std::vector<Vec2>> outlines;
-    for (const Obstacle& o : bounds_.obstacles) outlines.push_back(o.outline.corners);
-    free_area_ = free_area(spec_.low, spec_.high, outlines);
-    RandomStream sizes(spec_.seed, "field sizes"), shapes(spec_.seed, "field shapes"),
-        places(spec_.seed, "field places");
-    std::vector<LooseFloe> floes;
-    for (const double area : draw_areas(spec_, spec_.concentration * free_area_, sizes))
-      floes.push_back(draw_floe(spec_, area, shapes));
+    free_area_ = free_area(bounds_);
+    RandomStream places(spec_.seed, "field places");
+    std::vector<LooseFloe> floes = drawn(spec_.concentration * free_area_);
     if (floes.empty())
       throw InputError(
           fmt::format("packed field: concentration {} of {:.3g} m^2 of free water is less than half a floe",
@@ -104,15 +104,27 @@ class Packing {
     return floes;
   }
 
+  std::vector<LooseFloe> drawn(double area) const {
+    RandomStream sizes(spec_.seed, "field sizes"), shapes(spec_.seed, "field shapes");
+    if (spec_.distribution == SizeDistribution::as_library) return draw_library_floes(spec_, area, sizes);
+    std::vector<LooseFloe> floes;
+    for (const double each : draw_areas(spec_, area, sizes)) floes.push_back(draw_floe(spec_, each, shapes));
+    // hulls of concave outlines of like size differ in area
+    std::stable_sort(floes.begin(), floes.end(), [](const auto& a, const auto& b) { return a.area > b.area; });
+    return floes;
+  }
+
   double concentration() const {
     double ice = 0;
-    for (const LooseFloe& floe : floes_) ice += floe.area;
+    for (const LooseFloe& floe : floes_) ice += floe.area * floe.fill;
     return ice / free_area_;
   }
 
   bool pack() {
     if (grow()) return true;
-    if (spec_.shape == FloeShape::polygon) return exchange(k_exchange_rounds_polygon) || fit();
+    if (spec_.shape == FloeShape::polygon)
+      return (!is_dense() && exchange(k_short_exchange_rounds)) || fit() || fit_to_cells();
+    if (floes_are_equal() && ((!is_dense() && exchange(k_short_exchange_rounds)) || lay_in_rows())) return true;
     for (int run = 0; run < k_exchange_runs; ++run)
       if (exchange(k_exchange_rounds) || overlaps_are_tolerated()) return true;
     return false;
@@ -131,9 +143,14 @@ class Packing {
     return false;
   }
 
+  /// What only fitted polygons or rows of equal floes reach.
+  bool is_dense() const {
+    return spec_.concentration > k_densest_drawn && (spec_.shape == FloeShape::polygon || floes_are_equal());
+  }
+
   bool grow() {
     for (double scale = k_first_scale; scale < 1; scale += k_growth) relax(scale, 1);
-    return relax(1, k_settling_passes);
+    return relax(1, is_dense() ? k_short_settling_passes : k_settling_passes);
   }
 
   void shake(double amount) {
@@ -158,18 +175,55 @@ class Packing {
 
   bool fit() {
     for (int round = 0; round < k_fitting_rounds; ++round) {
-      for (const std::size_t i : fit_outlines(floes_, bounds_, {gap_, spec_.vertices_min, spec_.vertices_max}))
-        fitted_.insert(i);
+      for (const std::size_t i : fit_outlines(floes_, bounds_, limits())) fitted_.insert(i);
       relaxation_.restart();
       if (relax(1, k_passes_per_fitting)) return true;
     }
     return false;
   }
 
+  /// Four-cornered and all of one size.
+  bool floes_are_equal() const {
+    const bool four_corners = spec_.shape == FloeShape::square || spec_.shape == FloeShape::rectangle ||
+                              spec_.shape == FloeShape::parallelogram;
+    return four_corners && (spec_.distribution == SizeDistribution::fixed || spec_.min == spec_.max);
+  }
+
+  bool lay_in_rows() {
+    in_rows_ = place_in_rows(floes_, bounds_, k_row_gap * gap_, rows_);
+    relaxation_.restart();
+    return in_rows_ >= static_cast<int>(floes_.size()) && relax(1, k_passes_per_round);
+  }
+
+  FittingLimits limits() const { return {gap_, spec_.vertices_min, spec_.vertices_max}; }
+
+  /// Every floe takes the form of its cell in the power diagram of the present centres whose areas are in proportion to
+  /// the floes'; then fits again, since cells can have more corners than floes may.
+  bool fit_to_cells() {
+    PowerSites sites;
+    std::vector<double> areas;
+    for (const LooseFloe& floe : floes_) {
+      sites.points.push_back(floe.centre);
+      sites.weights.push_back(0);
+      areas.push_back(floe.area);
+    }
+    const auto cells = cells_with_areas(sites, areas, bounds_, k_lloyd_rounds, k_cell_tolerance);
+    for (std::size_t i = 0; i < floes_.size(); ++i) {
+      if (cells[i].outline.empty()) continue;
+      std::vector<Vec2> outline = cells[i].outline;
+      limit_corners(outline, floes_[i].area, limits());
+      floes_[i] = with_area(loose_floe(std::move(outline)), floes_[i].area);
+      fitted_.insert(i);
+    }
+    relaxation_.restart();
+    return relax(1, k_passes_per_fitting) || fit();
+  }
+
   /// Overlaps within the spec's tolerance are left; else says what concentration the same floes, made smaller, reach.
   void accept_or_refuse() {
     if (overlaps_are_tolerated()) return;
     const std::size_t wanted = floes_.size();
+    const double in_rows = in_rows_ * floes_.front().area / free_area_;
     do {
       for (LooseFloe& floe : floes_) floe = with_area(floe, k_shrink * floe.area);
       relaxation_.restart();
@@ -178,7 +232,7 @@ class Packing {
         fmt::format("packed field: concentration: found {}, but {} {} block each other at about {:.2f} (after {} "
                     "passes); lower it or "
                     "spread the sizes wider",
-                    spec_.concentration, wanted, name_of(spec_.shape), concentration(), passes_));
+                    spec_.concentration, wanted, name_of(spec_.shape), std::max(in_rows, concentration()), passes_));
   }
 
   const PackedSpec& spec_;
@@ -187,7 +241,9 @@ class Packing {
   double free_area_ = 0;          ///< [m^2]
   std::vector<LooseFloe> floes_;  ///< largest first
   Relaxation relaxation_;
-  RandomStream shaking_{spec_.seed, "field shaking"}, exchanges_{spec_.seed, "field exchanges"};
+  RandomStream shaking_{spec_.seed, "field shaking"}, exchanges_{spec_.seed, "field exchanges"},
+      rows_{spec_.seed, "field rows"};
+  int in_rows_ = 0;  ///< equal floes that rows hold
   int passes_ = 0;
   std::set<std::size_t> fitted_;
 };

@@ -1,0 +1,85 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/bodies/mass_properties.h"
+#include "core/field/field.h"
+#include "core/field/floe_sizes.h"
+#include "core/field/keep_out.h"
+#include "core/field/packed_spec.h"
+#include "core/field/place_floes.h"
+#include "core/field/power_diagram.h"
+
+namespace nilas {
+
+namespace {
+
+constexpr int k_lloyd_rounds = 10;  ///< cells become compact, yet differ in shape
+constexpr double k_area_tolerance = 1e-9;
+
+/// Drawn areas, all made larger or smaller by the same factor (by half a floe in all at most) to sum to `wanted` [m^2].
+std::vector<double> areas_of(const PackedSpec& spec, double wanted) {
+  RandomStream sizes(spec.seed, "field sizes");
+  std::vector<double> areas = draw_areas(spec, wanted, sizes);
+  if (areas.empty()) throw InputError(fmt::format("voronoi field: {:.3g} m^2 of ice is less than half a floe", wanted));
+  double sum = 0;
+  for (const double area : areas) sum += area;
+  for (double& area : areas) area *= wanted / sum;
+  return areas;
+}
+
+/// Sites spread as circles of the floes' areas.
+PowerSites first_sites(const std::vector<double>& areas, const FieldBounds& bounds, std::uint64_t seed) {
+  std::vector<LooseFloe> circles(areas.size());
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    circles[i].area = areas[i];
+    circles[i].radius = std::sqrt(areas[i] / k_pi);
+  }
+  RandomStream places(seed, "field places");
+  place_floes(circles, bounds, places);
+  PowerSites sites;
+  for (const LooseFloe& circle : circles) {
+    sites.points.push_back(circle.centre);
+    sites.weights.push_back(0);
+  }
+  return sites;
+}
+
+/// The cell made smaller about its centroid until it has `area` [m^2].
+FieldFloe shrunk(const PowerCell& cell, double area) {
+  const Vec2 centre = polygon_moments(cell.outline).centroid;
+  const double scale = std::min(1.0, std::sqrt(area / cell.area));
+  FieldFloe floe;
+  for (const Vec2& corner : cell.outline) floe.outline.push_back(centre + scale * (corner - centre));
+  return floe;
+}
+
+}  // namespace
+
+FieldResult voronoi_field(const PackedSpec& spec) {
+  check_packed_spec(spec);
+  const FieldBounds bounds = field_bounds(spec);
+  const double water = free_area(bounds);
+  const std::vector<double> areas = areas_of(spec, spec.concentration * water);
+  PowerSites sites = first_sites(areas, bounds, spec.seed);
+  const std::vector<PowerCell> cells = cells_with_areas(sites, areas, bounds, k_lloyd_rounds, k_area_tolerance);
+  double room = 1;
+  for (std::size_t i = 0; i < cells.size(); ++i) room = std::min(room, cells[i].area / areas[i]);
+  if (room < 1 - k_area_tolerance)
+    throw InputError(fmt::format(
+        "voronoi field: concentration: found {}, but convex cells beside the keep-out outlines leave room for about "
+        "{:.3f}; lower it",
+        spec.concentration, room * spec.concentration));
+  FieldResult result;
+  double ice = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    result.floes.push_back(shrunk(cells[i], areas[i]));
+    ice += polygon_moments(result.floes.back().outline).area;
+  }
+  result.concentration = ice / water;
+  return result;
+}
+
+}  // namespace nilas
