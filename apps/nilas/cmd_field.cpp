@@ -32,6 +32,7 @@ FieldResult floes_of(const WorldParts& parts) {
       floe.outline.emplace_back((bodies.p_GB[b] + bodies.R_GB[b] * Vec3(x.x(), x.y(), 0)).head<2>());
     floe.thickness = bodies.shape[b]->thickness;
     floe.density = bodies.mass[b] / (floe.thickness * polygon_moments(floe.outline).area);
+    floe.fixed = bodies.motion[b] == Motion::fixed;
     field.floes.push_back(std::move(floe));
   }
   return field;

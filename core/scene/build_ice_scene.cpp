@@ -24,6 +24,7 @@ static ShapeScene build_shape(const SceneElement& element) {
     shape.vertices_max = static_cast<int>(vertices->at(1));
   }
   assign(shape.aspect, element, "aspect");
+  assign(shape.library, element, "library");
   return shape;
 }
 
@@ -43,6 +44,7 @@ static FieldScene build_field(const SceneElement& element) {
   if (const auto region = numbers_of(element, "region")) std::copy_n(region->begin(), 4, field.region.begin());
   assign(field.concentration, element, "concentration");
   assign(field.overlap_tolerance, element, "overlap_tolerance");
+  assign(field.channel_width, element, "channel_width");
   assign(field.rows, element, "rows");
   assign(field.columns, element, "columns");
   assign(field.gap, element, "gap");

@@ -37,7 +37,7 @@ static void check_source(const SceneElement& field, std::vector<Fault>& faults) 
 static void check_size(const SceneElement& size, std::vector<Fault>& faults) {
   const auto distribution = text_of(size, "distribution");
   const auto mean = number_of(size, "mean"), min = number_of(size, "min"), max = number_of(size, "max");
-  if (!distribution || *distribution == "fixed" || !min || !max) return;
+  if (!distribution || *distribution == "fixed" || *distribution == "as-library" || !min || !max) return;
   if (*max < *min)
     faults.push_back(fault_of(
         size, "max", "found " + format_number(*max) + "; allowed: at least min, >= " + format_number(*min) + " [m]"));
@@ -51,6 +51,22 @@ static void check_shape(const SceneElement& shape, std::vector<Fault>& faults) {
   const auto vertices = numbers_of(shape, "vertices");
   if (vertices && vertices->at(1) < vertices->at(0))
     faults.push_back(fault_of(shape, "vertices", "found the fewest above the most; allowed: fewest most, as in 5 9"));
+}
+
+static void check_library(const SceneElement& field, std::vector<Fault>& faults) {
+  const SceneElement *size = child_of(field, "size"), *shape = child_of(field, "shape");
+  const bool library = shape != nullptr && is_named(*shape, "library");
+  if (size != nullptr && text_of(*size, "distribution") == "as-library" && !library)
+    faults.push_back(fault_of(*size, "distribution", "found as-library; it needs <shape library=...>"));
+}
+
+static void check_channel(const SceneElement& field, std::vector<Fault>& faults) {
+  const auto width = number_of(field, "channel_width");
+  const auto region = numbers_of(field, "region");
+  if (width && region && *width >= region->at(3) - region->at(1))
+    faults.push_back(fault_of(field, "channel_width",
+                              "found " + format_number(*width) + "; allowed: less than the region's width " +
+                                  format_number(region->at(3) - region->at(1)) + " [m]"));
 }
 
 static void check_outline(const SceneElement& floe, std::vector<Fault>& faults) {
@@ -69,6 +85,8 @@ void check_ice(const SceneElement& ice, std::vector<Fault>& faults) {
       continue;
     }
     check_source(child, faults);
+    check_library(child, faults);
+    check_channel(child, faults);
     for (const auto& part : child.children) {
       if (part.name == "size") check_size(part, faults);
       if (part.name == "shape") check_shape(part, faults);

@@ -132,7 +132,7 @@ struct ShapeScene {
   std::string kind = "polygon";
   int vertices_min = 5, vertices_max = 9;
   double aspect = 1.5;
-  std::string library;
+  std::string library;  ///< absolute path; empty: `kind`
 };
 struct FieldScene {
   std::string kind = "packed";
@@ -140,6 +140,7 @@ struct FieldScene {
   double concentration = 0.8;
   bool breakable = false;
   double overlap_tolerance = 1e-3;
+  std::optional<double> channel_width;  ///< [m]
   int rows = 1, columns = 1;
   double gap = 0, shear_deg = 0;
   bool stagger = false;

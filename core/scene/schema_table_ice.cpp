@@ -45,13 +45,19 @@ static std::vector<AttributeSpec> packing() {
   return {{.name = "concentration",
            .range = {.min = 0, .max = 1, .min_inclusive = false},
            .default_value = "0.8",
-           .applies = {"kind", {"packed", "voronoi"}},
-           .doc = "Area of ice over area of the region."},
+           .applies = {"kind", {"packed", "voronoi", "channel"}},
+           .doc = "Area of ice over free area of the region; of a channel, between its sheets."},
           {.name = "overlap_tolerance",
            .range = within(0, 1),
            .default_value = "1e-3",
-           .applies = {"kind", {"packed"}},
-           .doc = "Largest overlap left by the packing, as a fraction of the mean floe size."}};
+           .applies = {"kind", {"packed", "channel"}},
+           .doc = "Largest overlap left by the packing, as a fraction of the mean floe size; 0: gaps only."},
+          {.name = "channel_width",
+           .unit = "m",
+           .range = above(0),
+           .default_note = "half the width of the region",
+           .applies = {"kind", {"channel"}},
+           .doc = "Of the broken ice along X, about the region's middle line, between two fixed sheets."}};
 }
 
 static std::vector<AttributeSpec> grid() {
@@ -85,7 +91,7 @@ static std::vector<AttributeSpec> grid() {
            .unit = "deg",
            .range = inside(-90, 90),
            .default_value = "0",
-           .applies = {"kind", {"packed", "grid"}},
+           .applies = {"kind", {"packed", "channel", "grid"}},
            .doc = "Angle of sheared pieces from a rectangle."}};
 }
 
@@ -99,9 +105,9 @@ static ElementSpec field() {
                       .type = ValueType::choice,
                       .choices = {"packed", "voronoi", "grid", "level", "channel", "file"},
                       .default_value = "packed",
-                      .not_built = {"voronoi", "level", "channel"},
-                      .doc = "packed (random floes pushed apart), voronoi, grid (pre-sawn pieces), level (an intact "
-                             "sheet), channel, file."},
+                      .doc = "packed (random floes pushed apart), voronoi (cells that share edges, made smaller), grid "
+                             "(pre-sawn pieces), level (an intact sheet), channel (packed floes between two fixed "
+                             "sheets), file."},
                      {.name = "region",
                       .min_count = 4,
                       .max_count = 4,
@@ -131,14 +137,14 @@ static ElementSpec size() {
   return {.name = "size",
           .parent = "field",
           .always = true,
-          .applies = {"kind", {"packed"}},
+          .applies = {"kind", {"packed", "voronoi", "channel"}},
           .doc = "Distribution of the floes' size, the square root of the area.",
           .attributes = {{.name = "distribution",
                           .type = ValueType::choice,
-                          .choices = {"fixed", "uniform", "lognormal", "power-law"},
+                          .choices = {"fixed", "uniform", "lognormal", "power-law", "as-library"},
                           .default_value = "lognormal",
                           .doc = "fixed takes the mean; uniform lies between min and max; lognormal and power-law are "
-                                 "cut at min and max."},
+                                 "cut at min and max; as-library leaves the outlines of <shape library> as they are."},
                          length("mean", "0.8", {"fixed", "lognormal"}, "Mean size."),
                          length("sd", "0.3", {"lognormal"}, "Standard deviation."),
                          length("min", "0.3", {"uniform", "lognormal", "power-law"}, "Smallest size."),
@@ -151,31 +157,35 @@ static ElementSpec size() {
 }
 
 static ElementSpec shape() {
-  return {.name = "shape",
-          .parent = "field",
-          .always = true,
-          .applies = {"kind", {"packed"}},
-          .doc = "Outline of the floes.",
-          .attributes = {
-              {.name = "kind",
-               .type = ValueType::choice,
-               .choices = {"polygon", "rectangle", "square", "parallelogram", "disc"},
-               .default_value = "polygon",
-               .doc = "polygon is a random convex one."},
-              {.name = "vertices",
-               .type = ValueType::integer,
-               .min_count = 2,
-               .max_count = 2,
-               .range = within(3, 64),
-               .default_value = "5 9",
-               .applies = {"kind", {"polygon"}},
-               .doc = "Fewest and most corners."},
-              {.name = "aspect",
-               .range = at_least(1),
-               .default_value = "1.5",
-               .applies = {"kind", {"rectangle", "parallelogram"}},
-               .doc = "Long side over short side."},
-              {.name = "library", .type = ValueType::path, .built = false, .doc = "File of outlines to draw from."}}};
+  return {
+      .name = "shape",
+      .parent = "field",
+      .always = true,
+      .applies = {"kind", {"packed", "channel"}},
+      .doc = "Outline of the floes.",
+      .attributes = {
+          {.name = "kind",
+           .type = ValueType::choice,
+           .choices = {"polygon", "rectangle", "square", "parallelogram", "disc"},
+           .default_value = "polygon",
+           .doc = "polygon is a random convex one."},
+          {.name = "vertices",
+           .type = ValueType::integer,
+           .min_count = 2,
+           .max_count = 2,
+           .range = within(3, 64),
+           .default_value = "5 9",
+           .applies = {"kind", {"polygon"}},
+           .doc = "Fewest and most corners."},
+          {.name = "aspect",
+           .range = at_least(1),
+           .default_value = "1.5",
+           .applies = {"kind", {"rectangle", "parallelogram"}},
+           .doc = "Long side over short side."},
+          {.name = "library",
+           .type = ValueType::path,
+           .doc = "File of outlines to draw from, whatever the kind: JSON lists of points, or GeoJSON. Concave ones "
+                  "are packed as their convex hulls."}}};
 }
 
 static ElementSpec floe() {

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/bodies/orientation.h"
 #include "core/bodies/polygon.h"
 #include "core/field/field.h"
 #include "core/sim/world.h"
@@ -62,7 +63,7 @@ class IceBuilder {
     if (!is_simple(shape.outline))
       throw InputError(scene_.file.string() + ":" + std::to_string(floe.line) +
                        ": <floe>: the outline crosses or touches itself, or lists a point twice");
-    if (polygon_moments(shape.outline).area < 0) std::reverse(shape.outline.begin(), shape.outline.end());
+    if (is_clockwise(shape.outline)) std::reverse(shape.outline.begin(), shape.outline.end());
     shape.thickness = floe.thickness.value_or(ice_.thickness);
     const int number = parts_.info.floes + 1;
     add_floe(shape, floe.name.empty() ? "floe " + std::to_string(number) : floe.name,
@@ -76,7 +77,7 @@ class IceBuilder {
       FieldFloe floe = result.floes[i];
       if (floe.thickness <= 0) floe.thickness = thickness;
       add_floe(floe, "field " + std::to_string(index + 1) + " floe " + std::to_string(i + 1),
-               {field.fixed, field.velocity, field.z});
+               {field.fixed || floe.fixed, floe.fixed ? Vec3::Zero() : field.velocity, field.z});
     }
     if (!field.fixed && result.concentration > 0) parts_.info.concentration = result.concentration;
     if (result.left_out > 0)
@@ -98,9 +99,26 @@ class IceBuilder {
     if (field.kind == "grid")
       return grid_field(
           {low, high, field.rows, field.columns, field.gap, field.shear_deg * k_deg, field.stagger, keep_out, margin});
-    PackedSpec spec;
+    if (field.kind == "level") return level_field({low, high, keep_out, margin, aft()});
+    PackedSpec spec = broken_ice(field, index);
     spec.low = low;
     spec.high = high;
+    spec.keep_out = std::move(keep_out);
+    spec.keep_out_margin = margin;
+    if (field.kind == "voronoi") return voronoi_field(spec);
+    if (field.kind == "channel")
+      return channel_field({spec, field.channel_width.value_or(0.5 * (high.y() - low.y())), aft()});
+    return pack_field(spec);
+  }
+
+  /// Where the vessel came from, in plan: -x of its own frame.
+  Vec2 aft() const {
+    const int v = parts_.vessel_index;
+    return v < 0 ? Vec2(-Vec2::UnitX()) : Vec2(-parts_.bodies.R_GB[static_cast<std::size_t>(v)].col(0).head<2>());
+  }
+
+  PackedSpec broken_ice(const FieldScene& field, std::size_t index) const {
+    PackedSpec spec;
     spec.concentration = field.concentration;
     spec.overlap_tolerance = field.overlap_tolerance;
     spec.distribution = distribution(field.size.distribution);
@@ -109,20 +127,20 @@ class IceBuilder {
     spec.min = field.size.min;
     spec.max = field.size.max;
     spec.exponent = field.size.exponent;
-    spec.shape = shape(field.shape.kind);
+    spec.shape = field.shape.library.empty() ? shape(field.shape.kind) : FloeShape::library;
+    if (spec.shape == FloeShape::library) spec.library = read_outlines(field.shape.library);
     spec.vertices_min = field.shape.vertices_min;
     spec.vertices_max = field.shape.vertices_max;
     spec.aspect = field.shape.aspect;
     spec.shear = field.shear_deg * k_deg;
-    spec.keep_out = std::move(keep_out);
-    spec.keep_out_margin = margin;
     spec.seed = scene_.seed + index;
-    return pack_field(spec);
+    return spec;
   }
 
   static SizeDistribution distribution(const std::string& name) {
     if (name == "fixed") return SizeDistribution::fixed;
     if (name == "uniform") return SizeDistribution::uniform;
+    if (name == "as-library") return SizeDistribution::as_library;
     return name == "power-law" ? SizeDistribution::power_law : SizeDistribution::lognormal;
   }
 

@@ -89,7 +89,7 @@ TEST(AsRun, InputFilesAreNamedWithTheirHashes) {
   const std::string text = folder.read(testing::k_complete_scene).as_run;
   std::size_t inputs = 0;
   for (auto at = text.find("<input "); at != std::string::npos; at = text.find("<input ", at + 1)) ++inputs;
-  EXPECT_EQ(inputs, 7u) << "four of the hull folder, cells, field and mesh:\n" << text;
+  EXPECT_EQ(inputs, 8u) << "four of the hull folder, cells, field, library and mesh:\n" << text;
   EXPECT_FALSE(contains(text, "notes.txt"));
   EXPECT_TRUE(contains(text, "<input file=\"" + (folder.path() / "hulls/icebreaker/part-02.stl").string() +
                                  "\" sha256=\"" + file_sha256(folder.path() / "hulls/icebreaker/part-02.stl") +

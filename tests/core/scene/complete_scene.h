@@ -14,6 +14,7 @@ inline void write_inputs(const SceneFolder& folder) {
   folder.write("hulls/icebreaker/notes.txt", "not read by a run");
   folder.write("cells.csv", "x_m,y_m,z_m,ax,ay,az\n");
   folder.write("floes.geojson", "{}");
+  folder.write("floes.json", "[]");
   folder.write("quay.stl", "solid quay");
 }
 
@@ -53,6 +54,10 @@ inline const char* const k_complete_scene = R"(<?xml version="1.0" encoding="UTF
     <field kind="grid" region="0 5 40 6" rows="2" columns="3" gap="0.01" stagger="true" shear_deg="15" fixed="true"
            z="0.02" thickness="0.06"/>
     <field kind="file" file="floes.geojson" velocity="0.1 0 0"/>
+    <field kind="channel" region="0 6 40 10" concentration="0.7" channel_width="2.5" overlap_tolerance="0">
+      <size distribution="as-library"/>
+      <shape library="floes.json"/>
+    </field>
     <floe name="big" outline="0 0 2 0 2 1 0 1" velocity="0 0.1 0" z="-0.01" thickness="0.07"/>
   </ice>
   <output folder="runs/towing" trajectory_every="0.5" contacts="none" problems="never" bodies="true"/>

@@ -77,6 +77,10 @@ TEST(CrossChecks, Ice) {
                 "does not move"},
                {"<ice><field region='0 0 1 1'><size min='2'/></field></ice>", "<ice><field><size max>", ">= 2"},
                {"<ice><field region='0 0 1 1'><size mean='3'/></field></ice>", "<ice><field><size mean>", "<= 1.6"},
+               {"<ice><field region='0 0 1 1'><size distribution='as-library'/></field></ice>",
+                "<ice><field><size distribution>", "library"},
+               {"<ice><field kind='channel' region='0 0 4 1' channel_width='1'/></ice>", "<ice><field channel_width>",
+                "less than the region's width 1"},
                {"<ice><field region='0 0 1 1'><shape vertices='9 5'/></field></ice>", "<ice><field><shape vertices>",
                 "fewest"}});
   const SceneFolder folder;

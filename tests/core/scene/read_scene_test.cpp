@@ -114,7 +114,12 @@ TEST_F(CompleteScene, Ice) {
   EXPECT_EQ(ice.youngs_modulus, 7e7);
   EXPECT_EQ(ice.poisson, 0.33);
   EXPECT_EQ(ice.thickness, 0.05);
-  ASSERT_EQ(ice.fields.size(), 3u);
+  ASSERT_EQ(ice.fields.size(), 4u);
+  EXPECT_EQ(ice.fields[3].kind, "channel");
+  EXPECT_EQ(ice.fields[3].channel_width, 2.5);
+  EXPECT_EQ(ice.fields[3].overlap_tolerance, 0);
+  EXPECT_EQ(ice.fields[3].size.distribution, "as-library");
+  EXPECT_EQ(ice.fields[3].shape.library, (folder_.path() / "floes.json").string());
   EXPECT_EQ(ice.fields[0].region, (std::array<double, 4>{0, -5, 40, 5}));
   EXPECT_EQ(ice.fields[0].concentration, 0.75);
   EXPECT_TRUE(ice.fields[0].breakable);
@@ -148,7 +153,7 @@ TEST_F(CompleteScene, GridAndSingleFloe) {
   EXPECT_EQ(floe.velocity, Vec3(0, 0.1, 0));
   EXPECT_EQ(floe.z, -0.01);
   EXPECT_EQ(floe.thickness, 0.07);
-  EXPECT_EQ(floe.line, 37);
+  EXPECT_EQ(floe.line, 41);
 }
 
 TEST_F(CompleteScene, Bodies) {
@@ -162,7 +167,7 @@ TEST_F(CompleteScene, Bodies) {
   EXPECT_EQ(box.rotation_deg, Vec3(10, 20, 30));
   EXPECT_EQ(box.velocity, Vec3(1, 0, 0));
   EXPECT_EQ(box.angular_velocity, Vec3(0, 0, 1));
-  EXPECT_EQ(box.line, 42);
+  EXPECT_EQ(box.line, 46);
   EXPECT_EQ(scene_.bodies[1].radius, 0.25);
   EXPECT_EQ(scene_.bodies[1].density, 500);
   EXPECT_EQ(scene_.bodies[2].height, 4);
