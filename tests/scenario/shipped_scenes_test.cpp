@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(All, ShippedScene,
                          ::testing::Values(Case{"towing.xml", 4, 0.04}, Case{"seed-2014.xml", 4, 0.04},
                                            Case{"presawn-a.xml", 4, 0.04}, Case{"presawn-b.xml", 4, 0.04},
                                            Case{"presawn-c.xml", 3, 0.04}, Case{"mirror-25.xml", 3, 0.05},
-                                           Case{"oblique-towing.xml", 4, 0.04}),
+                                           Case{"oblique-towing.xml", 4, 0.04}, Case{"dense-95.xml", 2, 0.04}),
                          [](const auto& instance) {
                            std::string name = instance.param.scene;
                            for (auto& c : name)
