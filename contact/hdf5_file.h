@@ -28,6 +28,8 @@ class Hdf5Handle {
   }
   bool good() const { return id_ >= 0; }
   std::int64_t get() const { return id_; }
+  /// Leaves the object open for good.
+  void abandon() { id_ = -1; }
 
  private:
   std::int64_t id_;
@@ -75,6 +77,9 @@ class Hdf5Reader {
   std::vector<double> exact_numbers(const std::string& name) const;
   /// Integers of 64 bits.
   std::vector<std::int64_t> wide_integers(const std::string& name) const;
+  /// The first `count` of a list, which must be as long; what follows need not be readable.
+  std::vector<double> first_numbers(const std::string& name, std::size_t count) const;
+  std::vector<std::int64_t> first_integers(const std::string& name, std::size_t count) const;
   /// Names of all datasets in a group and in the groups below it, from that group on.
   std::vector<std::string> datasets(const std::string& group) const;
 
@@ -84,6 +89,7 @@ class Hdf5Reader {
   struct Dataset;
   Dataset open(const std::string& name) const;
   void check_storage(const Dataset& dataset, const std::string& name) const;
+  void read_first(const std::string& name, std::size_t count, std::int64_t type, void* values) const;
   VecX read_numbers(const std::string& name) const;
 
   Hdf5Silence silence_;

@@ -44,8 +44,24 @@ static std::vector<char> read_whole(const std::string& path) {
   return bytes;
 }
 
+/// True where the file says that a program has it open for writing: that was killed while it wrote, or does now.
+static bool is_marked_open(const std::vector<char>& bytes) {
+  constexpr std::size_t k_version_at = 8, k_marks_at = 11;  // of the superblock, versions 2 and 3
+  return bytes.size() > k_marks_at && bytes[k_version_at] >= 2 && bytes[k_marks_at] != 0;
+}
+
+/// Such a file tells of less or more than it holds; HDF5 reads it as another program's that is at work.
+static Hdf5Handle open_marked(const std::string& path) {
+  const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_file_locking(access.get(), false, true);
+  Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access.get()), H5Fclose);
+  if (!file.good()) throw InputError(path + ": is no HDF5 file, or is cut short or damaged");
+  return file;
+}
+
 /// Opens the bytes of a file as they are in memory.
 static Hdf5Handle open_image(const std::string& path, std::vector<char> bytes) {
+  if (is_marked_open(bytes)) return open_marked(path);
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   constexpr std::size_t k_growth_bytes = 1 << 16;
   H5Pset_fapl_core(access.get(), k_growth_bytes, false);
@@ -132,6 +148,33 @@ std::vector<std::int64_t> Hdf5Reader::wide_integers(const std::string& name) con
   if (!wide.empty() && H5Dread(dataset.id.get(), H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, wide.data()) < 0)
     refuse(name, "cannot be read; the file is damaged");
   return wide;
+}
+
+void Hdf5Reader::read_first(const std::string& name, std::size_t count, std::int64_t type, void* values) const {
+  const Dataset dataset = open(name);
+  if (dataset.count < count || H5Sget_simple_extent_ndims(dataset.space.get()) != 1)
+    refuse(name, "is no list of at least " + std::to_string(count) + " entries");
+  check_storage(dataset, name);
+  if (count == 0) return;
+  const hsize_t first = 0, size = count;
+  const Hdf5Handle memory(H5Screate_simple(1, &size, nullptr), H5Sclose);
+  H5Sselect_hyperslab(dataset.space.get(), H5S_SELECT_SET, &first, nullptr, &size, nullptr);
+  if (H5Dread(dataset.id.get(), type, memory.get(), dataset.space.get(), H5P_DEFAULT, values) < 0)
+    refuse(name, "cannot be read; the file is damaged");
+}
+
+std::vector<double> Hdf5Reader::first_numbers(const std::string& name, std::size_t count) const {
+  if (kind(name) != Kind::numbers) refuse(name, "does not hold numbers");
+  std::vector<double> values(count);
+  read_first(name, count, H5T_NATIVE_DOUBLE, values.data());
+  return values;
+}
+
+std::vector<std::int64_t> Hdf5Reader::first_integers(const std::string& name, std::size_t count) const {
+  if (kind(name) != Kind::integers) refuse(name, "does not hold integers");
+  std::vector<std::int64_t> values(count);
+  read_first(name, count, H5T_NATIVE_INT64, values.data());
+  return values;
 }
 
 std::vector<int> Hdf5Reader::integers(const std::string& name) const {

@@ -157,7 +157,7 @@ class Run {
       for (long k = done; k < steps && !stop_requested; ++k) {
         const StepRecord record = simulation.step();
         folder_.store(record, simulation.last_problem());
-        folder_.record(record, simulation.bodies());
+        folder_.record(record, simulation.solved_parts(), simulation.bodies());
         console.progress(simulation.time(), k + 1 - done);
         if (checkpoint_steps > 0 && (k + 1) % checkpoint_steps == 0) write_checkpoint(simulation);
       }

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/output/claim_folder.h"
+#include "core/output/contacts_h5.h"
 #include "core/output/problem_files.h"
 #include "core/output/scene_xml.h"
 
@@ -18,17 +19,22 @@ static std::optional<std::int64_t> kept_bytes(const StateReader* from, const std
 }
 
 struct RunFolder::Outputs {
-  Outputs(const std::filesystem::path& folder, const OutputScene& asked, const RunInfo& run_info, WarningCounts& counts,
+  Outputs(const std::filesystem::path& folder, const Scene& scene, const RunInfo& run_info, WarningCounts& counts,
           const StateReader* from)
       : info(run_info),
         warnings(counts),
         channels(info),
         statistics(info),
         steps(folder / "steps.csv", info, kept_bytes(from, "steps.csv")),
-        problems(folder, asked.problems),
-        snapshot_every(asked.trajectory_every),
-        bodies_asked(asked.bodies) {
+        problems(folder, scene.output.problems),
+        snapshot_every(scene.output.trajectory_every),
+        bodies_asked(scene.output.bodies) {
     if (info.has_vessel) vessel.emplace(folder / "vessel.csv", channels, kept_bytes(from, "vessel.csv"));
+    if (ContactsH5::asked(scene, info)) {
+      std::optional<StateReader> kept;
+      if (from != nullptr) kept = from->group("contacts");
+      contacts.emplace(folder / "contacts.h5", scene, info, kept ? &*kept : nullptr);
+    }
     if (snapshot_every > 0) trajectory.emplace(folder, kept_bytes(from, "trajectory.pvd"));
     if (from != nullptr) restore(*from);
   }
@@ -54,6 +60,7 @@ struct RunFolder::Outputs {
     out.add("snapshots", snapshots);
     statistics.save(out.group("statistics"));
     problems.save(out.group("problems"));
+    if (contacts) contacts->save(out.group("contacts"));
   }
 
   void restore(const StateReader& in) {
@@ -76,6 +83,7 @@ struct RunFolder::Outputs {
   std::optional<VesselCsv> vessel;
   std::optional<BodiesCsv> bodies;
   std::optional<Trajectory> trajectory;
+  std::optional<ContactsH5> contacts;
   ProblemFiles problems;
   double snapshot_every;  ///< [s]; 0: none
   std::optional<bool> bodies_asked;
@@ -97,12 +105,12 @@ void RunFolder::abandon() const {
 
 void RunFolder::open(const Scene& scene, const RunInfo& info, WarningCounts& warnings) {
   write_scene_xml(scene_file(), scene);
-  outputs_ = std::make_unique<Outputs>(path_, scene.output, info, warnings, nullptr);
+  outputs_ = std::make_unique<Outputs>(path_, scene, info, warnings, nullptr);
 }
 
 void RunFolder::resume(const Scene& scene, const RunInfo& info, WarningCounts& warnings, const Bodies& bodies,
                        const StateReader& in) {
-  outputs_ = std::make_unique<Outputs>(path_, scene.output, info, warnings, &in);
+  outputs_ = std::make_unique<Outputs>(path_, scene, info, warnings, &in);
   outputs_->open_bodies(path_, bodies.size(), &in);
   write_scene_xml(scene_file(), scene);
   clear_after(path_, outputs_->statistics.steps(), outputs_->problems.worst_step());
@@ -111,6 +119,7 @@ void RunFolder::resume(const Scene& scene, const RunInfo& info, WarningCounts& w
 void RunFolder::write_checkpoint(const CheckpointOrigin& origin, State state) {
   NILAS_DEMAND(outputs_ != nullptr);
   outputs_->for_each_file([](const char*, const OutputFile& file) { file.sync(); });
+  if (outputs_->contacts) outputs_->contacts->sync();
   outputs_->save(StateWriter(state).group("outputs"));
   nilas::write_checkpoint(checkpoint_file(), origin, state);
   outputs_->problems.saved();
@@ -125,7 +134,7 @@ void RunFolder::start(double t, const Ledger& ledger, const Bodies& bodies) {
   if (out.snapshot_due(t, 0)) write_snapshot(t, 0, bodies);
 }
 
-void RunFolder::record(StepRecord record, const Bodies& bodies) {
+void RunFolder::record(StepRecord record, const std::vector<SolvedProblem>& parts, const Bodies& bodies) {
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   NILAS_DEMAND(outputs_ != nullptr);
@@ -138,6 +147,7 @@ void RunFolder::record(StepRecord record, const Bodies& bodies) {
                         "the vessel pitches to 90 degrees: its roll, pitch and yaw rates are written as 0");
     out.vessel->row(record.t, out.vessel_values);
   }
+  if (out.contacts) out.contacts->step(record, parts, bodies);
   if (out.snapshot_due(record.t, record.h)) write_snapshot(record.t, record.step, bodies);
   record.ms[static_cast<std::size_t>(Phase::output)] +=
       std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
@@ -169,6 +179,7 @@ nlohmann::ordered_json RunFolder::finish(SummaryInput input, const Bodies& bodie
   if (out.vessel) out.vessel->finish();
   if (out.bodies) out.bodies->finish();
   if (out.trajectory) out.trajectory->finish();
+  if (out.contacts) out.contacts->finish();
   input.ice_mass_end = free_ice_mass(bodies);
   auto summary = summary_json(out.info, out.statistics, input);
   write_summary_json(summary_file(), summary);

@@ -53,8 +53,8 @@ class RunFolder {
   /// and frames of later steps are removed. Throws FileError, and InputError where an output holds less.
   void resume(const Scene& scene, const RunInfo& info, WarningCounts& warnings, const Bodies& bodies,
               const StateReader& in);
-  /// One step; `bodies` at its end. Time spent here is counted to Phase::output. Throws FileError.
-  void record(StepRecord record, const Bodies& bodies);
+  /// One step, its contact problem; `bodies` at its end. Time spent here is counted to Phase::output. Throws FileError.
+  void record(StepRecord record, const std::vector<SolvedProblem>& parts, const Bodies& bodies);
   /// The step's contact problem, where the scene asks for it. Throws FileError.
   void store(const StepRecord& record, const SolvedProblem& solved);
   /// The problem at which the numerics failed. Throws FileError.

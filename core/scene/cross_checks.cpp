@@ -59,6 +59,15 @@ void check_inertia(const SceneElement& element, std::vector<Fault>& faults) {
     faults.push_back(fault_of(element, "inertia", found + "; allowed: none may exceed the sum of the other two"));
 }
 
+/// Between two rows of a step lie any number of impacts.
+static void check_contacts(const SceneElement& root, const SceneElement& output, std::vector<Fault>& faults) {
+  const SceneElement* contact = child_of(root, "contact");
+  if (contact && text_of(*contact, "integrator") == "reference" && text_of(output, "contacts") == "all")
+    faults.push_back(fault_of(output, "contacts",
+                              "integrator 'reference' has impacts within its steps, and no contacts to store; "
+                              "allowed: hull, none"));
+}
+
 void cross_check(const SceneElement& root, std::vector<Fault>& faults) {
   check_gravity(root, faults);
   check_names(root, faults);
@@ -68,6 +77,7 @@ void cross_check(const SceneElement& root, std::vector<Fault>& faults) {
     if (element.name == "vessel") check_vessel(root, element, faults);
     if (element.name == "ice") check_ice(element, faults);
     if (element.name == "body") check_body(element, faults);
+    if (element.name == "output") check_contacts(root, element, faults);
   }
 }
 

@@ -191,7 +191,7 @@ struct BodyScene {
 struct OutputScene {
   std::string folder;             ///< relative to the working directory; empty: runs/<scene>-<time>
   double trajectory_every = 0.1;  ///< [s]; 0: none
-  std::string contacts = "none";
+  std::string contacts = "hull";
   std::string problems = "never";
   double checkpoint_every = 0;  ///< [s]; 0: none
   std::optional<bool> bodies;   ///< default: on up to 200 bodies

@@ -20,9 +20,8 @@ static ElementSpec output() {
                           .type = ValueType::choice,
                           .choices = {"hull", "all", "none"},
                           .default_value = "hull",
-                          .not_built = {"hull", "all"},
-                          .fallback = "none",
-                          .doc = "Which contacts are stored."},
+                          .doc = "Which contacts are stored in contacts.h5: those of the vessel, of all bodies (whole "
+                                 "steps only, so not with integrator reference), or none."},
                          {.name = "problems",
                           .type = ValueType::choice,
                           .choices = {"never", "worst", "failed", "every"},

@@ -216,7 +216,11 @@ void ReferenceIntegrator::impact(double t, std::vector<ContactPoint> points, Ref
   for (std::size_t i = 0; i < impulses.points.size(); ++i)
     impulses.impulses.emplace_back(contacts.C[i] * solution.r.segment<3>(3 * static_cast<Eigen::Index>(i)));
   book(impulses, before, step.account);
-  step.impact = {std::move(contacts.problem), solution, std::move(impulses.points), std::move(impulses.impulses)};
+  step.impact = {};
+  step.impact.problem = std::move(contacts.problem);
+  step.impact.solution = solution;
+  step.impact.points = std::move(impulses.points);
+  step.impact.impulses = std::move(impulses.impulses);
 }
 
 /// Losses and momenta of impulses that changed the velocities from `before` to what they are.

@@ -35,7 +35,8 @@ StepRecord Simulation::World::reference_step() {
   name_unnamed_pairs();
   record.contacts = done.contacts;
   record.residuals = done.residuals;
-  last = std::move(done.impact);
+  solved = {std::move(done.impact)};
+  SolvedProblem& last = solved.front();
   last.solution.status = done.status;
   last.solution.iterations = done.iterations;
   last.solution.message = done.message;
@@ -61,6 +62,25 @@ ContactSolution Simulation::World::solve(ContactProblem& problem, StepRecord& re
   note_residuals(measure(problem, solution.r, solution.v), record);
   note_solution(solution, record);
   return solution;
+}
+
+void Simulation::World::keep_solved(ContactProblem& problem, ContactSolution& solution, const StepMotion& motion) {
+  SolvedProblem& kept = solved.emplace_back();
+  kept.problem = std::move(problem);
+  kept.solution = std::move(solution);
+  kept.points = motion.points;
+  kept.impulses = motion.impulses;
+  kept.couples = motion.couples;
+  if (!parts.vessel) return;
+  kept.vessel_p = motion.p[static_cast<std::size_t>(parts.vessel_index)];
+  kept.vessel_R = motion.R[static_cast<std::size_t>(parts.vessel_index)];
+}
+
+const SolvedProblem& Simulation::World::last() const {
+  const auto touched = std::find_if(solved.rbegin(), solved.rend(),
+                                    [](const SolvedProblem& part) { return part.problem.num_points() > 0; });
+  if (touched != solved.rend()) return *touched;
+  return solved.empty() ? unsolved : solved.front();
 }
 
 /// A whole step, or with `may_cut` up to the first impact of a fast pair.
@@ -103,6 +123,7 @@ void Simulation::World::part_of_step(bool may_cut, StepRecord& record, MomentumB
   elapsed = cut ? elapsed + h : whole_step;
   record.contacts = std::max(record.contacts, contacts.problem.num_points());
   record.islands = std::max(record.islands, static_cast<int>(find_islands(contacts.problem).size()));
+  keep_solved(contacts.problem, solution, motion);
   demand_finite();
   name_unnamed_pairs();
   watch.lap(Phase::integration);
@@ -115,8 +136,6 @@ void Simulation::World::part_of_step(bool may_cut, StepRecord& record, MomentumB
   balance += momentum_balance(parts.bodies, motion, loads, vessel);
   if (parts.vessel) note_vessel(motion, record);
   ++record.parts;
-  if (record.parts == 1 || contacts.problem.num_points() > 0)
-    last = {std::move(contacts.problem), std::move(solution), std::move(motion.points), std::move(motion.impulses)};
   watch.lap(Phase::output);
 }
 
@@ -126,6 +145,7 @@ StepRecord Simulation::step() {
   StepRecord record;
   Stopwatch watch(record.ms);
   MomentumBalance balance;
+  world.solved.clear();
   while (world.elapsed < world.whole_step)
     world.part_of_step(record.parts + 1 < world.model.most_substeps, record, balance, watch);
   world.elapsed = 0;
@@ -140,7 +160,8 @@ double Simulation::time() const { return world_->time(); }
 const Bodies& Simulation::bodies() const { return world_->parts.bodies; }
 const RunInfo& Simulation::info() const { return world_->parts.info; }
 const Ledger& Simulation::initial_ledger() const { return world_->energy.ledger(); }
-const SolvedProblem& Simulation::last_problem() const { return world_->last; }
+const SolvedProblem& Simulation::last_problem() const { return world_->last(); }
+const std::vector<SolvedProblem>& Simulation::solved_parts() const { return world_->solved; }
 int Simulation::vessel_index() const { return world_->parts.vessel_index; }
 long Simulation::steps() const { return world_->steps; }
 void Simulation::save(StateWriter out) const { world_->save(out); }

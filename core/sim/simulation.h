@@ -26,8 +26,10 @@ class Simulation {
   const RunInfo& info() const;
   /// Energies at the start, as long as no step was made; afterwards those of the last step.
   const Ledger& initial_ledger() const;
-  /// Of the last step; empty before the first.
+  /// Of the last step, where impacts cut it the last part with contacts; empty before the first.
   const SolvedProblem& last_problem() const;
+  /// All parts of the last step, in the order of time.
+  const std::vector<SolvedProblem>& solved_parts() const;
   int vessel_index() const;  ///< in bodies(), -1 without a vessel
   long steps() const;        ///< done since the start
 

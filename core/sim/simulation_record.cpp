@@ -177,7 +177,7 @@ void Simulation::World::note_end(const MomentumBalance& balance, StepRecord& rec
 }
 
 void Simulation::World::stop_on_failure(const StepRecord& record) const {
-  if (!model.stop_on_failure || record.status == SolveStatus::converged || last.problem.num_contacts() == 0) return;
+  if (!model.stop_on_failure || record.status == SolveStatus::converged || last().problem.num_contacts() == 0) return;
   throw SimulationError(fmt::format("at {:g} s the contact solver stopped with status {}, law_map_m_s {:.3g}{}",
                                     record.t, to_string(record.status), record.residuals.law_map_m_s,
                                     record.solver_message.empty() ? "" : ": " + record.solver_message));

@@ -63,6 +63,8 @@ struct Simulation::World {
   StepLoads step_loads() const;
   VesselRecord vessel_record(const StepMotion& motion) const;
   StepRecord reference_step();
+  void keep_solved(ContactProblem& problem, ContactSolution& solution, const StepMotion& motion);
+  const SolvedProblem& last() const;
   void part_of_step(bool may_cut, StepRecord& record, MomentumBalance& balance, Stopwatch& watch);
   ContactSolution solve(ContactProblem& problem, StepRecord& record);
   void note_vessel(const StepMotion& motion, StepRecord& record) const;
@@ -94,7 +96,8 @@ struct Simulation::World {
   std::vector<double> width;  ///< smallest of each body [m]
   EnergyAccount energy;
   VesselStart vessel_start;
-  SolvedProblem last;
+  std::vector<SolvedProblem> solved;  ///< of the last step, one for each part that impacts cut it into
+  SolvedProblem unsolved;             ///< before the first step
   std::optional<ReferenceIntegrator> reference;  ///< moves the bodies in place of all else
   std::size_t pairs_named = 0;                   ///< of the pairs without friction, already told
 };

@@ -74,6 +74,9 @@ struct SolvedProblem {
   ContactSolution solution;
   std::vector<ContactPoint> points;  ///< where the contacts were found
   std::vector<Vec3> impulses;        ///< per point, on body b, in G [N s]
+  std::vector<Vec3> couples;         ///< per point, on body b, in G [N m s]; empty without rolling friction
+  Vec3 vessel_p = Vec3::Zero();      ///< its centre of mass where the contacts were found, in G [m]
+  Mat3 vessel_R = Mat3::Identity();  ///< its attitude there
 };
 
 /// What is known when a run begins.

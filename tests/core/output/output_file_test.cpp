@@ -9,30 +9,14 @@
 
 #include "core/base/error.h"
 #include "tests/core/output/sample_run.h"
+#include "tests/support/size_limit.h"
 
 namespace nilas {
 namespace {
 
 using test::content;
 using test::ScratchFolder;
-
-/// Files stop growing at `bytes`, as on a disk that fills in the middle of a row.
-class SizeLimit {
- public:
-  explicit SizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    ::getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limit{bytes, before_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~SizeLimit() {
-    ::setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-
- private:
-  rlimit before_{};
-  void (*handler_)(int);
-};
+using test::SizeLimit;
 
 TEST(OutputFile, EveryPieceIsReadableAtOnce) {
   const ScratchFolder folder;

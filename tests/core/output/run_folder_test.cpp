@@ -33,7 +33,7 @@ class SampleRun {
     for (int k = 0; k < count; ++k) {
       record.step = ++done;
       record.t = static_cast<double>(done) * record.h;
-      folder.record(record, bodies);
+      folder.record(record, {solved}, bodies);
     }
   }
 
@@ -44,6 +44,7 @@ class SampleRun {
   Scene scene;
   Bodies bodies = sample_bodies();
   StepRecord record = full_record();
+  SolvedProblem solved;
   RunFolder folder;
   long done = 0;
 };
@@ -194,7 +195,7 @@ TEST(RunFolder, GoesOnFromItsCheckpoint) {
   for (int k = 0; k < 30; ++k) {
     rest.record.step = 26 + k;
     rest.record.t = static_cast<double>(rest.record.step) * rest.record.h;
-    folder.record(rest.record, rest.bodies);
+    folder.record(rest.record, {rest.solved}, rest.bodies);
   }
   EXPECT_EQ(folder.finish({}, rest.bodies)["loads"], whole.folder.finish({}, whole.bodies)["loads"]);
   for (const char* file : {"vessel.csv", "bodies.csv", "trajectory.pvd", "scene.xml"})

@@ -53,7 +53,7 @@ TEST(AsRun, DefaultsAreWrittenOutAsTheyWereUsed) {
   for (const char* part :
        {"<time step=\"0.01\" start=\"0\" end=\"10\"/>", "<gravity value=\"0 0 -9.81\"/>", "<seed value=\"1\"/>",
         "solver=\"auto\"", "integrator=\"semi-implicit-euler\"", "detection=\"continuous\"",
-        "stabilisation=\"projection\"", "contacts=\"none\"", "region=\"0 0 1.5 1\"", "<size distribution=\"lognormal\"",
+        "stabilisation=\"projection\"", "contacts=\"hull\"", "region=\"0 0 1.5 1\"", "<size distribution=\"lognormal\"",
         "<shape kind=\"polygon\"", "name=\"body 1\" shape=\"sphere\" radius=\"0.5\"", "density=\"1000\"",
         "tolerance=\"1e-06\""})
     EXPECT_TRUE(contains(scene.as_run, part)) << part << "\n" << scene.as_run;

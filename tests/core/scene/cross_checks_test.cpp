@@ -101,6 +101,13 @@ TEST(CrossChecks, Friction) {
                 "<contact><friction between>", "already named in line 2"}});
 }
 
+TEST(CrossChecks, ContactsOfAllBodiesAreOfWholeSteps) {
+  expect_each({{"<contact integrator='reference'/><output contacts='all'/>", "<output contacts>", "allowed: hull"}});
+  const SceneFolder folder;
+  EXPECT_TRUE(folder.faults(in_scene("<contact integrator='reference'/>")).empty());
+  EXPECT_TRUE(folder.faults(in_scene("<output contacts='all'/>")).empty());
+}
+
 TEST(CrossChecks, FilesMustExist) {
   const SceneFolder folder;
   folder.write("empty/readme.txt", "");

@@ -27,9 +27,7 @@ TEST(NotBuilt, EachIsRefusedWithItsPlace) {
       {vessel + "<thrusters file='file'/></vessel>", "<vessel><thrusters>"},
       {vessel + "<mooring file='file'/></vessel>", "<vessel><mooring>"},
       {"<ice><vary property='thickness' cov='0.1'/></ice>", "<ice><vary>"},
-      {"<fracture><bending model='nevel'/></fracture>", "<fracture>"},
-      {"<output contacts='hull'/>", "<output contacts>"},
-      {"<output contacts='all'/>", "<output contacts>"}};
+      {"<fracture><bending model='nevel'/></fracture>", "<fracture>"}};
   for (const auto& c : cases) {
     SCOPED_TRACE(c.content);
     expect_fault(folder.faults(in_scene(c.content)), 2, c.where, {"not built in this version"});

@@ -191,7 +191,7 @@ TEST(ReadScene, WhatIsNotNamedIsNotThere) {
   EXPECT_EQ(scene.gravity, Vec3(0, 0, -9.81));
 }
 
-TEST(ReadScene, DefaultsWithoutAModelFallBackAndSaySo) {
+TEST(ReadScene, DefaultsAreAllBuilt) {
   const SceneFolder folder;
   const Scene scene = folder.read("<scene version='1'/>");
   EXPECT_EQ(scene.contact.law, "coulomb");
@@ -200,10 +200,8 @@ TEST(ReadScene, DefaultsWithoutAModelFallBackAndSaySo) {
   EXPECT_EQ(scene.contact.stabilisation, "projection");
   EXPECT_EQ(scene.contact.detection, "continuous");
   EXPECT_EQ(scene.contact.substeps, 0);
-  EXPECT_EQ(scene.output.contacts, "none");
-  const std::vector<std::string> expected{
-      "<output contacts>: the default 'hull' is not built in this version; 'none' is used."};
-  EXPECT_EQ(scene.notes, expected);
+  EXPECT_EQ(scene.output.contacts, "hull");
+  EXPECT_TRUE(scene.notes.empty());
 }
 
 TEST(ReadScene, ThePresetSetsTheOlderChoicesAndWhatIsGivenWins) {

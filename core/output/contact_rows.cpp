@@ -1,0 +1,62 @@
+#include "core/output/contact_rows.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nilas {
+
+/// Velocity that a unit impulse between the two gives, leverage left out [1/kg].
+static double inverse_mass(const ContactPoint& c, const Bodies& bodies) {
+  double sum = 0;
+  for (const int body : {c.a, c.b}) {
+    const auto b = static_cast<std::size_t>(body);
+    if (bodies.motion[b] != Motion::fixed) sum += 1 / bodies.mass[b];
+  }
+  return sum;
+}
+
+/// Tangential impulse that the law leaves before the contact slips.
+static double friction_left(const ContactProblem& problem, std::size_t c, const Vec3& r) {
+  if (problem.law == Law::frictionless) return 0;
+  const double used =
+      problem.law == Law::pyramid ? std::max(std::abs(r.y()), std::abs(r.z())) : std::hypot(r.y(), r.z());
+  return std::max(0.0, problem.mu[c] * r.x() - used);
+}
+
+ContactStatus contact_status(const SolvedProblem& solved, std::size_t c, const Bodies& bodies) {
+  const auto row = 3 * static_cast<Eigen::Index>(c);
+  const Vec3 r = solved.solution.r.segment<3>(row), u = solved.solution.u.segment<3>(row);
+  const double d = inverse_mass(solved.points[c], bodies);
+  if (u.x() >= d * r.x()) return ContactStatus::open;
+  if (r.x() >= solved.problem.force_limit[c]) return ContactStatus::crush;
+  return std::hypot(u.y(), u.z()) > d * friction_left(solved.problem, c, r) ? ContactStatus::slip
+                                                                            : ContactStatus::stick;
+}
+
+std::vector<ContactRow> contact_rows(const SolvedProblem& solved, const Bodies& bodies, int vessel, const Vec3& com_V,
+                                     bool of_all_bodies) {
+  std::vector<ContactRow> rows;
+  for (std::size_t i = 0; i < solved.points.size(); ++i) {
+    const ContactPoint& c = solved.points[i];
+    if (!of_all_bodies && c.a != vessel && c.b != vessel) continue;
+    const bool on_b = c.a != vessel;
+    const double sign = on_b ? 1 : -1;
+    ContactRow row;
+    row.body = bodies.id[static_cast<std::size_t>(on_b ? c.b : c.a)];
+    row.other = bodies.id[static_cast<std::size_t>(on_b ? c.a : c.b)];
+    row.p_G = c.p;
+    if (vessel >= 0) row.p_V = solved.vessel_R.transpose() * (c.p - solved.vessel_p) + com_V;
+    row.n = sign * c.n;
+    row.gap = c.gap;
+    row.impulse = sign * solved.impulses[i];
+    if (!solved.couples.empty()) row.couple = sign * solved.couples[i];
+    row.status = contact_status(solved, i, bodies);
+    row.part = 1 + (on_b ? c.part_b : c.part_a);
+    row.other_part = 1 + (on_b ? c.part_a : c.part_b);
+    row.key = c.key;
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+}  // namespace nilas

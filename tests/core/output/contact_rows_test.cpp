@@ -1,0 +1,91 @@
+#include "core/output/contact_rows.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/output/sample_run.h"
+
+namespace nilas {
+namespace {
+
+/// Bodies of sample_bodies(): 0 a free floe of 10 kg, 1 a fixed floe, 2 the vessel of 1500 kg, 3 a wall.
+SolvedProblem touching(const std::vector<std::pair<int, int>>& pairs) {
+  SolvedProblem solved;
+  const auto n = static_cast<Eigen::Index>(pairs.size());
+  solved.solution.r = solved.solution.u = VecX::Zero(3 * n);
+  for (const auto& [a, b] : pairs) {
+    ContactPoint point;
+    point.a = a;
+    point.b = b;
+    point.part_a = 4;
+    point.part_b = 7;
+    point.p = Vec3(1, 2, 3);
+    point.n = Vec3(0, 0.6, 0.8);
+    point.gap = -1e-4;
+    point.key = 0xffff000000000001;
+    solved.points.push_back(point);
+    solved.impulses.emplace_back(0.1, 0.2, 0.3);
+    solved.problem.mu.push_back(0.5);
+    solved.problem.force_limit.push_back(std::numeric_limits<double>::infinity());
+  }
+  return solved;
+}
+
+TEST(ContactRows, ForceAndNormalPointIntoTheVesselWhicheverSideItIs) {
+  const Bodies bodies = test::sample_bodies();
+  SolvedProblem solved = touching({{0, 2}, {2, 3}, {0, 1}});
+  solved.couples.assign(3, Vec3(1, 0, 0));
+  const auto rows = contact_rows(solved, bodies, 2, Vec3::Zero(), false);
+  ASSERT_EQ(rows.size(), 2u) << "two floes touching are no contact of the hull";
+  EXPECT_EQ(rows[0].body, 3);
+  EXPECT_EQ(rows[0].other, 1);
+  EXPECT_EQ(rows[0].n, Vec3(0, 0.6, 0.8));
+  EXPECT_EQ(rows[0].impulse, Vec3(0.1, 0.2, 0.3));
+  EXPECT_EQ(rows[0].couple, Vec3(1, 0, 0));
+  EXPECT_EQ(rows[0].part, 8);
+  EXPECT_EQ(rows[0].other_part, 5);
+  EXPECT_EQ(rows[1].body, 3);
+  EXPECT_EQ(rows[1].other, 4);
+  EXPECT_EQ(rows[1].n, -Vec3(0, 0.6, 0.8));
+  EXPECT_EQ(rows[1].impulse, -Vec3(0.1, 0.2, 0.3));
+  EXPECT_EQ(rows[1].couple, -Vec3(1, 0, 0));
+  EXPECT_EQ(rows[1].part, 5);
+  EXPECT_EQ(rows[1].key, 0xffff000000000001);
+  EXPECT_EQ(contact_rows(solved, bodies, 2, Vec3::Zero(), true).size(), 3u);
+  const auto ice_only = contact_rows(solved, bodies, -1, Vec3::Zero(), true);
+  EXPECT_EQ(ice_only[2].body, 2) << "without a vessel the force acts on the higher id";
+}
+
+TEST(ContactRows, PointsStandInTheFrameOfTheHull) {
+  SolvedProblem solved = touching({{0, 2}});
+  solved.vessel_p = Vec3(1, 0, 3);
+  solved.vessel_R = Eigen::AngleAxisd(0.5 * k_pi, Vec3::UnitZ()).toRotationMatrix();
+  const auto rows = contact_rows(solved, test::sample_bodies(), 2, Vec3(2.5, 0, 0.25), false);
+  EXPECT_LT((rows.at(0).p_V - Vec3(4.5, 0, 0.25)).norm(), 1e-15);
+  EXPECT_EQ(rows.at(0).p_G, Vec3(1, 2, 3));
+}
+
+/// Impulses of the floe of 10 kg on the vessel: 1 N s is worth 0.1 m/s.
+TEST(ContactRows, StatusFollowsFromImpulseAndVelocity) {
+  const Bodies bodies = test::sample_bodies();
+  const auto status = [&](const Vec3& r, const Vec3& u, Law law = Law::coulomb, double limit = 1e9) {
+    SolvedProblem solved = touching({{0, 2}});
+    solved.problem.law = law;
+    solved.problem.force_limit[0] = limit;
+    solved.solution.r = r;
+    solved.solution.u = u;
+    return contact_status(solved, 0, bodies);
+  };
+  EXPECT_EQ(status({0, 0, 0}, {0, 0, 0}), ContactStatus::open);
+  EXPECT_EQ(status({0, 0, 0}, {0.1, 0, 0}), ContactStatus::open);
+  EXPECT_EQ(status({1e-9, 0, 0}, {0.1, 0, 0}), ContactStatus::open) << "what an interior-point solver leaves";
+  EXPECT_EQ(status({1, 0.3, 0}, {0, 0, 0}), ContactStatus::stick);
+  EXPECT_EQ(status({1, 0.3, 0}, {1e-8, 1e-8, 0}), ContactStatus::stick) << "what the tolerance leaves";
+  EXPECT_EQ(status({1, 0.5, 0}, {0, -0.1, 0}), ContactStatus::slip);
+  EXPECT_EQ(status({1, 0.5, 0.5}, {0, -0.1, -0.1}, Law::pyramid), ContactStatus::slip);
+  EXPECT_EQ(status({1, 0.4, 0.4}, {0, 0, 0}, Law::pyramid), ContactStatus::stick) << "within its box";
+  EXPECT_EQ(status({1, 0, 0}, {0, 0.1, 0}, Law::frictionless), ContactStatus::slip);
+  EXPECT_EQ(status({1, 0.2, 0}, {-0.1, 0, 0}, Law::coulomb, 1), ContactStatus::crush);
+}
+
+}  // namespace
+}  // namespace nilas
