@@ -2,7 +2,8 @@
 # Times one step of the packed scene on Nilas, Bullet and ODE in turn and prints the table with ratios and growth exponents.
 # `solvers` times every contact solver and Siconos' on stored problems and draws what it finds.
 # `swept` counts missed and false first contacts of random pairs on their way.
-# usage: tests/bench/run.sh [packed|exact|solvers|scaling|threads|kernels|swept|field|help]      (through ./dev bench)
+# `presawn` runs the pre-sawn scenes to their ends on two hull meshes, with twins.
+# usage: tests/bench/run.sh [packed|exact|solvers|scaling|threads|kernels|swept|field|presawn|help]      (through ./dev bench)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 bin=build/bench
@@ -70,10 +71,11 @@ case "${1:-packed}" in
   scaling) "$bin/bench_scaling" "${LIMIT:-60}" "${TOLERANCE:-1e-6}" ${SIZES:-100 1000 10000 100000} ;;
   threads) "$bin/bench_threads" "${SIZES:-10000}" "${THREADS:-2}" "${ROUNDS:-5}" ;;
   field) "$bin/bench_field" ${SIZES:-1000 3000 10000} ;;
+  presawn) "$bin/bench_presawn" "${TWINS:-7}" "${THREADS:-2}" ;;
   kernels) shift; "$bin/bench_kernels" "$@" ;;
   swept) "$bin/bench_collision_swept" "${PAIRS:-100000}" ;;
-  *) echo "usage: ./dev bench [packed|exact|solvers|scaling|threads|kernels|swept|field]   ROUNDS=n: how often packed (3) and threads (5) are measured;
+  *) echo "usage: ./dev bench [packed|exact|solvers|scaling|threads|kernels|swept|field|presawn]   ROUNDS=n: how often packed (3) and threads (5) are measured;
 LIMIT=s: seconds that a solver has for a problem (solvers 5, scaling 60) or a scene (exact 600, MuJoCo in it 300);
-PAIRS=n: random pairs of swept (100000);
+PAIRS=n: random pairs of swept (100000); TWINS=n: further runs of each pre-sawn scene (7), with pieces moved by up to a micrometre;
 PYTHON=python3: one with the packages mujoco and numpy adds MuJoCo to exact; NILAS_FCLIB_DIR: a folder of further problems for solvers" ;;
 esac

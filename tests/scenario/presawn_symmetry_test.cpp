@@ -7,10 +7,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "core/base/random.h"
-#include "core/field/field.h"
-#include "core/scene/read_scene.h"
-#include "core/sim/simulation.h"
+#include "tests/support/presawn.h"
 
 namespace {
 
@@ -18,31 +15,6 @@ using namespace nilas;
 
 constexpr double k_end = 6, k_perturbation = 1e-12;
 constexpr int k_seeds = 8;
-
-/// The scene with its grid as single floes, each moved by up to `amount` [m]; seed 0 moves nothing.
-Scene presawn(std::uint64_t seed) {
-  Scene scene = read_scene(std::string(NILAS_SOURCE_DIR) + "/apps/scenes/presawn-a.xml");
-  const FieldScene field = scene.ice->fields.at(0);
-  GridSpec grid;
-  grid.low = {field.region[0], field.region[1]};
-  grid.high = {field.region[2], field.region[3]};
-  grid.rows = field.rows;
-  grid.columns = field.columns;
-  grid.gap = field.gap;
-  RandomStream random(seed, "perturbation");
-  for (const auto& piece : grid_field(grid).floes) {
-    const Vec2 shift = seed == 0 ? Vec2(0, 0)
-                                 : Vec2(random.uniform(-k_perturbation, k_perturbation),
-                                        random.uniform(-k_perturbation, k_perturbation));
-    FloeScene floe;
-    floe.outline = piece.outline;
-    for (auto& p : floe.outline) p += shift;
-    floe.velocity = field.velocity;
-    scene.ice->floes.push_back(floe);
-  }
-  scene.ice->fields.clear();
-  return scene;
-}
 
 struct Course {
   std::vector<double> asymmetry;  ///< largest |y_left + y_right|, |x_left - x_right| so far, at whole seconds [m]
@@ -63,7 +35,7 @@ std::vector<std::pair<std::size_t, std::size_t>> mirror_pairs(const Bodies& bodi
 }
 
 Course run(std::uint64_t seed) {
-  const Scene scene = presawn(seed);
+  const Scene scene = test::presawn('a', seed, k_perturbation);
   WarningCounts warnings(make_logger("off", ""));
   Simulation simulation(scene, 1, warnings);
   const auto pairs = mirror_pairs(simulation.bodies());
