@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/verify/extremes.h"
-#include "apps/verify/plot.h"
 #include "core/base/error.h"
+#include "core/output/plot.h"
 
 namespace nilas {
 

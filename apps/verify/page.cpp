@@ -8,9 +8,9 @@
 #include <map>
 #include <sstream>
 
-#include "apps/verify/plot.h"
 #include "apps/verify/table.h"
 #include "core/base/error.h"
+#include "core/output/plot.h"
 
 namespace nilas {
 

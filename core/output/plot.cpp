@@ -1,4 +1,4 @@
-#include "apps/verify/plot.h"
+#include "core/output/plot.h"
 
 #include <cstdlib>
 #include <fstream>
