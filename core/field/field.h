@@ -12,10 +12,12 @@ namespace nilas {
 
 /// One floe of a field, in the still-water plane.
 struct FieldFloe {
-  std::vector<Vec2> outline;  ///< counter-clockwise, in G [m]
-  double thickness = 0;       ///< [m]; 0: the scene's
-  double density = 0;         ///< [kg/m^3]; 0: the scene's
-  bool fixed = false;         ///< never moves, whatever the field says
+  std::vector<Vec2> outline;                               ///< counter-clockwise, in G [m]
+  double thickness = 0;                                    ///< [m]; 0: the scene's
+  double density = 0;                                      ///< [kg/m^3]; 0: the scene's
+  double flexural_strength = 0, compressive_strength = 0;  ///< [Pa]; 0: the scene's
+  double fracture_toughness = 0;                           ///< [Pa sqrt(m)]; 0: the scene's
+  bool fixed = false;                                      ///< never moves, whatever the field says
 };
 
 enum class FloeShape { polygon, rectangle, square, parallelogram, disc, library };
@@ -104,9 +106,9 @@ struct GridSpec {
 FieldResult grid_field(const GridSpec& spec);
 
 /// GeoJSON FeatureCollection, one Polygon without holes per floe, in metres, its first point repeated at the end;
-/// properties thickness_m and density_kg_m3 where not the scene's. Clockwise rings are turned. worst_overlap is
+/// properties thickness_m, density_kg_m3, flexural_strength_Pa, compressive_strength_Pa, fracture_toughness_Pa_sqrt_m
+/// where not the scene's, written to the last bit; `fixed` where true. Clockwise rings are turned. worst_overlap is
 /// measured on reading. Throws FileError, InputError naming file and feature (counted from 1).
-/// `fixed` is a property, too, where true.
 FieldResult read_field(const std::filesystem::path& file);
 void write_field(const FieldResult& field, const std::filesystem::path& file);
 

@@ -9,6 +9,7 @@
 #include "core/bodies/orientation.h"
 #include "core/bodies/polygon.h"
 #include "core/field/field.h"
+#include "core/field/floe_property.h"
 #include "core/field/overlaps.h"
 
 namespace nilas {
@@ -58,8 +59,8 @@ class FieldReader {
     FieldFloe floe;
     floe.outline = outline(rings[0]);
     if (feature.contains("properties") && !feature["properties"].is_null()) {
-      floe.thickness = number(feature["properties"], "thickness_m");
-      floe.density = number(feature["properties"], "density_kg_m3");
+      for (const FloeProperty property : k_floe_properties)
+        value_of(floe, property) = number(feature["properties"], std::string(column_of(property)));
       floe.fixed = feature["properties"].value("fixed", json()) == true;
     }
     return floe;
@@ -83,11 +84,11 @@ class FieldReader {
     return points;
   }
 
-  double number(const json& properties, const char* name) const {
+  double number(const json& properties, const std::string& name) const {
     if (!properties.is_object() || !properties.contains(name)) return 0;
     const json& value = properties[name];
     if (!value.is_number() || !(value.get<double>() >= 0) || !std::isfinite(value.get<double>()))
-      refuse(std::string(name) + ": found " + value.dump() + ", allowed a number of 0 or more");
+      refuse(name + ": found " + value.dump() + ", allowed a number of 0 or more");
     return value.get<double>();
   }
 
@@ -125,8 +126,8 @@ json feature_of(const FieldFloe& floe) {
   for (const Vec2& p : floe.outline) ring.push_back({p.x(), p.y()});
   ring.push_back(ring.front());
   json properties = json::object();
-  if (floe.thickness > 0) properties["thickness_m"] = floe.thickness;
-  if (floe.density > 0) properties["density_kg_m3"] = floe.density;
+  for (const FloeProperty property : k_floe_properties)
+    if (const double value = value_of(floe, property); value > 0) properties[std::string(column_of(property))] = value;
   if (floe.fixed) properties["fixed"] = true;
   return {{"type", "Feature"},
           {"properties", properties},

@@ -2,6 +2,8 @@
 
 #include "core/scene/attribute_values.h"
 #include "core/scene/build_scene.h"
+#include "core/scene/schema.h"
+#include "core/scene/values.h"
 
 namespace nilas {
 
@@ -67,6 +69,27 @@ static FloeScene build_floe(const SceneElement& element) {
   return floe;
 }
 
+/// What a strength varies about when <vary> gives no mean.
+static double strength_of(const std::string& property) {
+  const AttributeSpec* strength = find_attribute(*find_element("fracture"), property);
+  return strength ? parse_number(strength->default_value).value() : 0;
+}
+
+static VaryScene build_vary(const SceneElement& element) {
+  VaryScene vary;
+  vary.line = element.place.line;
+  assign(vary.property, element, "property");
+  assign(vary.distribution, element, "distribution");
+  assign(vary.cov, element, "cov");
+  vary.mean = strength_of(vary.property);
+  if (vary.mean > 0) assign(vary.mean, element, "mean");
+  assign(vary.correlation_length, element, "correlation_length");
+  const auto partners = words_of(element, "with");
+  const auto correlations = numbers_of(element, "correlation").value_or(std::vector<double>{});
+  for (std::size_t k = 0; k < partners.size(); ++k) vary.correlations.emplace_back(partners[k], correlations.at(k));
+  return vary;
+}
+
 IceScene build_ice_scene(const SceneElement& element) {
   IceScene ice;
   assign(ice.density, element, "density");
@@ -75,6 +98,7 @@ IceScene build_ice_scene(const SceneElement& element) {
   assign(ice.thickness, element, "thickness");
   for (const auto& child : element.children) {
     if (child.name == "field") ice.fields.push_back(build_field(child));
+    if (child.name == "vary") ice.vary.push_back(build_vary(child));
     if (child.name == "floe") ice.floes.push_back(build_floe(child));
   }
   return ice;

@@ -75,7 +75,10 @@ void cross_check(const SceneElement& root, std::vector<Fault>& faults) {
     if (element.name == "time") check_time(element, faults);
     if (element.name == "contact") check_friction(root, element, faults);
     if (element.name == "vessel") check_vessel(root, element, faults);
-    if (element.name == "ice") check_ice(element, faults);
+    if (element.name == "ice") {
+      check_ice(element, faults);
+      check_vary(element, faults);
+    }
     if (element.name == "body") check_body(element, faults);
     if (element.name == "output") check_contacts(root, element, faults);
   }

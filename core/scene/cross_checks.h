@@ -12,6 +12,9 @@ void cross_check(const SceneElement& root, std::vector<Fault>& faults);
 
 void check_vessel(const SceneElement& root, const SceneElement& vessel, std::vector<Fault>& faults);
 void check_ice(const SceneElement& ice, std::vector<Fault>& faults);
+/// Each property varies once, by a distribution it can have, correlated with others that vary; the correlations make a
+/// positive definite matrix.
+void check_vary(const SceneElement& ice, std::vector<Fault>& faults);
 void check_body(const SceneElement& body, std::vector<Fault>& faults);
 /// Pairs named once, of materials that exist, static friction not below (and in this version equal to) kinetic.
 void check_friction(const SceneElement& root, const SceneElement& contact, std::vector<Fault>& faults);

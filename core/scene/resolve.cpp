@@ -112,9 +112,20 @@ class Resolver {
       const Condition& condition = find_element(child.name)->applies;
       if (!has_effect(element, condition)) note_condition(child.path, element, condition);
     }
+    if (element.is_root && !child_of(element, "fracture")) note_idle_strengths(element);
     if (element.name != "carriage" || !child_of(element, "path")) return;
     for (const char* attribute : {"speed", "heading_deg", "ramp"})
       if (is_given_nonzero(element, attribute)) note(where_of(element, attribute), "no effect with <path>");
+  }
+
+  void note_idle_strengths(const SceneElement& root) {
+    const SceneElement* ice = child_of(root, "ice");
+    if (!ice) return;
+    for (const auto& child : ice->children) {
+      const SceneAttribute* property = child.name == "vary" ? attribute_of(child, "property") : nullptr;
+      if (property && property->valid && find_attribute(*find_element("fracture"), property->value))
+        note(child.path, property->value + " has no effect in a run without <fracture>; `nilas field` writes it");
+    }
   }
 
   void note_condition(const std::string& where, const SceneElement& element, const Condition& condition) {

@@ -164,6 +164,10 @@ struct FloeScene {
 struct VaryScene {
   std::string property, distribution = "normal";
   double cov = 0;
+  double mean = 0;                                           ///< of a strength, in its unit; 0: the ice's own
+  double correlation_length = 0;                             ///< [m]; 0: one value per floe
+  std::vector<std::pair<std::string, double>> correlations;  ///< with other properties, of the normal scores
+  int line = 0;
 };
 struct IceScene {
   double density = 920, youngs_modulus = 6e7, poisson = 0.3, thickness = 0.04;

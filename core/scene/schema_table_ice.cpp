@@ -206,24 +206,68 @@ static ElementSpec floe() {
   return element;
 }
 
+/// Names of what may vary: strengths are attributes of <fracture>.
+static const std::vector<std::string>& strengths() {
+  static const std::vector<std::string> names{"flexural_strength", "compressive_strength", "fracture_toughness"};
+  return names;
+}
+
+static std::vector<AttributeSpec> spread() {
+  return {{.name = "distribution",
+           .type = ValueType::choice,
+           .choices = {"normal", "lognormal", "uniform", "weibull"},
+           .default_value = "normal",
+           .doc = "Its distribution, cut to physical limits: at least 0.05 of the mean, and a density of at most 0.999 "
+                  "of the water's where there is buoyancy. weibull is for strengths."},
+          {.name = "cov",
+           .range = within(0, 1),
+           .default_value = "0",
+           .doc = "Coefficient of variation: standard deviation over mean, before the cut."},
+          {.name = "mean",
+           .unit = "Pa; Pa sqrt(m) for fracture_toughness",
+           .range = above(0),
+           .default_note = "the default of that attribute of <fracture>",
+           .applies = {"property", strengths()},
+           .doc = "Mean of a strength. Thickness and density vary about those of the floes."}};
+}
+
 static ElementSpec vary() {
-  return {
+  std::vector<std::string> properties{"thickness", "density"};
+  properties.insert(properties.end(), strengths().begin(), strengths().end());
+  ElementSpec element{
       .name = "vary",
       .parent = "ice",
       .count = Count::many,
-      .built = false,
-      .doc = "Random variation of a property over the floes.",
+      .doc =
+          "Random variation of a property over the floes, once per property. What a field's file states stays. "
+          "Strengths are drawn and written by `nilas field`; they have no effect in a run without <fracture>.",
       .attributes = {{.name = "property",
                       .type = ValueType::choice,
-                      .choices = {"thickness", "flexural_strength"},
+                      .choices = properties,
                       .required = true,
-                      .doc = "The property."},
-                     {.name = "distribution",
-                      .type = ValueType::choice,
-                      .choices = {"normal", "lognormal"},
-                      .default_value = "normal",
-                      .doc = "Its distribution."},
-                     {.name = "cov", .range = at_least(0), .default_value = "0", .doc = "Coefficient of variation."}}};
+                      .doc = "The property."}}};
+  for (const auto& attribute : spread()) element.attributes.push_back(attribute);
+  element.attributes.push_back({.name = "correlation_length",
+                                .unit = "m",
+                                .range = above(0),
+                                .default_note = "none: one value per floe",
+                                .doc =
+                                    "Makes the property vary from point to point, within floes too, with correlation "
+                                    "exp(-(d/length)^2) at distance d. The floe's body has the mean over its area."});
+  element.attributes.push_back({.name = "with",
+                                .type = ValueType::words,
+                                .max_count = k_any_count,
+                                .choices = properties,
+                                .default_note = "none",
+                                .doc = "Other properties that vary and that this one is correlated with. A pair is "
+                                       "named once; pairs not named are uncorrelated."});
+  element.attributes.push_back({.name = "correlation",
+                                .max_count = k_any_count,
+                                .range = inside(-1, 1),
+                                .default_note = "none",
+                                .doc = "With each of them: of the normal scores (Gaussian copula). All correlations "
+                                       "together must make a positive definite matrix."});
+  return element;
 }
 
 std::vector<ElementSpec> ice_elements() { return {ice(), field(), size(), shape(), floe(), vary()}; }

@@ -1,9 +1,14 @@
-#include <cmath>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
 
 #include "core/base/error.h"
+#include "core/base/parallel.h"
 #include "core/bodies/orientation.h"
 #include "core/bodies/polygon.h"
 #include "core/field/field.h"
+#include "core/field/keep_out.h"
 #include "core/sim/world.h"
 
 namespace nilas {
@@ -38,54 +43,102 @@ double floating_mid_plane(const WorldParts& parts, bool buoyant, double thicknes
   return parts.water->level + thickness * (0.5 - density / parts.water->density);
 }
 
-struct FloePlacement {
-  bool fixed = false;
-  Vec3 velocity = Vec3::Zero();
-  double z = 0;
-};
-
 class IceBuilder {
  public:
-  IceBuilder(const Scene& scene, WorldParts& parts, WarningCounts& warnings)
-      : scene_(scene), ice_(*scene.ice), parts_(parts), warnings_(warnings) {}
+  IceBuilder(const Scene& scene, int threads, WorldParts& parts, WarningCounts& warnings)
+      : scene_(scene), ice_(*scene.ice), threads_(threads), parts_(parts), warnings_(warnings) {}
 
   void build() {
-    for (std::size_t k = 0; k < ice_.fields.size(); ++k) add_field(ice_.fields[k], k);
-    for (const auto& floe : ice_.floes) add_single(floe);
+    for (std::size_t k = 0; k < ice_.fields.size(); ++k) plan_field(ice_.fields[k], k);
+    if (!ice_.floes.empty()) plan_single_floes();
+    if (!ice_.vary.empty()) vary();
+    for (auto& planned : parts_.ice)
+      for (auto& floe : planned.floes) add_floe(floe);
     parts_.info.ice_thickness = ice_.thickness;
     parts_.info.modules.emplace_back("ice", "<ice>: " + std::to_string(parts_.info.floes) + " floes");
+    for (const VaryScene& one : ice_.vary) parts_.info.modules.emplace_back("vary " + one.property, reason(one));
   }
 
  private:
-  void add_single(const FloeScene& floe) {
-    FieldFloe shape;
-    shape.outline = floe.outline;
-    if (!is_simple(shape.outline))
-      throw InputError(scene_.file.string() + ":" + std::to_string(floe.line) +
-                       ": <floe>: the outline crosses or touches itself, or lists a point twice");
-    if (is_clockwise(shape.outline)) std::reverse(shape.outline.begin(), shape.outline.end());
-    shape.thickness = floe.thickness.value_or(ice_.thickness);
-    const int number = parts_.info.floes + 1;
-    add_floe(shape, floe.name.empty() ? "floe " + std::to_string(number) : floe.name,
-             {floe.fixed, floe.velocity, floe.z});
+  /// Bodies are numbered from 1 over all of the scene.
+  void plan_single_floes() {
+    int number = 0;
+    for (const auto& planned : parts_.ice) number += static_cast<int>(planned.floes.size());
+    PlannedIce singles;
+    singles.name = "single floes";
+    for (const auto& floe : ice_.floes) singles.floes.push_back(single(floe, ++number));
+    parts_.ice.push_back(std::move(singles));
   }
 
-  void add_field(const FieldScene& field, std::size_t index) {
-    const FieldResult result = generate(field, index);
-    const double thickness = field.thickness.value_or(ice_.thickness);
-    for (std::size_t i = 0; i < result.floes.size(); ++i) {
-      FieldFloe floe = result.floes[i];
-      if (floe.thickness <= 0) floe.thickness = thickness;
-      add_floe(floe, "field " + std::to_string(index + 1) + " floe " + std::to_string(i + 1),
-               {field.fixed || floe.fixed, floe.fixed ? Vec3::Zero() : field.velocity, field.z});
+  PlannedFloe single(const FloeScene& floe, int number) const {
+    PlannedFloe planned;
+    planned.floe.outline = floe.outline;
+    if (!is_simple(floe.outline))
+      throw InputError(scene_.file.string() + ":" + std::to_string(floe.line) +
+                       ": <floe>: the outline crosses or touches itself, or lists a point twice");
+    if (is_clockwise(floe.outline)) std::reverse(planned.floe.outline.begin(), planned.floe.outline.end());
+    planned.name = floe.name.empty() ? "floe " + std::to_string(number) : floe.name;
+    planned.fixed = floe.fixed;
+    planned.velocity = floe.velocity;
+    planned.z = floe.z;
+    planned.means = means_of(floe.thickness);
+    return planned;
+  }
+
+  /// The properties of floes that neither state nor vary them.
+  FloeValues means_of(const std::optional<double>& thickness) const {
+    FloeValues means{};
+    means[static_cast<std::size_t>(FloeProperty::thickness)] = thickness.value_or(ice_.thickness);
+    means[static_cast<std::size_t>(FloeProperty::density)] = ice_.density;
+    for (const VaryScene& one : ice_.vary)
+      if (one.mean > 0) means[static_cast<std::size_t>(floe_property(one.property))] = one.mean;
+    return means;
+  }
+
+  void plan_field(const FieldScene& field, std::size_t index) {
+    const auto start = std::chrono::steady_clock::now();
+    PlannedIce planned;
+    planned.name = "field " + std::to_string(index + 1);
+    planned.field = field;
+    FieldResult result = generate(field, index, planned);
+    planned.concentration = result.concentration;
+    planned.worst_overlap = result.worst_overlap;
+    planned.left_out = result.left_out;
+    for (FieldFloe& floe : result.floes) {
+      const bool stays = floe.fixed;
+      planned.floes.push_back({std::move(floe),
+                               planned.name + " floe " + std::to_string(planned.floes.size() + 1),
+                               field.fixed || stays,
+                               stays ? Vec3::Zero() : field.velocity,
+                               field.z,
+                               means_of(field.thickness),
+                               {}});
     }
+    planned.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (!field.fixed && result.concentration > 0) parts_.info.concentration = result.concentration;
     if (result.left_out > 0)
       warnings_.warn("ice left out", "<field> " + std::to_string(index + 1) + ": " + std::to_string(result.left_out) +
                                          " floes left out because they met the hull");
+    parts_.ice.push_back(std::move(planned));
   }
 
-  FieldResult generate(const FieldScene& field, std::size_t index) const {
+  void vary() {
+    const FloeVariation variation = floe_variation(scene_);
+    for (auto& planned : parts_.ice)
+      parallel_for(static_cast<std::ptrdiff_t>(planned.floes.size()), threads_, [&](std::ptrdiff_t i) {
+        PlannedFloe& one = planned.floes[static_cast<std::size_t>(i)];
+        one.texture = variation.draw(one.floe, one.name, one.means);
+      });
+  }
+
+  /// For the list of what was built.
+  static std::string reason(const VaryScene& vary) {
+    return fmt::format("<ice><vary>: {}, cov {:g}, {}", vary.distribution, vary.cov,
+                       vary.correlation_length > 0 ? fmt::format("within floes over {:g} m", vary.correlation_length)
+                                                   : std::string("one value per floe"));
+  }
+
+  FieldResult generate(const FieldScene& field, std::size_t index, PlannedIce& planned) const {
     const double thickness = field.thickness.value_or(ice_.thickness);
     std::vector<std::vector<Vec2>> keep_out;
     if (parts_.vessel_index >= 0) {
@@ -94,6 +147,8 @@ class IceBuilder {
       if (!outline.empty()) keep_out.push_back(std::move(outline));
     }
     const double margin = k_hull_margin_thicknesses * thickness;
+    planned.hull = keep_out;
+    planned.keep_out = grown_outlines(keep_out, margin);
     const Vec2 low(field.region[0], field.region[1]), high(field.region[2], field.region[3]);
     if (field.kind == "file") return read_field(field.file);
     if (field.kind == "grid")
@@ -105,6 +160,7 @@ class IceBuilder {
     spec.high = high;
     spec.keep_out = std::move(keep_out);
     spec.keep_out_margin = margin;
+    planned.packed = spec;
     if (field.kind == "voronoi") return voronoi_field(spec);
     if (field.kind == "channel")
       return channel_field({spec, field.channel_width.value_or(0.5 * (high.y() - low.y())), aft()});
@@ -151,41 +207,45 @@ class IceBuilder {
     return name == "disc" ? FloeShape::disc : FloeShape::polygon;
   }
 
+  bool is_buoyant() const { return scene_.hydro && scene_.hydro->buoyancy; }
   double mid_plane(double thickness, double density) const {
-    return floating_mid_plane(parts_, scene_.hydro && scene_.hydro->buoyancy, thickness, density);
+    return floating_mid_plane(parts_, is_buoyant(), thickness, density);
   }
 
-  void add_floe(const FieldFloe& floe, const std::string& name, const FloePlacement& placement) {
-    const double density = floe.density > 0 ? floe.density : ice_.density;
+  void add_floe(PlannedFloe& planned) {
+    FieldFloe& floe = planned.floe;
+    for (const FloeProperty property : {FloeProperty::thickness, FloeProperty::density})
+      if (value_of(floe, property) <= 0) value_of(floe, property) = planned.means[static_cast<std::size_t>(property)];
     const Vec2 centre = polygon_moments(floe.outline).centroid;
     std::vector<Vec2> about_centre = floe.outline;
     for (auto& x : about_centre) x -= centre;
-    const MassProperties mass = prism_properties(about_centre, floe.thickness, density);
+    const MassProperties mass = prism_properties(about_centre, floe.thickness, floe.density);
     BodySpec spec;
-    spec.name = name;
+    spec.name = planned.name;
     spec.kind = BodyKind::floe;
-    spec.motion = placement.fixed ? Motion::fixed : Motion::free;
+    spec.motion = planned.fixed ? Motion::fixed : Motion::free;
     spec.material = "ice";
     spec.shape = std::make_shared<const Shape>(prism_shape(about_centre, floe.thickness));
     spec.mass = mass.mass;
     spec.inertia_B = mass.inertia;
-    spec.pose.p = {centre.x(), centre.y(), mid_plane(floe.thickness, density) + placement.z};
-    if (!placement.fixed) spec.v = placement.velocity;
+    spec.pose.p = {centre.x(), centre.y(), mid_plane(floe.thickness, floe.density) + planned.z};
+    if (!planned.fixed) spec.v = planned.velocity;
     parts_.bodies.add(spec);
     ++parts_.info.floes;
-    if (!placement.fixed) parts_.info.ice_mass += mass.mass;
+    if (!planned.fixed) parts_.info.ice_mass += mass.mass;
   }
 
   const Scene& scene_;
   const IceScene& ice_;
+  int threads_;
   WorldParts& parts_;
   WarningCounts& warnings_;
 };
 
 }  // namespace
 
-void build_ice(const Scene& scene, WorldParts& parts, WarningCounts& warnings) {
-  IceBuilder(scene, parts, warnings).build();
+void build_ice(const Scene& scene, int threads, WorldParts& parts, WarningCounts& warnings) {
+  IceBuilder(scene, threads, parts, warnings).build();
 }
 
 }  // namespace nilas

@@ -100,7 +100,7 @@ WorldParts build_world(const Scene& scene, int threads, WarningCounts& warnings)
   build_water(scene, parts);
   build_friction(scene, parts);
   if (scene.vessel) parts.vessel_index = build_vessel(scene, parts);
-  if (scene.ice) build_ice(scene, parts, warnings);
+  if (scene.ice) build_ice(scene, threads, parts, warnings);
   build_structures(scene, parts);
   build_modules(scene, threads, parts);
   if (parts.info.has_carriage) parts.info.work_names.emplace_back("carriage");

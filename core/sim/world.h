@@ -10,6 +10,7 @@
 #include "core/bodies/bodies.h"
 #include "core/bodies/module.h"
 #include "core/scene/scene.h"
+#include "core/sim/ice_plan.h"
 #include "core/sim/step_record.h"
 #include "core/vessel/vessel_system.h"
 #include "hydro/water.h"
@@ -22,6 +23,7 @@ struct WorldParts {
   std::vector<std::unique_ptr<ForceModule>> modules;
   std::optional<VesselSystem> vessel;
   int vessel_index = -1;
+  std::vector<PlannedIce> ice;  ///< its floes in the order of their bodies
   FrictionTable friction;
   RunInfo info;
 };
@@ -31,8 +33,9 @@ WorldParts build_world(const Scene& scene, int threads, WarningCounts& warnings)
 
 /// The vessel entry of `bodies` and its system. Returns its index.
 int build_vessel(const Scene& scene, WorldParts& parts);
-/// Floes of all fields and single floes.
-void build_ice(const Scene& scene, WorldParts& parts, WarningCounts& warnings);
+/// Floes of all fields and single floes: the plan, and the bodies. `threads` draw properties; the result does not
+/// depend on their number.
+void build_ice(const Scene& scene, int threads, WorldParts& parts, WarningCounts& warnings);
 /// Tank walls and <body> elements.
 void build_structures(const Scene& scene, WorldParts& parts);
 

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/field/field.h"
+#include "core/field/floe_property.h"
 
 namespace nilas {
 namespace {
@@ -52,13 +53,16 @@ TEST_F(FieldFile, RoundTripKeepsEveryBit) {
   FieldResult field = pack_field(spec);
   field.floes[0].thickness = 0.1 + 0.2;
   field.floes[1].density = 917.3;
+  field.floes[2].flexural_strength = 4e4 / 3;
+  field.floes[2].compressive_strength = 1e5 / 7;
+  field.floes[3].fracture_toughness = 3e3 / 11;
   write_field(field, folder_ / "f.json");
   const FieldResult read = read_field(folder_ / "f.json");
   ASSERT_EQ(read.floes.size(), field.floes.size());
   for (std::size_t i = 0; i < field.floes.size(); ++i) {
     EXPECT_EQ(read.floes[i].outline, field.floes[i].outline);
-    EXPECT_EQ(read.floes[i].thickness, field.floes[i].thickness);
-    EXPECT_EQ(read.floes[i].density, field.floes[i].density);
+    for (const FloeProperty property : k_floe_properties)
+      EXPECT_EQ(value_of(read.floes[i], property), value_of(field.floes[i], property)) << name_of(property);
   }
   EXPECT_EQ(read.concentration, field.concentration);
   EXPECT_EQ(read.worst_overlap, 0);
@@ -97,6 +101,7 @@ TEST_F(FieldFile, FaultsNameFileAndFeature) {
   EXPECT_PRED2(names, wrong(R"({"type":"Polygon","coordinates":[[],[]]})"), "found 2 rings");
   EXPECT_PRED2(names, wrong(good, R"({"thickness_m":-0.1})"), "feature 2: thickness_m: found -0.1");
   EXPECT_PRED2(names, wrong(good, R"({"density_kg_m3":"heavy"})"), "density_kg_m3: found \"heavy\"");
+  EXPECT_PRED2(names, wrong(good, R"({"flexural_strength_Pa":-1})"), "flexural_strength_Pa: found -1");
 }
 
 TEST_F(FieldFile, FaultsOfTheWholeFile) {

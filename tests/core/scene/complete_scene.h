@@ -58,6 +58,9 @@ inline const char* const k_complete_scene = R"(<?xml version="1.0" encoding="UTF
       <size distribution="as-library"/>
       <shape library="floes.json"/>
     </field>
+    <vary property="thickness" distribution="lognormal" cov="0.1" correlation_length="2"/>
+    <vary property="flexural_strength" distribution="weibull" cov="0.2" mean="5e4" correlation_length="2"
+          with="thickness" correlation="0.4"/>
     <floe name="big" outline="0 0 2 0 2 1 0 1" velocity="0 0.1 0" z="-0.01" thickness="0.07"/>
   </ice>
   <output folder="runs/towing" trajectory_every="0.5" contacts="none" problems="never" bodies="true"/>

@@ -26,7 +26,6 @@ TEST(NotBuilt, EachIsRefusedWithItsPlace) {
       {vessel + "<control mode='dp'/></vessel>", "<vessel><control>"},
       {vessel + "<thrusters file='file'/></vessel>", "<vessel><thrusters>"},
       {vessel + "<mooring file='file'/></vessel>", "<vessel><mooring>"},
-      {"<ice><vary property='thickness' cov='0.1'/></ice>", "<ice><vary>"},
       {"<fracture><bending model='nevel'/></fracture>", "<fracture>"}};
   for (const auto& c : cases) {
     SCOPED_TRACE(c.content);

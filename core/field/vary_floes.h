@@ -1,0 +1,56 @@
+#pragma once
+/// Draws the properties of floes.
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/field/floe_property.h"
+#include "core/field/floe_texture.h"
+
+namespace nilas {
+
+/// How one property varies over the floes.
+struct PropertySpread {
+  FloeProperty property;
+  CutDistribution distribution;
+  double correlation_length = 0;  ///< > 0: from point to point, within floes too [m]; 0: one value per floe
+};
+
+/// A property inside one floe.
+struct TexturedProperty {
+  FloeProperty property;
+  FloeTexture texture;
+};
+
+/// Draws correlated properties by a Gaussian copula: scores z = L s, where L L^T is the correlation matrix and s are
+/// independent standard normal, make the values mean * distribution.at_score(z). s of a property is, per floe, the
+/// first number of the stream "<property> of <floe's name>"; with a correlation length it is the value of a
+/// GaussianField of stream "<property> texture". A draw depends on seed, property, floe and the properties before it
+/// in FloeProperty that it is correlated with, on nothing else.
+class FloeVariation {
+ public:
+  /// `correlation`: of the scores, one row per spread in their order, symmetric, ones on the diagonal. Properties that
+  /// are correlated must have one correlation length. Throws InputError where that does not hold, a property comes
+  /// twice, or the matrix is not positive definite.
+  FloeVariation(std::vector<PropertySpread> spreads, const MatX& correlation, std::uint64_t seed);
+
+  /// Fills what `floe` leaves open (0) and varies; `means` as of a floe that does not vary. A property that varies
+  /// within the floe gets the mean over its area, and its texture is returned.
+  std::vector<TexturedProperty> draw(FieldFloe& floe, const std::string& name, const FloeValues& means) const;
+
+  const std::vector<PropertySpread>& spreads() const { return spreads_; }
+
+ private:
+  double score(std::size_t row, const std::string& name) const;
+  std::shared_ptr<const PropertyPlane> plane(std::size_t row,
+                                             const std::vector<std::shared_ptr<const GaussianField>>& fields) const;
+
+  std::vector<PropertySpread> spreads_;  ///< in the order of FloeProperty
+  MatX lower_;                           ///< L
+  std::uint64_t seed_;
+  std::vector<std::shared_ptr<const PropertyPlane>> planes_;  ///< null: one value per floe
+};
+
+}  // namespace nilas
