@@ -1,88 +1,93 @@
-#include <cmath>
+#include <algorithm>
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "apps/nilas/commands.h"
+#include "apps/nilas/field_picture.h"
+#include "apps/nilas/field_report.h"
 #include "core/base/error.h"
-#include "core/bodies/mass_properties.h"
-#include "core/bodies/polygon.h"
-#include "core/field/field.h"
 #include "core/scene/read_scene.h"
-#include "core/sim/world.h"
 
 namespace nilas {
 
 namespace {
 
 struct FieldOptions {
-  std::string spec, out = "field.geojson";
-  bool json = false;
+  std::string spec, out = "field.geojson", picture;
+  int threads = 1;
+  bool no_picture = false, json = false;
 };
 
-/// The floes that a scene would start with, in G.
-FieldResult floes_of(const WorldParts& parts) {
-  FieldResult field;
-  field.concentration = parts.info.concentration;
-  const Bodies& bodies = parts.bodies;
-  for (int k = 0; k < bodies.size(); ++k) {
-    const auto b = static_cast<std::size_t>(k);
-    if (bodies.kind[b] != BodyKind::floe) continue;
-    FieldFloe floe;
-    for (const auto& x : bodies.shape[b]->outline)
-      floe.outline.emplace_back((bodies.p_GB[b] + bodies.R_GB[b] * Vec3(x.x(), x.y(), 0)).head<2>());
-    floe.thickness = bodies.shape[b]->thickness;
-    floe.density = bodies.mass[b] / (floe.thickness * polygon_moments(floe.outline).area);
-    floe.fixed = bodies.motion[b] == Motion::fixed;
-    field.floes.push_back(std::move(floe));
+/// All floes of a scene as one field. Its concentration is that of all water in which fields of free floes were laid
+/// out.
+FieldResult as_one_field(const WorldParts& parts, const std::vector<FieldReport>& reports) {
+  FieldResult all;
+  for (const PlannedIce& ice : parts.ice)
+    for (const auto& one : ice.floes) {
+      all.floes.push_back(one.floe);
+      all.floes.back().fixed = one.fixed;
+    }
+  double ice_area = 0, free_area = 0;
+  for (const FieldReport& report : reports) {
+    all.worst_overlap = std::max(all.worst_overlap, report.deepest_overlap);
+    if (report.concentration <= 0) continue;
+    all.concentration = report.concentration;
+    ice_area += report.area;
+    free_area += report.area / report.concentration;
   }
-  return field;
+  if (reports.size() > 1 && free_area > 0) all.concentration = ice_area / free_area;
+  return all;
 }
 
-nlohmann::ordered_json statistics(const FieldResult& field) {
-  double area = 0, sum = 0, squares = 0, smallest = 0, largest = 0;
-  for (const auto& floe : field.floes) {
-    const double a = polygon_moments(floe.outline).area, size = std::sqrt(a);
-    area += a;
-    sum += size;
-    squares += size * size;
-    smallest = smallest == 0 ? size : std::min(smallest, size);
-    largest = std::max(largest, size);
-  }
-  const auto n = static_cast<double>(std::max<std::size_t>(field.floes.size(), 1));
-  const double mean = sum / n;
-  return {{"floes", field.floes.size()},
-          {"area_m2", area},
-          {"concentration", field.concentration},
-          {"size_mean_m", mean},
-          {"size_sd_m", std::sqrt(std::max(0.0, squares / n - mean * mean))},
-          {"size_min_m", smallest},
-          {"size_max_m", largest}};
+std::string picture_file(const FieldOptions& options) {
+  if (options.no_picture) return "";
+  if (!options.picture.empty()) return options.picture;
+  return std::filesystem::path(options.out).replace_extension(".png").string();
 }
 
 int make_field(const FieldOptions& options) {
   const Scene scene = read_scene(options.spec);
   if (!scene.ice) throw InputError(options.spec + ": the scene has no <ice>");
-  auto logger = make_logger("warn", "");
-  WarningCounts warnings(logger);
-  const FieldResult field = floes_of(build_world(scene, 1, warnings));
-  write_field(field, options.out);
-  const auto table = statistics(field);
+  WarningCounts warnings(make_logger("warn", ""));
+  const WorldParts parts = build_world(scene, options.threads, warnings);
+  const std::vector<FieldReport> reports = field_reports(scene, parts);
+  const FieldResult all = as_one_field(parts, reports);
+  write_field(all, options.out);
+  const std::string picture = reports.empty() ? "" : picture_file(options);
+  if (!picture.empty()) draw_field(picture, scene.name, parts.ice, reports);
   if (options.json) {
-    std::cout << table.dump(2) << "\n";
+    nlohmann::ordered_json json{{"scene", scene.name}, {"file", options.out}, {"floes", all.floes.size()}};
+    if (!picture.empty()) json["picture"] = picture;
+    double area = 0;
+    for (const auto& report : reports) area += report.area;
+    json["area_m2"] = area;
+    json["concentration"] = all.concentration;
+    json["worst_overlap_m"] = all.worst_overlap;
+    json["fields"] = nlohmann::ordered_json::array();
+    for (const auto& report : reports) json["fields"].push_back(report_json(report));
+    json["notes"] = scene.notes;
+    std::cout << json.dump(2) << "\n";
     return exit_done;
   }
-  for (const auto& [name, value] : table.items()) std::cout << "  " << name << "  " << value << "\n";
-  std::cout << "written: " << options.out << "\n";
+  for (const auto& report : reports) std::cout << report_text(report) << "\n";
+  for (const auto& note : scene.notes) std::cout << "note: " << note << "\n";
+  std::cout << "written: " << options.out << (picture.empty() ? "" : ", " + picture) << "\n";
   return exit_done;
 }
 
 }  // namespace
 
 void add_field(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("field", "generates the ice field of a scene and writes it as a reusable file");
+  auto* command = app.add_subcommand(
+      "field", "generates the ice of a scene; writes it as a reusable file with a picture, and prints its statistics");
   auto options = std::make_shared<FieldOptions>();
-  command->add_option("spec", options->spec, "scene file whose <ice> and <tank> are read")->required();
+  command->add_option("spec", options->spec, "scene file whose ice is generated, clear of its vessel")->required();
   command->add_option("--out", options->out, "GeoJSON file to write")->capture_default_str();
+  auto* picture = command->add_option("--picture", options->picture,
+                                      "PNG file to write, by gnuplot (default: beside the GeoJSON file)");
+  command->add_flag("--no-picture", options->no_picture, "draws none")->excludes(picture);
+  command->add_option("--threads", options->threads, "threads; the results do not depend on it")
+      ->check(at_least(1))
+      ->capture_default_str();
   command->add_flag("--json", options->json, "the statistics as JSON on stdout");
   command->callback([&action, options] { action = [options] { return make_field(*options); }; });
 }

@@ -1,6 +1,7 @@
 #include "core/field/floe_sizes.h"
 
 #include <algorithm>
+#include <boost/math/distributions/lognormal.hpp>
 #include <cmath>
 #include <functional>
 
@@ -45,6 +46,24 @@ std::vector<double> draw_areas(const PackedSpec& spec, double wanted, RandomStre
   }
   std::sort(areas.begin(), areas.end(), std::greater<>());
   return areas;
+}
+
+double size_quantile(const PackedSpec& spec, double u) {
+  switch (spec.distribution) {
+    case SizeDistribution::fixed:
+      return spec.mean;
+    case SizeDistribution::uniform:
+      return spec.min + u * (spec.max - spec.min);
+    case SizeDistribution::power_law:
+      return power_law(spec.exponent, spec.min, spec.max, u);
+    case SizeDistribution::lognormal:
+      break;
+  }
+  if (spec.sd == 0) return std::clamp(spec.mean, spec.min, spec.max);
+  if (u <= 0 || u >= 1) return u <= 0 ? spec.min : spec.max;
+  const double variance = std::log1p(spec.sd * spec.sd / (spec.mean * spec.mean));
+  const boost::math::lognormal sizes(std::log(spec.mean) - 0.5 * variance, std::sqrt(variance));
+  return std::clamp(boost::math::quantile(sizes, u), spec.min, spec.max);
 }
 
 }  // namespace nilas

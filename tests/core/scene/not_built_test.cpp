@@ -17,7 +17,7 @@ struct NotBuilt {
 TEST(NotBuilt, EachIsRefusedWithItsPlace) {
   const SceneFolder folder;
   folder.write("file", "");
-  const std::string vessel = "<vessel><hull/><mass value='1'/>", field = "<ice><field region='0 0 1 1' ";
+  const std::string vessel = "<vessel><hull/><mass value='1'/>";
   const std::vector<NotBuilt> cases{
       {"<water><current profile='file'/></water>", "<water><current profile>"},
       {"<water><waves kind='regular' height='0.1' period='2'/></water>", "<water><waves>"},
@@ -36,8 +36,6 @@ TEST(NotBuilt, EachIsRefusedWithItsPlace) {
 TEST(NotBuilt, TheMessageSaysWhatToDo) {
   const SceneFolder folder;
   expect_fault(folder.faults(in_scene("<water><waves/></water>")), 2, "<water><waves>", {"remove the element"});
-  expect_fault(folder.faults(in_scene("<ice><field region='0 0 1 1' kind='voronoi'/></ice>")), 2, "<ice><field kind>",
-               {"built: "});
 }
 
 TEST(NotBuilt, WhatSaysTheSameAsNothingIsTaken) {

@@ -1,0 +1,199 @@
+#include "apps/nilas/field_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/bodies/mass_properties.h"
+#include "core/field/floe_sizes.h"
+
+namespace nilas {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string size_in_words(const SizeScene& size) {
+  if (size.distribution == "fixed") return fmt::format("fixed {:g}", size.mean);
+  const std::string range = fmt::format("{:g} to {:g}", size.min, size.max);
+  if (size.distribution == "lognormal")
+    return fmt::format("lognormal, mean {:g}, sd {:g}, cut at {}", size.mean, size.sd, range);
+  if (size.distribution == "power-law") return fmt::format("power-law, exponent {:g}, {}", size.exponent, range);
+  return size.distribution + ", " + range;
+}
+
+QuantityReport size_report(const PlannedIce& ice) {
+  QuantityReport report;
+  report.column = "size_m";
+  for (const auto& one : ice.floes) report.floes.push_back(std::sqrt(polygon_moments(one.floe.outline).area));
+  if (ice.packed) {
+    report.asked_for = size_in_words(ice.field->size);
+    report.asked = [spec = *ice.packed](double u) { return size_quantile(spec, u); };
+  }
+  return report;
+}
+
+/// The mean that the property has in all of these floes before it varies; 0 where it is not one.
+double common_mean(const PlannedIce& ice, FloeProperty property) {
+  const auto mean = [&](const PlannedFloe& one) { return one.means[static_cast<std::size_t>(property)]; };
+  const double first = mean(ice.floes.front());
+  const bool same =
+      std::all_of(ice.floes.begin(), ice.floes.end(), [&](const auto& one) { return mean(one) == first; });
+  return same ? first : 0;
+}
+
+std::string spread_in_words(const VaryScene& vary, double mean) {
+  return fmt::format("{}, mean {:g}, cov {:g}{}", vary.distribution, mean, vary.cov,
+                     vary.correlation_length > 0 ? fmt::format(", correlation length {:g} m", vary.correlation_length)
+                                                 : std::string());
+}
+
+QuantityReport property_report(const Scene& scene, const PlannedIce& ice, FloeProperty property,
+                               const FloeVariation& variation) {
+  QuantityReport report;
+  report.column = column_of(property);
+  for (const auto& one : ice.floes) {
+    report.floes.push_back(value_of(one.floe, property));
+    for (const auto& textured : one.texture)
+      if (textured.property == property) report.points.push_back(textured.texture.at(0, 0));
+  }
+  const double mean = common_mean(ice, property);
+  const bool from_file = ice.field && ice.field->kind == "file";
+  if (mean <= 0 || from_file) return report;
+  for (const PropertySpread& spread : variation.spreads())
+    if (spread.property == property)
+      report.asked = [mean, cut = spread.distribution](double u) { return mean * cut.quantile(u); };
+  for (const VaryScene& vary : scene.ice->vary)
+    if (vary.property == name_of(property)) report.asked_for = spread_in_words(vary, mean);
+  return report;
+}
+
+std::vector<CorrelationReport> correlation_reports(const Scene& scene, const FieldReport& report) {
+  const auto column = [](const std::string& name) { return std::string(column_of(floe_property(name))); };
+  const auto sample = [&](const std::string& name) {
+    return std::find_if(report.quantities.begin(), report.quantities.end(),
+                        [&](const auto& quantity) { return quantity.column == column(name); });
+  };
+  std::vector<CorrelationReport> all;
+  for (const VaryScene& vary : scene.ice->vary)
+    for (const auto& [partner, asked] : vary.correlations) {
+      const auto a = sample(vary.property), b = sample(partner);
+      if (a == report.quantities.end() || b == report.quantities.end() || !a->asked || !b->asked) continue;
+      all.push_back({a->column, b->column, asked, score_correlation(a->judged(), b->judged()),
+                     correlation(a->judged(), b->judged())});
+    }
+  return all;
+}
+
+FieldReport field_report(const Scene& scene, const PlannedIce& ice, const FloeVariation& variation) {
+  FieldReport report;
+  report.name = ice.name;
+  report.kind = ice.field ? ice.field->kind : "floe";
+  report.floes = ice.floes.size();
+  for (const auto& one : ice.floes) report.area += polygon_moments(one.floe.outline).area;
+  if (ice.packed) report.asked_concentration = ice.packed->concentration;
+  report.concentration = ice.concentration;
+  report.deepest_overlap = ice.worst_overlap;
+  report.left_out = ice.left_out;
+  report.seconds = ice.seconds;
+  report.quantities.push_back(size_report(ice));
+  for (const FloeProperty property : k_floe_properties) {
+    QuantityReport quantity = property_report(scene, ice, property, variation);
+    const bool known = std::any_of(quantity.floes.begin(), quantity.floes.end(), [](double x) { return x > 0; });
+    if (known) report.quantities.push_back(std::move(quantity));
+  }
+  report.correlations = correlation_reports(scene, report);
+  return report;
+}
+
+Json summary_json(const DistributionSummary& summary) {
+  Json json{{"mean", summary.mean}, {"sd", summary.sd}, {"min", summary.min}, {"max", summary.max}};
+  for (std::size_t k = 0; k < k_reported_quantiles.size(); ++k)
+    json[fmt::format("q{:02.0f}", 100 * k_reported_quantiles[k])] = summary.quantiles[k];
+  return json;
+}
+
+Json quantity_json(const QuantityReport& quantity) {
+  Json json;
+  if (quantity.asked) {
+    json["asked_for"] = quantity.asked_for;
+    json["asked"] = summary_json(summary_of(quantity.asked));
+  }
+  json["obtained"] = summary_json(summary_of(quantity.floes));
+  if (!quantity.points.empty()) json["obtained_at_points"] = summary_json(summary_of(quantity.points));
+  if (quantity.asked) json["ks_distance"] = ks_distance(quantity.judged(), quantity.asked);
+  return json;
+}
+
+/// "-" for no bound.
+std::string cell(double x) { return std::isfinite(x) ? fmt::format("{:>10.4g}", x) : fmt::format("{:>10}", "-"); }
+
+std::string row(const std::string& name, const DistributionSummary& s) {
+  std::string line = fmt::format("  {:<8}", name);
+  for (const double x : {s.mean, s.sd, s.min, s.quantiles.front(), s.quantiles[2], s.quantiles.back(), s.max})
+    line += cell(x);
+  return line + "\n";
+}
+
+std::string quantity_text(const QuantityReport& quantity) {
+  std::string text =
+      "  " + quantity.column + (quantity.asked_for.empty() ? std::string() : ": " + quantity.asked_for) + "\n";
+  if (quantity.asked) text += row("asked", summary_of(quantity.asked));
+  text += row("obtained", summary_of(quantity.floes));
+  if (!quantity.points.empty()) text += row("points", summary_of(quantity.points));
+  if (!quantity.asked) return text;
+  text += fmt::format("    Kolmogorov-Smirnov distance {:.4f}", ks_distance(quantity.judged(), quantity.asked));
+  if (!quantity.points.empty()) return text + "; near points are not independent\n";
+  constexpr double k_one_in_twenty = 1.36;
+  const std::size_t n = quantity.floes.size();
+  return text + fmt::format("; one sample of {} in twenty has {:.4f}\n", n,
+                            k_one_in_twenty / std::sqrt(static_cast<double>(n)));
+}
+
+}  // namespace
+
+std::vector<FieldReport> field_reports(const Scene& scene, const WorldParts& parts) {
+  const FloeVariation variation = floe_variation(scene);
+  std::vector<FieldReport> reports;
+  for (const PlannedIce& ice : parts.ice)
+    if (!ice.floes.empty()) reports.push_back(field_report(scene, ice, variation));
+  return reports;
+}
+
+Json report_json(const FieldReport& report) {
+  Json json{{"name", report.name}, {"kind", report.kind}, {"floes", report.floes}, {"area_m2", report.area}};
+  if (report.asked_concentration) json["concentration_asked"] = *report.asked_concentration;
+  json["concentration"] = report.concentration;
+  json["worst_overlap_m"] = report.deepest_overlap;
+  json["left_out"] = report.left_out;
+  json["seconds"] = report.seconds;
+  for (const auto& quantity : report.quantities) json[quantity.column] = quantity_json(quantity);
+  json["correlations"] = Json::array();
+  for (const auto& one : report.correlations)
+    json["correlations"].push_back({{"between", {one.a, one.b}},
+                                    {"asked", one.asked},
+                                    {"obtained", one.of_scores},
+                                    {"obtained_of_values", one.of_values}});
+  return json;
+}
+
+std::string report_text(const FieldReport& report) {
+  std::string text = fmt::format("{}: {}, {} floes, {:.5g} m^2, {:.2f} s\n", report.name, report.kind, report.floes,
+                                 report.area, report.seconds);
+  if (report.concentration > 0) {
+    text += fmt::format("  concentration {:.5f}", report.concentration);
+    text += report.asked_concentration ? fmt::format(", asked {:g}\n", *report.asked_concentration) : "\n";
+  }
+  text += fmt::format("  deepest overlap {:g} m; {} floes left out for the hull\n", report.deepest_overlap,
+                      report.left_out);
+  text += fmt::format("{:<10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}\n", "", "mean", "sd", "min", "5 %", "50 %",
+                      "95 %", "max");
+  for (const auto& quantity : report.quantities) text += quantity_text(quantity);
+  for (const auto& one : report.correlations)
+    text += fmt::format("  {} with {}\n    correlation {:.3f} of the scores, {:.3f} of the values; asked {:g}\n", one.a,
+                        one.b, one.of_scores, one.of_values, one.asked);
+  return text;
+}
+
+}  // namespace nilas
