@@ -180,7 +180,8 @@ TEST(Detector, MemoryChangesNothingButWhichCornersAreKept) {
   }
   EXPECT_GT(separations, 1000);
   EXPECT_GT(kept, 100);
-  EXPECT_LT(other_corners, pairs_seen / 20);
+  EXPECT_GT(other_corners, 0);
+  EXPECT_LT(other_corners, pairs_seen / 10);  // 5 % in this crowd of deep overlaps, by the 2 % band of k_kept_area
 }
 
 /// Plates with more than four common corners that rock by less than a part in a thousand of their room stand on the
