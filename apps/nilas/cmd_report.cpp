@@ -6,7 +6,7 @@
 #include "apps/nilas/commands.h"
 #include "apps/report/contact_picture.h"
 #include "apps/report/floe_outlines.h"
-#include "apps/verify/plot.h"
+#include "core/output/plot.h"
 #include "core/base/error.h"
 #include "core/scene/read_scene.h"
 #include "core/sim/simulation.h"
