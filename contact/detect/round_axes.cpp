@@ -25,6 +25,14 @@ class ArcSeparation {
     return c * w_start_ + s * w_side_ - body_.radius * std::sqrt(std::max(0.0, 1 - up * up)) -
            body_.half_height * std::abs(up);
   }
+  /// Its derivative where the directions look towards the cap on side `cap` (1 or -1) of the cylinder.
+  double slope(double angle, double cap) const {
+    const double c = std::cos(angle), s = std::sin(angle);
+    const double up = c * k_start_ + s * k_side_, turn = c * k_side_ - s * k_start_;
+    const double across = std::sqrt(std::max(1e-24, 1 - up * up));
+    return c * w_side_ - s * w_start_ + (body_.radius * up / across - cap * body_.half_height) * turn;
+  }
+  double cap(double angle) const { return std::cos(angle) * k_start_ + std::sin(angle) * k_side_ < 0 ? -1 : 1; }
   /// Angle in [0, pi) where the directions pass from one cap to the other.
   double turning() const {
     const double angle = std::atan2(-k_start_, k_side_);
@@ -36,28 +44,16 @@ class ArcSeparation {
   const RoundBody& body_;
 };
 
-/// Angle of the top of f between low and high, where it has one, by golden section.
+/// Angle of the top of f between low and high, where it has one, by halving: by the slope, since the top itself is
+/// flat.
 double top_between(const ArcSeparation& f, double low, double high) {
-  constexpr double k_golden = 0.6180339887498949;
-  constexpr int k_steps = 40;  // to 4e-9 of the stretch: the top's height is then exact to rounding
-  double left = high - k_golden * (high - low), right = low + k_golden * (high - low);
-  double at_left = f(left), at_right = f(right);
+  const double cap = f.cap(0.5 * (low + high));
+  constexpr int k_steps = 55;
   for (int step = 0; step < k_steps; ++step) {
-    if (at_left > at_right) {
-      high = right;
-      right = left;
-      at_right = at_left;
-      left = high - k_golden * (high - low);
-      at_left = f(left);
-    } else {
-      low = left;
-      left = right;
-      at_left = at_right;
-      right = low + k_golden * (high - low);
-      at_right = f(right);
-    }
+    const double middle = 0.5 * (low + high);
+    (f.slope(middle, cap) > 0 ? low : high) = middle;
   }
-  return at_left > at_right ? left : right;
+  return 0.5 * (low + high);
 }
 
 /// The best angle of a smooth stretch: around each sample that is no lower than its neighbours.
