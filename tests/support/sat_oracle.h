@@ -1,9 +1,10 @@
 #pragma once
-/// Brute-force truth for two convex polytopes: every face normal and every pair of edges, every pair of features. Slow
+/// Brute-force truth for two convex solids: every face normal, every pair of edges, every place of a round side. Slow
 /// and simple on purpose; shares no code with contact/detect.
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -12,12 +13,24 @@
 
 namespace nilas::oracle {
 
-/// A polytope at a pose.
+constexpr double k_infinite = std::numeric_limits<double>::infinity();
+
+/// The sum of a polytope and a disc, at a pose. A cylinder is the segment between its caps' centres and a disc.
 struct Solid {
   std::vector<Vec3> vertices;
   std::vector<std::vector<int>> faces;
-  std::vector<Vec3> normals;
+  std::vector<Vec3> normals;  ///< of the faces, and of a cylinder's caps
   std::vector<std::pair<int, int>> edges;
+  Vec3 axis = Vec3::UnitZ();  ///< of the disc
+  double radius = 0;          ///< of the disc [m]
+
+  /// What the disc adds to the extent along n.
+  double rim(const Vec3& n) const { return radius > 0 ? radius * (n - n.dot(axis) * axis).norm() : 0; }
+  double extent(const Vec3& n) const {
+    double high = -k_infinite;
+    for (const Vec3& v : vertices) high = std::max(high, n.dot(v));
+    return high + rim(n);
+  }
 };
 
 inline Solid posed(const ConvexPolytope& polytope, const Mat3& R, const Vec3& p) {
@@ -28,88 +41,207 @@ inline Solid posed(const ConvexPolytope& polytope, const Mat3& R, const Vec3& p)
     Vec3 area = Vec3::Zero();
     for (std::size_t k = 0; k < loop.size(); ++k) {
       const int i = loop[k], j = loop[(k + 1) % loop.size()];
-      area += (solid.vertices[i] - solid.vertices[loop[0]]).cross(solid.vertices[j] - solid.vertices[loop[0]]);
+      area +=
+          (polytope.vertices[i] - polytope.vertices[loop[0]]).cross(polytope.vertices[j] - polytope.vertices[loop[0]]);
       if (i < j) solid.edges.emplace_back(i, j);
     }
-    solid.normals.push_back(area.normalized());
+    solid.normals.push_back(R * area.normalized());
   }
   return solid;
 }
 
-inline Solid posed(const Bodies& bodies, int b, int part = 0) {
-  return posed(bodies.shape[b]->parts[part], bodies.R_GB[b], bodies.p_GB[b]);
+inline Solid posed_cylinder(const Shape& shape, const Mat3& R, const Vec3& p) {
+  Solid solid;
+  solid.axis = R.col(2);
+  solid.radius = shape.radius;
+  solid.vertices = {p - shape.half_height * solid.axis, p + shape.half_height * solid.axis};
+  solid.edges = {{0, 1}};
+  solid.normals = {-solid.axis, solid.axis};
+  return solid;
 }
 
-/// Least n . x over b minus largest over a.
-inline double separation(const Solid& a, const Solid& b, const Vec3& n) {
-  double high = -std::numeric_limits<double>::infinity(), low = std::numeric_limits<double>::infinity();
-  for (const Vec3& v : a.vertices) high = std::max(high, n.dot(v));
-  for (const Vec3& v : b.vertices) low = std::min(low, n.dot(v));
-  return low - high;
+/// Part of a body, seen from `origin`: near it no digits are lost.
+inline Solid posed(const Bodies& bodies, int b, int part = 0, const Vec3& origin = Vec3::Zero()) {
+  const Shape& shape = *bodies.shape[b];
+  const Vec3 p = bodies.p_GB[b] - origin;
+  if (shape.kind == ShapeKind::cylinder) return posed_cylinder(shape, bodies.R_GB[b], p);
+  return posed(shape.parts[part], bodies.R_GB[b], p);
 }
+
+inline bool is_round(const Solid& solid) { return solid.radius > 0; }
+
+/// Least n . x over b minus largest over a.
+inline double separation(const Solid& a, const Solid& b, const Vec3& n) { return -b.extent(-n) - a.extent(n); }
 
 struct SeparatingAxis {
   Vec3 n = Vec3::UnitX();  ///< from a to b
-  double s = -std::numeric_limits<double>::infinity();
+  double s = -k_infinite;
 };
 
-/// All candidate axes with their separations, best first.
+/// Differences between points of b and of a that have shown axes to be of no interest, the last one first: none
+/// separates the solids by more than such points are apart along it.
+class Witnesses {
+ public:
+  bool rule_out(const Vec3& n, double least) const {
+    return std::any_of(differences_.begin(), differences_.end(), [&](const Vec3& d) { return n.dot(d) < least; });
+  }
+  void add(const Solid& a, const Solid& b, const Vec3& n) {
+    constexpr std::size_t k_most = 8;
+    differences_.insert(differences_.begin(), farthest(b, -n) - farthest(a, n));
+    if (differences_.size() > k_most) differences_.pop_back();
+  }
+
+ private:
+  static Vec3 farthest(const Solid& solid, const Vec3& n) {
+    return *std::max_element(solid.vertices.begin(), solid.vertices.end(),
+                             [&](const Vec3& p, const Vec3& q) { return n.dot(p) < n.dot(q); });
+  }
+  std::vector<Vec3> differences_;
+};
+
+/// Calls visit(n, s) for the faces of both solids and the crossings of their edges that separate them by at least
+/// floor(n).
+template <class Floor, class Visit>
+void visit_flat_axes(const Solid& a, const Solid& b, const Floor& floor, const Visit& visit) {
+  Witnesses witnesses;
+  const auto add = [&](const Vec3& n, double most) {
+    const double least = floor(n);
+    if (most < least || witnesses.rule_out(n, least)) return;
+    const double s = separation(a, b, n);
+    if (s >= least)
+      visit(n, s);
+    else
+      witnesses.add(a, b, n);
+  };
+  for (const Vec3& n : a.normals) add(n, k_infinite);
+  for (const Vec3& n : b.normals) add(-n, k_infinite);
+  for (const auto& [i, j] : a.edges) {
+    const Vec3 along_a = a.vertices[j] - a.vertices[i];
+    for (const auto& [k, l] : b.edges) {
+      const Vec3 along_b = b.vertices[l] - b.vertices[k];
+      const Vec3 n = along_a.cross(along_b);
+      const double length = n.norm();
+      constexpr double k_parallel = 1e-12;
+      if (length <= k_parallel * std::sqrt(along_a.squaredNorm() * along_b.squaredNorm())) continue;
+      const Vec3 unit = n / length;
+      const double most = unit.dot(b.vertices[k] - a.vertices[i]);
+      add(unit, most);
+      add(-unit, -most);
+    }
+  }
+}
+
+/// Largest f over [low, high], where it has one top, by golden section.
+template <class Function>
+double top(const Function& f, double low, double high) {
+  constexpr double k_golden = 0.6180339887498949;
+  double p = high - k_golden * (high - low), q = low + k_golden * (high - low);
+  double at_p = f(p), at_q = f(q);
+  for (int step = 0; step < 60; ++step) {
+    if (at_p > at_q) {
+      high = q;
+      q = p;
+      at_q = at_p;
+      at_p = f(p = high - k_golden * (high - low));
+    } else {
+      low = p;
+      p = q;
+      at_p = at_q;
+      at_q = f(q = low + k_golden * (high - low));
+    }
+  }
+  return at_p > at_q ? p : q;
+}
+
+/// Tops of f over a full turn: the best of `samples`, then golden section around each that may hold the largest.
+template <class Function, class Visit>
+void visit_tops(const Function& f, int samples, const Visit& visit) {
+  std::vector<double> at(static_cast<std::size_t>(samples));
+  const double step = 2 * k_pi / samples;
+  for (int k = 0; k < samples; ++k) at[static_cast<std::size_t>(k)] = f(k * step);
+  for (int k = 0; k < samples; ++k) {
+    const double before = at[static_cast<std::size_t>((k + samples - 1) % samples)];
+    const double after = at[static_cast<std::size_t>((k + 1) % samples)];
+    if (at[static_cast<std::size_t>(k)] >= std::max(before, after)) visit(top(f, (k - 1) * step, (k + 1) * step));
+  }
+}
+
+/// Directions square to an edge, where its sum with a disc is a ruled surface: the best of each full turn.
+template <class Visit>
+void visit_round_axes(const Solid& a, const Solid& b, const Visit& visit) {
+  std::vector<Vec3> directions;
+  for (const Solid* solid : {&a, &b})
+    for (const auto& [i, j] : solid->edges) {
+      const Vec3 along = (solid->vertices[j] - solid->vertices[i]).normalized();
+      const auto same = [&](const Vec3& d) { return d.cross(along).norm() < 1e-9; };
+      if (std::none_of(directions.begin(), directions.end(), same)) directions.push_back(along);
+    }
+  constexpr int k_samples = 72;
+  for (const Vec3& d : directions) {
+    const Vec3 u = d.unitOrthogonal(), v = d.cross(u);
+    const auto n_at = [&](double angle) { return Vec3(std::cos(angle) * u + std::sin(angle) * v); };
+    visit_tops([&](double angle) { return separation(a, b, n_at(angle)); }, k_samples,
+               [&](double angle) {
+                 const Vec3 n = n_at(angle);
+                 visit(n, separation(a, b, n));
+               });
+  }
+}
+
+/// Two discs: their sum is curved both ways. From the best of many directions uphill in ever smaller steps.
+template <class Visit>
+void visit_doubly_round_axes(const Solid& a, const Solid& b, const Visit& visit) {
+  constexpr int k_samples = 1000, k_starts = 8;
+  constexpr double k_golden_angle = 2.399963229728653;
+  std::vector<std::pair<double, Vec3>> found;
+  for (int k = 0; k < k_samples; ++k) {
+    const double z = 1 - (2.0 * k + 1) / k_samples, r = std::sqrt(1 - z * z);
+    const Vec3 n(r * std::cos(k * k_golden_angle), r * std::sin(k * k_golden_angle), z);
+    found.emplace_back(separation(a, b, n), n);
+  }
+  std::partial_sort(found.begin(), found.begin() + k_starts, found.end(),
+                    [](const auto& p, const auto& q) { return p.first > q.first; });
+  for (int k = 0; k < k_starts; ++k) {
+    auto [s, n] = found[static_cast<std::size_t>(k)];
+    for (double step = 0.06; step > 1e-9;) {
+      const Vec3 u = n.unitOrthogonal(), v = n.cross(u);
+      bool better = false;
+      for (int way = 0; way < 8 && !better; ++way) {
+        const double angle = k_pi / 4 * way;
+        const Vec3 next = (n + step * (std::cos(angle) * u + std::sin(angle) * v)).normalized();
+        const double s_next = separation(a, b, next);
+        better = s_next > s;
+        if (better) std::tie(s, n) = std::pair(s_next, next);
+      }
+      step *= better ? 1.5 : 0.5;
+    }
+    visit(n, s);
+  }
+}
+
+/// All axes of two polytopes with their separations, best first.
 inline std::vector<SeparatingAxis> all_axes(const Solid& a, const Solid& b) {
   std::vector<SeparatingAxis> axes;
-  const auto add = [&](const Vec3& n) { axes.push_back({n, separation(a, b, n)}); };
-  for (const Vec3& n : a.normals) add(n);
-  for (const Vec3& n : b.normals) add(-n);
-  for (const auto& [i, j] : a.edges)
-    for (const auto& [k, l] : b.edges) {
-      const Vec3 along_a = (a.vertices[j] - a.vertices[i]).normalized();
-      const Vec3 along_b = (b.vertices[l] - b.vertices[k]).normalized();
-      const Vec3 n = along_a.cross(along_b);
-      constexpr double k_parallel = 1e-9;
-      if (n.norm() < k_parallel) continue;
-      add(n.normalized());
-      add(-n.normalized());
-    }
+  visit_flat_axes(
+      a, b, [](const Vec3&) { return -k_infinite; },
+      [&](const Vec3& n, double s) {
+        axes.push_back({n, s});
+      });
   std::sort(axes.begin(), axes.end(), [](const auto& p, const auto& q) { return p.s > q.s; });
   return axes;
 }
 
-inline double distance_to_triangle_plane(const Solid& solid, int face, const Vec3& x) {
-  const auto& loop = solid.faces[face];
-  for (std::size_t k = 0; k < loop.size(); ++k) {
-    const Vec3& p = solid.vertices[loop[k]];
-    const Vec3& q = solid.vertices[loop[(k + 1) % loop.size()]];
-    if ((q - p).cross(solid.normals[face]).dot(x - p) > 0) return std::numeric_limits<double>::infinity();
-  }
-  return std::abs(solid.normals[face].dot(x - solid.vertices[loop[0]]));
-}
-
-inline double distance_of_segments(const Vec3& p0, const Vec3& p1, const Vec3& q0, const Vec3& q1) {
-  const auto to_segment = [](const Vec3& x, const Vec3& s0, const Vec3& s1) {
-    const double t = std::clamp((x - s0).dot(s1 - s0) / (s1 - s0).squaredNorm(), 0.0, 1.0);
-    return (s0 + t * (s1 - s0) - x).norm();
+/// The axis that separates most, or along which the solids overlap least.
+inline SeparatingAxis best_axis(const Solid& a, const Solid& b) {
+  SeparatingAxis best;
+  const auto keep = [&](const Vec3& n, double s) {
+    if (s > best.s) best = {n, s};
   };
-  double least =
-      std::min({to_segment(p0, q0, q1), to_segment(p1, q0, q1), to_segment(q0, p0, p1), to_segment(q1, p0, p1)});
-  const Vec3 d = p1 - p0, e = q1 - q0, n = d.cross(e);
-  constexpr double k_parallel = 1e-9;
-  if (n.norm() <= k_parallel * d.norm() * e.norm()) return least;
-  const double t = (q0 - p0).cross(e).dot(n) / n.squaredNorm();
-  const double u = (q0 - p0).cross(d).dot(n) / n.squaredNorm();
-  if (t >= 0 && t <= 1 && u >= 0 && u <= 1) least = std::min(least, std::abs((q0 - p0).dot(n.normalized())));
-  return least;
-}
-
-/// Distance of two solids that are apart.
-inline double distance(const Solid& a, const Solid& b) {
-  double least = std::numeric_limits<double>::infinity();
-  for (int f = 0; f < static_cast<int>(a.faces.size()); ++f)
-    for (const Vec3& v : b.vertices) least = std::min(least, distance_to_triangle_plane(a, f, v));
-  for (int f = 0; f < static_cast<int>(b.faces.size()); ++f)
-    for (const Vec3& v : a.vertices) least = std::min(least, distance_to_triangle_plane(b, f, v));
-  for (const auto& [i, j] : a.edges)
-    for (const auto& [k, l] : b.edges)
-      least = std::min(least, distance_of_segments(a.vertices[i], a.vertices[j], b.vertices[k], b.vertices[l]));
-  return least;
+  visit_flat_axes(
+      a, b, [&](const Vec3&) { return best.s; }, keep);
+  if (is_round(a) || is_round(b)) visit_round_axes(a, b, keep);
+  if (is_round(a) && is_round(b)) visit_doubly_round_axes(a, b, keep);
+  return best;
 }
 
 }  // namespace nilas::oracle
