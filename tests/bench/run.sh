@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Times one step of the packed scene on Nilas, Bullet and ODE in turn and prints the table with ratios and growth exponents.
 # `solvers` times every contact solver and Siconos' on stored problems and draws what it finds.
-# `swept` counts missed and false first contacts of random pairs on their way.
+# `collision TABLE` shows what contact search gets right, what it costs and how it grows; without TABLE all of them.
 # `presawn` runs the pre-sawn scenes to their ends on two hull meshes, with twins.
-# usage: tests/bench/run.sh [packed|exact|solvers|scaling|threads|kernels|swept|field|presawn|help]      (through ./dev bench)
+# usage: tests/bench/run.sh [packed|exact|solvers|scaling|threads|collision|field|presawn|kernels|help]      (through ./dev bench)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 bin=build/bench
@@ -64,7 +64,21 @@ solvers() {
   echo "rows: $rows"
 }
 
+collision() {
+  local bench=$bin/bench_collision threads=${THREADS:-$(nproc)} table
+  case "${1:-all}" in
+    classes) "$bench" classes "${BATCHES:-100}" "$threads" ${CLASS:+"$CLASS"} ;;
+    peers) "$bench" peers "${PAIRS:-1000}" "${ROUNDS:-5}" ;;
+    steps) "$bench" steps "${STEPS:-100}" ${SIZES:-1000 4000 10000} ;;
+    threads) "$bench" threads "${SIZES:-4000}" "${THREADS:-2}" "${STEPS:-100}" ;;
+    swept) "$bin/bench_collision_swept" "${PAIRS:-100000}" ;;
+    all) for table in peers steps threads swept classes; do collision "$table"; done ;;
+    *) echo "collision knows the tables classes, peers, steps, threads and swept" >&2 && return 2 ;;
+  esac
+}
+
 case "${1:-packed}" in
+  collision) collision "${2:-all}" ;;
   exact) exact ;;
   solvers) solvers ;;
   packed) packed ;;
@@ -73,9 +87,12 @@ case "${1:-packed}" in
   field) "$bin/bench_field" ${SIZES:-1000 3000 10000} ;;
   presawn) "$bin/bench_presawn" "${TWINS:-7}" "${THREADS:-2}" ;;
   kernels) shift; "$bin/bench_kernels" "$@" ;;
-  swept) "$bin/bench_collision_swept" "${PAIRS:-100000}" ;;
-  *) echo "usage: ./dev bench [packed|exact|solvers|scaling|threads|kernels|swept|field|presawn]   ROUNDS=n: how often packed (3) and threads (5) are measured;
+  *) echo "usage: ./dev bench [packed|exact|solvers|scaling|threads|collision [TABLE]|field|presawn|kernels]
+collision: classes (against the oracle, BATCHES=100 of 1000 pairs in each class, CLASS=name for one), peers (beside FCL and
+Bullet, PAIRS=1000 of each class), steps (a field that moves, SIZES, STEPS=100), threads, swept (missed and false first
+contacts of PAIRS=100000 random pairs on their way); without TABLE all; field: packing time (SIZES); presawn: TWINS=n further
+runs of each scene (7), with pieces moved by up to a micrometre;
+ROUNDS=n: how often packed (3), threads and collision peers (5) are measured; THREADS=n;
 LIMIT=s: seconds that a solver has for a problem (solvers 5, scaling 60) or a scene (exact 600, MuJoCo in it 300);
-PAIRS=n: random pairs of swept (100000); TWINS=n: further runs of each pre-sawn scene (7), with pieces moved by up to a micrometre;
 PYTHON=python3: one with the packages mujoco and numpy adds MuJoCo to exact; NILAS_FCLIB_DIR: a folder of further problems for solvers" ;;
 esac

@@ -1,0 +1,39 @@
+#pragma once
+/// A packed field that moves on given paths, cheap to make in any size.
+#include <memory>
+#include <vector>
+
+#include "core/base/random.h"
+#include "core/bodies/bodies.h"
+#include "core/bodies/mass_properties.h"
+#include "core/bodies/shape.h"
+
+namespace nilas::bench {
+
+/// Cells of a jittered grid as floes of four to eight corners at about 94 % concentration. All drift; each swings and
+/// turns about its place by as much as its neighbours leave it, so that about every other pair of neighbours overlaps
+/// by up to some millimetres at any time.
+class MovingField {
+ public:
+  explicit MovingField(int floes);
+  const Bodies& bodies() const { return bodies_; }
+  double concentration() const { return concentration_; }
+  /// Poses and velocities at time t [s].
+  void move_to(double t);
+
+ private:
+  struct Path {
+    Vec3 place = Vec3::Zero(), swing = Vec3::Zero(), turn = Vec3::Zero();
+    double rate = 0, phase = 0;  ///< [rad/s], [rad]
+  };
+  std::vector<Vec2> cell(int i, int j, RandomStream& random) const;
+  void add_floe(std::vector<Vec2> outline, RandomStream& random);
+
+  Bodies bodies_;
+  std::vector<Path> paths_;
+  std::vector<Vec2> corners_;  ///< of the grid, row by row
+  int columns_ = 0;
+  double concentration_ = 0;
+};
+
+}  // namespace nilas::bench
