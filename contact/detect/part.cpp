@@ -186,7 +186,6 @@ Part polytope_part(const ConvexPolytope& polytope, int b, int index) {
   part.inner_radius = std::numeric_limits<double>::infinity();
   for (std::size_t f = 0; f < polytope.normals.size(); ++f)
     part.inner_radius = std::min(part.inner_radius, polytope.offsets[f] - polytope.normals[f].dot(polytope.centre));
-  part.smallest_width = polytope.smallest_width;
   return part;
 }
 
@@ -204,7 +203,6 @@ Part round_part(const Shape& shape, int b) {
   part.kind = sphere ? PartKind::sphere : PartKind::cylinder;
   part.bounding_radius = sphere ? shape.radius : std::hypot(shape.radius, shape.half_height);
   part.inner_radius = sphere ? shape.radius : std::min(shape.radius, shape.half_height);
-  part.smallest_width = 2.0 * part.inner_radius;
   return part;
 }
 

@@ -64,7 +64,6 @@ struct Part {
   Vec3 centre = Vec3::Zero();                     ///< a point inside
   double bounding_radius = 0;                     ///< about `centre`; infinite for a plane [m]
   double inner_radius = 0;                        ///< of a ball about `centre` inside the part [m]
-  double smallest_width = 0;                      ///< [m]
 };
 
 /// Faces within this angle of the contact normal belong to one patch of surface [rad]: a curved hull's facets turn by a
