@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 
+#include "core/bodies/mass_properties.h"
+
 namespace nilas {
 
 namespace {
@@ -29,6 +31,15 @@ double draw_size(const PackedSpec& spec, RandomStream& random) {
       break;
   }
   return random.lognormal(spec.mean, spec.sd);
+}
+
+/// Outlines of the library are drawn with equal chances.
+double library_quantile(const PackedSpec& spec, double u) {
+  std::vector<double> sizes;
+  for (const auto& outline : spec.library) sizes.push_back(std::sqrt(polygon_moments(outline).area));
+  std::sort(sizes.begin(), sizes.end());
+  const auto last = static_cast<double>(sizes.size()) - 1;
+  return sizes[static_cast<std::size_t>(std::clamp(std::floor(u * (last + 1)), 0.0, last))];
 }
 
 }  // namespace
@@ -56,6 +67,8 @@ double size_quantile(const PackedSpec& spec, double u) {
       return spec.min + u * (spec.max - spec.min);
     case SizeDistribution::power_law:
       return power_law(spec.exponent, spec.min, spec.max, u);
+    case SizeDistribution::as_library:
+      return library_quantile(spec, u);
     case SizeDistribution::lognormal:
       break;
   }
