@@ -71,7 +71,9 @@ TEST(CutDistribution, ScoresKeepTheirOrderAndNothingHeapsUpAtTheLimits) {
       EXPECT_GE(x, 0.7);
       EXPECT_LE(x, 1.3);
       // beyond, neighbours differ by less than rounding
-      if (std::abs(z) <= 6) EXPECT_GT(x, last) << static_cast<int>(kind) << " " << z;
+      if (std::abs(z) <= 6) {
+        EXPECT_GT(x, last) << static_cast<int>(kind) << " " << z;
+      }
       last = x;
     }
   }

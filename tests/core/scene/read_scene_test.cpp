@@ -153,7 +153,7 @@ TEST_F(CompleteScene, GridAndSingleFloe) {
   EXPECT_EQ(floe.velocity, Vec3(0, 0.1, 0));
   EXPECT_EQ(floe.z, -0.01);
   EXPECT_EQ(floe.thickness, 0.07);
-  EXPECT_EQ(floe.line, 41);
+  EXPECT_EQ(floe.line, 44);
 }
 
 TEST_F(CompleteScene, Bodies) {
@@ -167,7 +167,7 @@ TEST_F(CompleteScene, Bodies) {
   EXPECT_EQ(box.rotation_deg, Vec3(10, 20, 30));
   EXPECT_EQ(box.velocity, Vec3(1, 0, 0));
   EXPECT_EQ(box.angular_velocity, Vec3(0, 0, 1));
-  EXPECT_EQ(box.line, 46);
+  EXPECT_EQ(box.line, 49);
   EXPECT_EQ(scene_.bodies[1].radius, 0.25);
   EXPECT_EQ(scene_.bodies[1].density, 500);
   EXPECT_EQ(scene_.bodies[2].height, 4);
@@ -177,9 +177,11 @@ TEST_F(CompleteScene, Bodies) {
   EXPECT_EQ(scene_.bodies[4].material, "quay");
 }
 
-TEST_F(CompleteScene, OnlyTheMissingViewerIsNoted) {
-  ASSERT_EQ(scene_.notes.size(), 1u) << scene_.notes.back();
-  EXPECT_EQ(scene_.notes[0], "<view>: this version has no viewer, so the element has no effect.");
+TEST_F(CompleteScene, OnlyWhatHasNoEffectIsNoted) {
+  ASSERT_EQ(scene_.notes.size(), 2u) << scene_.notes.back();
+  EXPECT_EQ(scene_.notes[0],
+            "<ice><vary>: flexural_strength has no effect in a run without <fracture>; `nilas field` writes it.");
+  EXPECT_EQ(scene_.notes[1], "<view>: this version has no viewer, so the element has no effect.");
 }
 
 TEST(ReadScene, WhatIsNotNamedIsNotThere) {
