@@ -200,7 +200,7 @@ class Advance {
       return b_in_a_.point(supporting_point(b_, -(b_in_a_.R.transpose() * axis.n))) - axis.s * axis.n;
     const PairView pair = view_pair(a_, b_, b_in_a_, axis.s + k_touching * tolerance_);
     face_each_other(pair, axis, room_.facing);
-    select_points(pair, axis, room_.facing);
+    select_points(pair, axis, {}, room_.facing);
     Vec3 sum = Vec3::Zero();
     for (const OverlayPoint& p : room_.facing.points)
       sum += p.u * room_.facing.plane.t1 + p.v * room_.facing.plane.t2 + p.height_a * room_.facing.plane.n;
