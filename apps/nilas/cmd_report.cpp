@@ -6,8 +6,8 @@
 #include "apps/nilas/commands.h"
 #include "apps/report/contact_picture.h"
 #include "apps/report/floe_outlines.h"
-#include "core/output/plot.h"
 #include "core/base/error.h"
+#include "core/output/plot.h"
 #include "core/scene/read_scene.h"
 #include "core/sim/simulation.h"
 

@@ -96,8 +96,8 @@ struct Simulation::World {
   std::vector<double> width;  ///< smallest of each body [m]
   EnergyAccount energy;
   VesselStart vessel_start;
-  std::vector<SolvedProblem> solved;  ///< of the last step, one for each part that impacts cut it into
-  SolvedProblem unsolved;             ///< before the first step
+  std::vector<SolvedProblem> solved;             ///< of the last step, one for each part that impacts cut it into
+  SolvedProblem unsolved;                        ///< before the first step
   std::optional<ReferenceIntegrator> reference;  ///< moves the bodies in place of all else
   std::size_t pairs_named = 0;                   ///< of the pairs without friction, already told
 };

@@ -70,7 +70,6 @@ void expect_same_contacts(const fs::path& one, const fs::path& other) {
   ASSERT_GT(names.size(), 15u);
   for (const auto& name : names) {
     const std::string place = "contacts/" + name;
-    EXPECT_GT(a.size(place), 100u);
     ASSERT_EQ(a.kind(place), b.kind(place)) << name;
     if (a.kind(place) == nilas::Hdf5Reader::Kind::numbers) {
       EXPECT_EQ(a.exact_numbers(place), b.exact_numbers(place)) << name;
@@ -145,6 +144,7 @@ TEST_F(Resume, KilledAtAnyMomentsLeavesTheSameRun) {
   const Table vessel(in("whole/vessel.csv"));
   const auto struck = [](double force) { return force != 0; };
   ASSERT_GT(std::count_if(vessel["contact_fx_N"].begin(), vessel["contact_fx_N"].end(), struck), 50);
+  ASSERT_GT(nilas::Hdf5Reader(in("whole/contacts.h5")).size("contacts/time_s"), 100u);
   std::mt19937 random(7);
   for (int trial = 0; trial < 4; ++trial) {
     const std::string out = "cut" + std::to_string(trial);

@@ -11,8 +11,8 @@ namespace nilas::bench {
 namespace {
 
 void print(const char* name, const char* how, const pairs::Tally& t) {
-  std::printf("%-25s %-10s %7ld %8ld %6ld %7ld %7ld %6ld %5ld %6ld %9.1e %9.1e %9.1e %8ld\n", name, how, t.pairs,
-              t.contacts, t.missed, t.surplus, t.wrong_normals, t.ties, t.cuts, t.wrong_depths, t.worst_depth,
+  std::printf("%-25s %-10s %7ld %8ld %6ld %7ld %7ld %6ld %8ld %6ld %9.1e %9.1e %9.1e %8ld\n", name, how, t.pairs,
+              t.contacts, t.missed, t.surplus, t.wrong_normals, t.ties, t.unjudged, t.wrong_depths, t.worst_depth,
               t.worst_ulps, t.worst_surface, t.kept_axes);
 }
 
@@ -21,8 +21,8 @@ bool is_right(const pairs::Tally& t) { return t.missed + t.surplus + t.wrong_nor
 }  // namespace
 
 bool class_table(int batches, int threads, const char* only) {
-  std::printf("%-25s %-10s %7s %8s %6s %7s %7s %6s %5s %6s %9s %9s %9s %8s\n", "class", "pair is", "pairs", "contacts",
-              "missed", "surplus", "normals", "ties", "cuts", "depths", "depth/sz", "in ulps", "place/sz", "kept");
+  std::printf("%-25s %-10s %7s %8s %6s %7s %7s %6s %8s %6s %9s %9s %9s %8s\n", "class", "pair is", "pairs", "contacts",
+              "missed", "surplus", "normals", "ties", "unjudged", "depths", "depth/sz", "in ulps", "place/sz", "kept");
   bool right = true;
   for (const pairs::PairClass& c : pairs::all_classes()) {
     if (only != nullptr && std::string_view(c.name) != only) continue;

@@ -96,16 +96,16 @@ TEST(House, IncludesPointOneWay) {
 }
 
 TEST(House, OnlyVesselKnowsSimbodyAndOnlyItsRoomsKnowTheOtherLibraries) {
-  const std::vector<std::pair<std::string, std::string>> owners{
-      {"Simbody", "core/vessel"},    {"CGAL/", "core/bodies"},
-      {"fcl/", "contact"},           {"CLI/", "apps"},
-      {"kinsol/", "core/numerics"},  {"cvode/", "core/numerics"},
-      {"nvector/", "core/numerics"}, {"sundials/", "core/numerics"}};
+  const std::vector<std::pair<std::string, std::set<std::string>>> owners{
+      {"Simbody", {"core/vessel"}},    {"CGAL/", {"core/bodies", "core/field", "core/mesh"}},
+      {"fcl/", {"contact"}},           {"CLI/", {"apps"}},
+      {"kinsol/", {"core/numerics"}},  {"cvode/", {"core/numerics"}},
+      {"nvector/", {"core/numerics"}}, {"sundials/", {"core/numerics"}}};
   for (const auto& file : sources())
-    for (const auto& [library, owner] : owners) {
+    for (const auto& [library, rooms] : owners) {
       const bool included = includes_angle(fs::path(NILAS_SOURCE_DIR) / file, library);
       if (is_peer(file)) continue;
-      EXPECT_TRUE(!included || room_of(file.generic_string()) == owner) << file << " includes " << library;
+      EXPECT_TRUE(!included || rooms.count(room_of(file.generic_string())) > 0) << file << " includes " << library;
     }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 /// What is right and wrong in the contacts found for a pair, against the oracle; tallied class by class.
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -23,8 +24,6 @@ inline double ulp(double x) { return std::nextafter(std::abs(x), oracle::k_infin
 struct PartsInQuestion {
   oracle::Solid a, b;
   oracle::SeparatingAxis gap;
-  int part_a = 0, part_b = 0;
-  bool between_parts = false;  ///< the axis is that of a cut between two parts of one body, not of its surface
 };
 
 /// A pair with the truth about all its parts.
@@ -45,28 +44,12 @@ inline double height_over(const oracle::Solid& solid, const Vec3& x) {
   return std::max(height, (from_axis - from_axis.dot(solid.axis) * solid.axis).norm() - solid.radius);
 }
 
-/// True when n is the outward normal of a face of part `own` that lies against another part of its body.
-inline bool is_cut(const std::vector<oracle::Solid>& parts, std::size_t own, const Vec3& n, double size) {
-  const oracle::Solid& solid = parts[own];
-  for (std::size_t f = 0; f < solid.faces.size() && parts.size() > 1; ++f) {
-    if (solid.normals[f].dot(n) < std::cos(k_wrong_normal)) continue;
-    Vec3 middle = Vec3::Zero();
-    for (const int v : solid.faces[f]) middle += solid.vertices[v] / static_cast<double>(solid.faces[f].size());
-    for (std::size_t other = 0; other < parts.size(); ++other)
-      if (other != own && height_over(parts[other], middle) < 1e-9 * size) return true;
-  }
-  return false;
-}
-
 inline KnownPair find_truth(const PairClass& c, Bodies bodies) {
   KnownPair known;
   const auto of_a = solids_of(bodies, 0), of_b = solids_of(bodies, 1);
   for (std::size_t i = 0; i < of_a.size(); ++i)
     for (std::size_t j = 0; j < of_b.size(); ++j) {
-      PartsInQuestion parts{of_a[i], of_b[j], oracle::true_gap(of_a[i], of_b[j], 2 * k_margin * c.size),
-                            static_cast<int>(i), static_cast<int>(j)};
-      parts.between_parts = is_cut(of_a, i, parts.gap.n, c.size) || is_cut(of_b, j, -parts.gap.n, c.size);
-      known.parts.push_back(std::move(parts));
+      known.parts.push_back({of_a[i], of_b[j], oracle::true_gap(of_a[i], of_b[j], 2 * k_margin * c.size)});
     }
   const double farthest = std::max(bodies.p_GB[0].lpNorm<Eigen::Infinity>(), bodies.p_GB[1].lpNorm<Eigen::Infinity>());
   known.size = c.size;
@@ -82,7 +65,7 @@ struct Tally {
   long surplus = 0;        ///< pairs of parts with a point, though not nearer than the margin
   long wrong_normals = 0;  ///< of the deepest point
   long ties = 0;           ///< other normals than the oracle's that separate as well as it
-  long cuts = 0;           ///< not judged but for being missed: best parted along a cut through one of the bodies
+  long unjudged = 0;       ///< overlapping bodies of several parts: judged for being missed only
   long wrong_depths = 0;
   double worst_depth = 0;    ///< error of the deepest point's gap, in sizes
   double worst_ulps = 0;     ///< the same in units in the last place of the coordinates
@@ -91,7 +74,7 @@ struct Tally {
 
   Tally& operator+=(const Tally& other) {
     for (auto count : {&Tally::pairs, &Tally::contacts, &Tally::missed, &Tally::surplus, &Tally::wrong_normals,
-                       &Tally::ties, &Tally::cuts, &Tally::wrong_depths, &Tally::kept_axes})
+                       &Tally::ties, &Tally::unjudged, &Tally::wrong_depths, &Tally::kept_axes})
       this->*count += other.*count;
     for (auto worst : {&Tally::worst_depth, &Tally::worst_ulps, &Tally::worst_surface})
       this->*worst = std::max(this->*worst, other.*worst);
@@ -132,7 +115,6 @@ inline const ContactPoint* deepest_point(const KnownPair& known, const PartsInQu
                                          const std::vector<ContactPoint>& points) {
   const ContactPoint* deepest = nullptr;
   for (const ContactPoint& p : points) {
-    if (p.part_a != parts.part_a || p.part_b != parts.part_b) continue;
     const bool as_deep = deepest != nullptr && std::abs(p.gap - deepest->gap) <= known.right();
     const bool better =
         as_deep ? p.n.dot(parts.gap.n) > deepest->n.dot(parts.gap.n) : deepest == nullptr || p.gap < deepest->gap;
@@ -141,27 +123,43 @@ inline const ContactPoint* deepest_point(const KnownPair& known, const PartsInQu
   return deepest;
 }
 
+/// Bodies of several parts touch as wholes: apart, the nearest parts tell how far and in which direction. How deep two
+/// such bodies overlap has no closed form here; then only a miss is wrong.
+inline void judge_bodies(const KnownPair& known, double margin, const std::vector<ContactPoint>& points, Tally& tally) {
+  const auto by_gap = [](const auto& p, const auto& q) { return p.gap.s < q.gap.s; };
+  const double truth = std::min_element(known.parts.begin(), known.parts.end(), by_gap)->gap.s;
+  if (points.empty()) tally.missed += truth < margin - known.right() ? 1 : 0;
+  if (!points.empty() && truth > margin + known.right()) ++tally.surplus;
+  if (points.empty() || truth >= margin) return;
+  ++tally.contacts;
+  if (truth < known.right()) {
+    ++tally.unjudged;
+    return;
+  }
+  const auto deepest =
+      std::min_element(points.begin(), points.end(), [](const auto& p, const auto& q) { return p.gap < q.gap; });
+  const double error = std::abs(deepest->gap - truth);
+  tally.wrong_depths += error > known.right() ? 1 : 0;
+  tally.worst_depth = std::max(tally.worst_depth, error / known.size);
+  tally.worst_ulps = std::max(tally.worst_ulps, error / known.ulp);
+  tally.wrong_normals += std::none_of(known.parts.begin(), known.parts.end(), [&](const PartsInQuestion& parts) {
+    return parts.gap.s <= truth + known.right() && deepest->n.dot(parts.gap.n) >= std::cos(k_wrong_normal);
+  });
+}
+
 /// Judges all points that a detector found with gaps below `margin` [m].
 inline void judge(const KnownPair& known, double margin, const std::vector<ContactPoint>& points, Tally& tally) {
   ++tally.pairs;
-  bool near = false;
-  for (const PartsInQuestion& parts : known.parts) {
-    near = near || parts.gap.s < margin - known.right();
-    const ContactPoint* deepest = deepest_point(known, parts, points);
-    if (parts.between_parts) {
-      tally.cuts += parts.gap.s < margin ? 1 : 0;
-      continue;
-    }
-    if (deepest == nullptr && parts.gap.s < margin - known.right()) ++tally.missed;
-    if (deepest != nullptr && parts.gap.s > margin + known.right()) ++tally.surplus;
-    if (parts.gap.s >= margin || deepest == nullptr) continue;
-    ++tally.contacts;
-    judge_verdict(known, parts, {deepest->n, deepest->gap}, tally);
-    for (const ContactPoint& p : points)
-      if (p.part_a == parts.part_a && p.part_b == parts.part_b && p.n == deepest->n)
-        judge_surfaces(known, parts, p, tally);
-  }
-  if (near && points.empty() && known.parts.size() > 1) ++tally.missed;
+  if (known.parts.size() > 1) return judge_bodies(known, margin, points, tally);
+  const PartsInQuestion& parts = known.parts.front();
+  const ContactPoint* deepest = deepest_point(known, parts, points);
+  if (deepest == nullptr && parts.gap.s < margin - known.right()) ++tally.missed;
+  if (deepest != nullptr && parts.gap.s > margin + known.right()) ++tally.surplus;
+  if (parts.gap.s >= margin || deepest == nullptr) return;
+  ++tally.contacts;
+  judge_verdict(known, parts, {deepest->n, deepest->gap}, tally);
+  for (const ContactPoint& p : points)
+    if (p.n == deepest->n) judge_surfaces(known, parts, p, tally);
 }
 
 /// A detector that saw the pair a little apart from where it is now, and remembers the axis it had there.
