@@ -197,7 +197,8 @@ Velocities Simulation::World::correct_positions(const StepMotion& motion, const 
   std::vector<ContactPoint> points =
       model.position_step == PositionStep::projection ? points_at_the_end(motion) : motion.points;
   if (model.hit_when_met) leave_to_their_motion(motion, points);
-  record.positions_corrected = correction_velocities(contacts, points, model.correction, pseudo.v, pseudo.w).converged;
+  const PositionCorrection done = correction_velocities(contacts, points, model.correction, pseudo.v, pseudo.w);
+  record.positions_corrected = record.positions_corrected && done.converged;
   displace(parts.bodies, pseudo, h);
   return pseudo;
 }

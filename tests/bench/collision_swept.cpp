@@ -119,8 +119,7 @@ void run(const oracle::PairClass& c, int pairs) {
   fmt::print("{:32} {:7} {:7} {:9.1e} {:6} {:7} {:7.1f} {:8.1f} {:8.1f} {:6} {:11.2f} {:8.1f}\n", c.name, ours.pairs,
              ours.missed, ours.worst_time, ours.late, passing.false_hits,
              static_cast<double>(ours.advances) / ours.pairs, us * ours.seconds, us * passing.seconds,
-             std::max(ours.most_advances, passing.most_advances), 100.0 * fcl.missed / fcl.pairs,
-             100.0 * fcl.missed / fcl.pairs, us * fcl.seconds);
+             std::max(ours.most_advances, passing.most_advances), 100.0 * fcl.missed / fcl.pairs, us * fcl.seconds);
   std::fflush(stdout);
 }
 
