@@ -2,14 +2,11 @@
 
 #include <iostream>
 #include <map>
-#include <nlohmann/json.hpp>
-#include <set>
 
 #include "apps/nilas/commands.h"
+#include "apps/nilas/hull_picture.h"
+#include "apps/nilas/prepare_hull.h"
 #include "core/base/error.h"
-#include "core/bodies/mass_properties.h"
-#include "core/vessel/hull.h"
-#include "hydro/wetted.h"
 
 namespace nilas {
 
@@ -18,7 +15,7 @@ namespace {
 struct HullOptions {
   std::string mesh, generate, out = "hull";
   std::map<std::string, double> parameters;
-  std::optional<double> draught;
+  HullPreparation preparation;
   bool json = false;
 };
 
@@ -30,7 +27,7 @@ struct FormFlag {
 constexpr FormFlag k_form_flags[] = {
     {"length", "length over all [m]"},
     {"beam", "beam at the design waterline [m]"},
-    {"draught", "design draught [m]; also the waterline of the report"},
+    {"draught", "design draught [m]; also the waterline of the report (a mesh: half its height)"},
     {"depth", "keel to deck [m]"},
     {"stem_angle_deg", "stem against still water [deg]"},
     {"entrance_angle_deg", "half angle of the waterline at the stem [deg]"},
@@ -40,87 +37,110 @@ constexpr FormFlag k_form_flags[] = {
     {"triangles", "number of triangles, within 5 %"},
 };
 
-double wetted_area(const TriangleMesh& mesh, double level) {
-  std::vector<WettedFace> faces;
-  wetted_faces(mesh, Mat3::Identity(), Vec3::Zero(), level, faces);
-  double area = 0;
-  for (const auto& face : faces) area += face.area;
-  return area;
+/// Flags of a generated form, but for the draught, say nothing about a mesh.
+void demand_no_form(const HullOptions& options) {
+  for (const auto& [name, value] : options.parameters)
+    if (name != "draught") throw InputError("nilas hull: " + name + " belongs to --generate, found beside MESH");
 }
 
-bool symmetric(const TriangleMesh& mesh) {
-  std::set<std::array<double, 3>> points;
-  for (const auto& p : mesh.vertices) points.insert({p.x(), p.y() + 0.0, p.z()});
-  for (const auto& p : mesh.vertices)
-    if (!points.count({p.x(), 0.0 - p.y(), p.z()})) return false;
-  return true;
+double half_height(const TriangleMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const auto& p : mesh.vertices) box.extend(p);
+  return 0.5 * box.sizes().z();
 }
 
-nlohmann::ordered_json report(const Hull& hull, double draught) {
-  const MassProperties unit = mesh_properties(hull.fluid, 1.0);
-  double keel = hull.fluid.vertices.front().z();
-  for (const auto& p : hull.fluid.vertices) keel = std::min(keel, p.z());
-  const double level = keel + draught;
-  const Submerged wet = submerged_mesh(hull.fluid, Mat3::Identity(), Vec3::Zero(), level);
-  const Waterplane plane = waterplane(hull.fluid, Mat3::Identity(), Vec3::Zero(), level);
-  const double kb = wet.volume > 0 ? wet.centre.z() - keel : 0, bm = wet.volume > 0 ? plane.yy / wet.volume : 0;
-  const Mat3& i = unit.inertia;
-  return {{"volume_m3", unit.mass},
-          {"centre_m", {unit.com.x(), unit.com.y(), unit.com.z()}},
-          {"inertia_per_density_m5", {i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2)}},
-          {"parts", hull.parts.size()},
-          {"deviation_m", 0.0},
-          {"draught_m", draught},
-          {"displaced_m3", wet.volume},
-          {"kb_m", kb},
-          {"bm_m", bm},
-          {"gm_m", kb + bm - (unit.com.z() - keel)},
-          {"wetted_area_m2", wetted_area(hull.fluid, level)},
-          {"waterplane_area_m2", plane.area},
-          {"symmetric", symmetric(hull.fluid)},
-          {"closed", find_defects(hull.fluid).closed()},
-          {"triangles", hull.fluid.triangles.size()},
-          {"mended", nlohmann::ordered_json::array()}};
+void add_origin(nlohmann::ordered_json& description, const HullOptions& options) {
+  if (options.generate.empty()) {
+    description["mesh"] = options.mesh;
+    description["scale"] = options.preparation.scale;
+    description["up"] = options.preparation.up;
+    return;
+  }
+  description["generate"] = options.generate;
+  for (const auto& [name, value] : options.parameters) description["parameters"][name] = value;
+}
+
+/// The folder is worth having without a picture.
+void try_to_draw(const Hull& hull, double level, const std::string& folder) {
+  try {
+    draw_hull(hull, level, folder);
+  } catch (const FileError& e) {
+    std::cerr << "no picture: " << e.what() << "\n";
+  }
 }
 
 int hull(const HullOptions& options) {
   if (options.generate.empty() == options.mesh.empty())
     throw InputError("nilas hull: give either MESH or --generate icebreaker|wedge");
-  const HullForm form = options.generate.empty() ? HullForm{} : hull_form(options.generate, options.parameters);
-  const Hull made = options.generate.empty() ? read_hull(options.mesh) : generate_hull(form);
-  const auto draught = options.parameters.find("draught");
-  auto result = report(made, draught != options.parameters.end() ? draught->second : form.draught);
-  nlohmann::ordered_json description = result;
-  if (!options.generate.empty()) description["generate"] = options.generate;
-  for (const auto& [name, value] : options.parameters) description["parameters"][name] = value;
-  write_hull(made, options.out, description.dump(2) + "\n");
-  if (options.json) {
-    std::cout << result.dump(2) << "\n";
-    return exit_done;
+  PreparedHull made;
+  std::optional<double> draught;
+  if (const auto given = options.parameters.find("draught"); given != options.parameters.end()) draught = given->second;
+  if (options.generate.empty()) {
+    demand_no_form(options);
+    made = prepare_hull(options.mesh, options.preparation, options.out);
+  } else {
+    const HullForm form = hull_form(options.generate, options.parameters);
+    made.hull = generate_hull(form);
+    draught = form.draught;
   }
-  for (const auto& [name, value] : result.items()) std::cout << fmt::format("  {:<24} {}\n", name, value.dump());
-  std::cout << "written: " << options.out << "\n";
+  if (!draught) draught = half_height(made.hull.fluid);
+  const auto result = hull_report(made, *draught);
+  nlohmann::ordered_json description = result;
+  add_origin(description, options);
+  write_hull(made.hull, options.out, description.dump(2) + "\n");
+  try_to_draw(made.hull, waterline_level(made.hull.fluid, *draught), options.out);
+  std::cout << (options.json ? result.dump(2) + "\n" : report_text(result) + "written: " + options.out + "\n");
   return exit_done;
 }
 
-}  // namespace
-
-void add_hull(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("hull", "generates or reads a hull, reports it, writes a hull folder for scenes");
-  auto options = std::make_shared<HullOptions>();
-  command->add_option("mesh", options->mesh, "hull folder, or a closed convex STL file in metres");
-  command->add_option("--generate", options->generate, "form to generate: icebreaker or wedge");
-  command->add_option("--out", options->out, "folder to write")->capture_default_str();
+void add_form_flags(CLI::App& command, const std::shared_ptr<HullOptions>& options) {
   for (const auto& flag : k_form_flags) {
     std::string dashed = flag.name;
     for (auto& c : dashed) c = c == '_' ? '-' : c;
     std::string names = "--" + dashed;
     if (dashed.size() > 4 && dashed.substr(dashed.size() - 4) == "-deg")
       names += ",--" + dashed.substr(0, dashed.size() - 4);
-    command->add_option_function<double>(
+    command.add_option_function<double>(
         names, [options, name = std::string(flag.name)](const double& value) { options->parameters[name] = value; },
         flag.help);
   }
+}
+
+CLI::Validator positive() {
+  return {[](const std::string& text) -> std::string {
+            double value = 0;
+            if (CLI::detail::lexical_cast(text, value) && value > 0 && std::isfinite(value)) return "";
+            return "found " + text + "; allowed: a number above 0";
+          },
+          ""};
+}
+
+void add_preparation_flags(CLI::App& command, HullPreparation& how) {
+  command.add_option("--scale", how.scale, "metres per unit of the mesh file: 0.001 for mm")
+      ->check(positive())
+      ->capture_default_str();
+  command.add_option("--up", how.up, "the mesh file's axis that points up: z or y")
+      ->check(CLI::IsMember({"z", "y"}))
+      ->capture_default_str();
+  command.add_option("--gap", how.gap, "points this close are one [m]; default 1e-5 of the length")->check(positive());
+  command.add_option("--fill-holes", how.largest_hole, "fill holes up to this far across [m]; default length / 20")
+      ->check(positive());
+  command.add_option("--tolerance", how.tolerance, "of the convex parts [m]; default length / 1000")->check(positive());
+  command.add_option("--parts", how.most_parts, "convex parts, at most")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_hull(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand("hull", "makes or mends a hull, reports it, writes a hull folder for scenes");
+  auto options = std::make_shared<HullOptions>();
+  command->add_option("mesh", options->mesh, "STL, OBJ, OFF or PLY file of a hull, or a hull folder");
+  command->add_option("--generate", options->generate, "form to generate: icebreaker or wedge");
+  command->add_option("--out", options->out, "folder to write")->capture_default_str();
+  add_form_flags(*command, options);
+  add_preparation_flags(*command, options->preparation);
   command->add_flag("--json", options->json, "the report as JSON on stdout");
   command->callback([&action, options] { action = [options] { return hull(*options); }; });
 }

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <cstring>
 #include <fstream>
-#include <sstream>
 
 #include "core/base/error.h"
+#include "core/base/file_bytes.h"
 #include "core/bodies/mesh.h"
 #include "core/bodies/stl_text.h"
 #include "core/bodies/weld.h"
@@ -18,16 +18,6 @@ static_assert(std::endian::native == std::endian::little, "binary STL is little-
 
 // 80 bytes of free text and the triangle count; per triangle a normal, three vertices and two spare bytes.
 constexpr std::size_t k_text_bytes = 80, k_header_bytes = 84, k_triangle_bytes = 50, k_point_bytes = 12;
-
-std::string read_bytes(const std::filesystem::path& file) {
-  std::error_code ignored;
-  std::ifstream in(file, std::ios::binary);
-  if (!in || std::filesystem::is_directory(file, ignored)) throw FileError(file.string() + ": cannot be opened");
-  std::ostringstream bytes;
-  bytes << in.rdbuf();
-  if (in.bad()) throw FileError(file.string() + ": cannot be read");
-  return std::move(bytes).str();
-}
 
 TriangleMesh parse_binary(const std::string& bytes, std::size_t count, const std::string& file) {
   Weld weld;
@@ -58,7 +48,7 @@ std::string wrong_size(const std::string& file, std::size_t found, std::uint32_t
 }  // namespace
 
 TriangleMesh read_stl(const std::filesystem::path& file) {
-  const std::string bytes = read_bytes(file);
+  const std::string bytes = file_bytes(file);
   std::uint32_t count = 0;
   if (bytes.size() >= k_header_bytes) std::memcpy(&count, bytes.data() + k_text_bytes, sizeof count);
   TriangleMesh mesh;

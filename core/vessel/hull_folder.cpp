@@ -69,9 +69,7 @@ Hull read_hull(const fs::path& path) {
   if (!fs::exists(path)) throw FileError(path.string() + ": no such hull folder or file");
   if (!fs::is_directory(path)) {
     hull.fluid = read_sound(path);
-    demand_convex(
-        hull.fluid, path,
-        "; decomposition into convex parts is not built in this version: give a hull folder with convex parts");
+    demand_convex(hull.fluid, path, "; `nilas hull` cuts such a file into a hull folder with convex parts");
     hull.parts.push_back(hull.fluid);
     return hull;
   }

@@ -82,7 +82,7 @@ TEST_F(HullFolder, ConcaveStlAsksForAFolderWithConvexParts) {
   const std::string text = refusal(folder_ / "l.stl");
   EXPECT_PRED2(names, text, "l.stl");
   EXPECT_PRED2(names, text, "not convex");
-  EXPECT_PRED2(names, text, "not built");
+  EXPECT_PRED2(names, text, "nilas hull");
   EXPECT_PRED2(names, text, "folder with convex parts");
 }
 

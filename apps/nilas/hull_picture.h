@@ -1,0 +1,18 @@
+#pragma once
+/// Pictures of a hull.
+#include <filesystem>
+
+#include "core/mesh/mend.h"
+#include "core/vessel/hull.h"
+
+namespace nilas {
+
+/// Writes hull.png into the folder: the mesh from above and from below with the waterline at `level` [m, frame V], and
+/// the parts, each in its colour. Throws FileError where gnuplot is missing.
+void draw_hull(const Hull& hull, double level, const std::filesystem::path& folder);
+
+/// Writes faults.png into the folder: the mesh as it is, the places of what could not be mended marked. Throws
+/// FileError.
+void draw_faults(const MendedMesh& mesh, const std::filesystem::path& folder);
+
+}  // namespace nilas

@@ -1,0 +1,128 @@
+#include "apps/nilas/hull_report.h"
+
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+#include "core/bodies/mass_properties.h"
+#include "hydro/wetted.h"
+
+namespace nilas {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Images of vertices this near to the surface, as a share of the longest side, are on it.
+constexpr double k_symmetric_share = 1e-5;
+
+Eigen::AlignedBox3d box_of(const TriangleMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const auto& p : mesh.vertices) box.extend(p);
+  return box;
+}
+
+double wetted_area(const TriangleMesh& mesh, double level) {
+  std::vector<WettedFace> faces;
+  wetted_faces(mesh, Mat3::Identity(), Vec3::Zero(), level, faces);
+  double area = 0;
+  for (const auto& face : faces) area += face.area;
+  return area;
+}
+
+Json point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
+
+Json mended_json(const std::vector<MeshNote>& notes) {
+  Json list = Json::array();
+  for (const auto& note : notes) {
+    Json places = Json::array();
+    for (const auto& p : note.places) places.push_back(point(p));
+    list.push_back({{"what", note.what}, {"count", note.count}, {"places_m", places}});
+  }
+  return list;
+}
+
+Json table_json(const std::vector<PartCount>& table) {
+  Json rows = Json::array();
+  for (const auto& row : table) rows.push_back({{"parts", row.parts}, {"deviation_m", row.deviation}});
+  return rows;
+}
+
+void add_hydrostatics(Json& report, const TriangleMesh& mesh, double draught, double centre_z) {
+  const double keel = box_of(mesh).min().z(), level = waterline_level(mesh, draught);
+  const Submerged wet = submerged_mesh(mesh, Mat3::Identity(), Vec3::Zero(), level);
+  const Waterplane plane = waterplane(mesh, Mat3::Identity(), Vec3::Zero(), level);
+  const double kb = wet.centre.z() - keel, bm = plane.yy / wet.volume;
+  report["draught_m"] = draught;
+  report["displaced_m3"] = wet.volume;
+  report["kb_m"] = kb;
+  report["bm_m"] = bm;
+  report["gm_m"] = kb + bm - (centre_z - keel);
+  report["wetted_area_m2"] = wetted_area(mesh, level);
+  report["waterplane_area_m2"] = plane.area;
+}
+
+std::string list_text(const Json& notes) {
+  std::string text;
+  constexpr std::size_t k_shown = 3;
+  for (const auto& note : notes) {
+    text += fmt::format("    {} {}", note["count"].dump(), note["what"].get<std::string>());
+    const auto& places = note["places_m"];
+    for (std::size_t k = 0; k < std::min(k_shown, places.size()); ++k)
+      text += fmt::format("{}({:.4g}, {:.4g}, {:.4g})", k == 0 ? " at " : ", ", places[k][0].get<double>(),
+                          places[k][1].get<double>(), places[k][2].get<double>());
+    text += places.size() > k_shown ? ", ...\n" : "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+double waterline_level(const TriangleMesh& mesh, double draught) {
+  const auto box = box_of(mesh);
+  const double depth = box.max().z() - box.min().z();
+  if (!(draught > 0 && draught < depth))
+    throw InputError(fmt::format(
+        "--draught: found {:.6g} m; allowed: above 0 and below {:.6g} m, the height of the hull", draught, depth));
+  return box.min().z() + draught;
+}
+
+Json hull_report(const PreparedHull& prepared, double draught) {
+  const TriangleMesh& mesh = prepared.hull.fluid;
+  const MassProperties unit = mesh_properties(mesh, 1.0);
+  const Mat3& i = unit.inertia;
+  const auto box = box_of(mesh);
+  const double off = asymmetry(mesh), symmetric_within = k_symmetric_share * box.sizes().maxCoeff();
+  Json report{{"volume_m3", unit.mass},
+              {"centre_m", point(unit.com)},
+              {"inertia_per_density_m5", {i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2)}},
+              {"low_m", point(box.min())},
+              {"high_m", point(box.max())},
+              {"parts", prepared.hull.parts.size()},
+              {"deviation_m", prepared.deviation.largest},
+              {"deviation_precision_m", prepared.deviation.unmeasured},
+              {"deviation_place_m", point(prepared.deviation.place)}};
+  add_hydrostatics(report, mesh, draught, unit.com.z());
+  report["symmetric"] = off <= symmetric_within;
+  report["asymmetry_m"] = off;
+  report["symmetry_tolerance_m"] = symmetric_within;
+  report["closed"] = find_defects(mesh).closed();
+  report["triangles"] = mesh.triangles.size();
+  report["mended"] = mended_json(prepared.mended);
+  report["part_counts"] = table_json(prepared.table);
+  return report;
+}
+
+std::string report_text(const Json& report) {
+  std::string text;
+  for (const auto& [name, value] : report.items())
+    if (name != "mended" && name != "part_counts") text += fmt::format("  {:<24} {}\n", name, value.dump());
+  text +=
+      report["mended"].empty() ? "  mended                   nothing\n" : "  mended\n" + list_text(report["mended"]);
+  if (report["part_counts"].empty()) return text;
+  text += "  convex parts   worst deviation [m]\n";
+  for (const auto& row : report["part_counts"])
+    text += fmt::format("  {:>12}   {:.3g}\n", row["parts"].dump(), row["deviation_m"].get<double>());
+  return text;
+}
+
+}  // namespace nilas

@@ -1,0 +1,92 @@
+#include "apps/nilas/prepare_hull.h"
+
+#include <fmt/format.h>
+
+#include "apps/nilas/hull_picture.h"
+#include "core/base/error.h"
+
+namespace nilas {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double k_gap_share = 1e-5, k_hole_share = 0.05, k_tolerance_share = 1e-3;  // of the longest side
+constexpr double k_symmetric_share = 1e-5;
+
+/// In metres, z up.
+PolygonSoup in_vessel_frame(PolygonSoup soup, const HullPreparation& how) {
+  for (auto& p : soup.points) p = how.scale * (how.up == "y" ? Vec3(p.x(), -p.z(), p.y()) : p);
+  return soup;
+}
+
+/// Longest side. Throws InputError where it is no ship's or platform's.
+double demand_sensible_size(const PolygonSoup& soup, const fs::path& file) {
+  Eigen::AlignedBox3d box;
+  for (const auto& loop : soup.polygons)
+    for (const int v : loop) box.extend(soup.points[static_cast<std::size_t>(v)]);
+  const double longest = box.sizes().maxCoeff(), furthest = std::max(-box.min().minCoeff(), box.max().maxCoeff());
+  constexpr double k_shortest = 1e-2, k_longest = 2e3, k_far = 1e5;  // [m]
+  if (!(longest >= k_shortest && longest <= k_longest && furthest <= k_far))
+    throw InputError(
+        fmt::format("{}: the mesh is {:.4g} m long and reaches {:.4g} m from the origin; allowed: {} m to "
+                    "{} m long, within {} m (--scale 0.001 takes a file in millimetres)",
+                    file.string(), longest, furthest, k_shortest, k_longest, k_far));
+  return longest;
+}
+
+[[noreturn]] void refuse(const fs::path& file, const MendedMesh& mesh, const fs::path& faults) {
+  std::string text = file.string() + ": cannot be mended:";
+  constexpr std::size_t k_shown = 8;
+  for (const auto& note : mesh.open) {
+    text += fmt::format("\n  {} {}", note.count, note.what);
+    for (std::size_t k = 0; k < std::min(k_shown, note.places.size()); ++k)
+      text += fmt::format("\n    at ({:.6g}, {:.6g}, {:.6g}) m", note.places[k].x(), note.places[k].y(),
+                          note.places[k].z());
+    if (note.places.size() > k_shown) text += "\n    ...";
+  }
+  try {
+    fs::create_directories(faults);
+    draw_faults(mesh, faults);
+    text += "\n  marked in " + (faults / "faults.png").string();
+  } catch (const std::exception& e) {
+    text += std::string("\n  no picture: ") + e.what();
+  }
+  throw InputError(text);
+}
+
+PreparedHull from_folder(const fs::path& folder) {
+  PreparedHull prepared;
+  prepared.hull = read_hull(folder);
+  Eigen::AlignedBox3d box;
+  for (const auto& p : prepared.hull.fluid.vertices) box.extend(p);
+  constexpr double k_precision = 0.05;  // of the tolerance
+  prepared.deviation =
+      deviation_of(prepared.hull.parts, prepared.hull.fluid, k_precision * k_tolerance_share * box.sizes().maxCoeff());
+  return prepared;
+}
+
+}  // namespace
+
+PreparedHull prepare_hull(const fs::path& mesh, const HullPreparation& how, const fs::path& faults) {
+  if (fs::is_directory(mesh)) return from_folder(mesh);
+  const PolygonSoup soup = in_vessel_frame(read_polygons(mesh), how);
+  const double longest = demand_sensible_size(soup, mesh);
+  MendedMesh mended;
+  ConvexParts parts;
+  try {
+    mended = mend(soup, {how.gap.value_or(k_gap_share * longest), how.largest_hole.value_or(k_hole_share * longest)});
+    if (mended.open.empty())
+      parts = decompose(mended.mesh, {how.tolerance.value_or(k_tolerance_share * longest), how.most_parts,
+                                      asymmetry(mended.mesh) <= k_symmetric_share * longest});
+  } catch (const InputError& e) {
+    throw InputError(mesh.string() + ": " + e.what());
+  }
+  if (!mended.open.empty()) refuse(mesh, mended, faults);
+  return {{std::move(mended.mesh), std::move(parts.parts)},
+          std::move(mended.done),
+          parts.deviation,
+          std::move(parts.table)};
+}
+
+}  // namespace nilas

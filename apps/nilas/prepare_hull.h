@@ -1,0 +1,24 @@
+#pragma once
+/// From a user's file to a hull.
+#include <optional>
+
+#include "apps/nilas/hull_report.h"
+
+namespace nilas {
+
+/// How `nilas hull` reads and treats a mesh file; what is not given follows from the size of the mesh.
+struct HullPreparation {
+  double scale = 1;                    ///< metres per unit of the file
+  std::string up = "z";                ///< the file's axis that points up: z or y
+  std::optional<double> gap;           ///< points this close are one; default 1e-5 of the longest side [m]
+  std::optional<double> largest_hole;  ///< filled; default a twentieth of the longest side [m]
+  std::optional<double> tolerance;     ///< of the parts; default a thousandth of the longest side [m]
+  std::size_t most_parts = 64;
+};
+
+/// Reads, mends, decomposes; a hull folder is taken as it is. Throws InputError naming the file where the mesh cannot
+/// be mended, with the places, after drawing them into `faults`; FileError.
+PreparedHull prepare_hull(const std::filesystem::path& mesh, const HullPreparation& how,
+                          const std::filesystem::path& faults);
+
+}  // namespace nilas

@@ -1,0 +1,41 @@
+#pragma once
+/// Largest distances from triangles to a surface, by branch and bound.
+#include <limits>
+#include <memory>
+
+#include "core/mesh/decompose.h"
+
+namespace nilas {
+
+using Corners = std::array<Vec3, 3>;
+
+std::vector<Corners> corners_of(const TriangleMesh& mesh);
+
+/// How exactly the largest distance over all points of some triangles is sought.
+struct DistanceSearch {
+  double precision = 0;       ///< above 0: the largest may be this much larger than found [m]
+  bool outside_only = false;  ///< leave out points inside the surface, which then must be closed
+  double floor = 0;           ///< whatever is below is as good as 0 [m]
+  double slack = 0;           ///< share of the largest found that it may be larger
+  double ceiling = std::numeric_limits<double>::infinity();  ///< stop once the largest exceeds this [m]
+};
+
+/// Distances from a fixed set of triangles.
+class SurfaceDistance {
+ public:
+  explicit SurfaceDistance(std::vector<Corners> surface);
+  ~SurfaceDistance();
+  SurfaceDistance(const SurfaceDistance&) = delete;
+  SurfaceDistance& operator=(const SurfaceDistance&) = delete;
+
+  double at(const Vec3& p) const;
+  /// What of the triangles lies further than `skin` [m] from every face of the surface in the same plane.
+  std::vector<Corners> without_shared_faces(const std::vector<Corners>& triangles, double skin) const;
+  Deviation largest(const std::vector<Corners>& triangles, const DistanceSearch& search) const;
+
+ private:
+  struct Tree;
+  std::unique_ptr<Tree> tree_;
+};
+
+}  // namespace nilas

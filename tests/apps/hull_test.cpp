@@ -1,0 +1,161 @@
+/// `nilas hull MESH`: files from drawing programs become hulls that a scene can use, or are refused with the place.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "core/bodies/mesh.h"
+#include "tests/core/mesh/hull_shapes.h"
+#include "tests/support/program.h"
+
+namespace {
+
+using namespace nilas_test;
+using nilas::TriangleMesh;
+
+/// Prepares the mesh file; a failed run leaves an empty report.
+nlohmann::json prepared(const ScratchFolder& folder, const std::string& arguments) {
+  const auto made = run_nilas("hull " + arguments + " --json", folder.path());
+  EXPECT_EQ(made.exit_code, 0) << made.err;
+  return made.exit_code == 0 ? nlohmann::json::parse(made.out, nullptr, false) : nlohmann::json{};
+}
+
+/// Text OBJ with the shells one after the other, in units of `unit` metres.
+void write_obj(const fs::path& file, const std::vector<TriangleMesh>& shells, double unit = 1) {
+  std::ofstream out(file);
+  out.precision(9);
+  int first = 1;
+  for (const auto& shell : shells) {
+    for (const auto& p : shell.vertices)
+      out << "v " << p.x() / unit << ' ' << p.y() / unit << ' ' << p.z() / unit << "\n";
+    for (const auto& t : shell.triangles)
+      out << "f " << first + t[0] << ' ' << first + t[1] << ' ' << first + t[2] << "\n";
+    first += static_cast<int>(shell.vertices.size());
+  }
+}
+
+/// Floats at half its height among a few floes for a few steps.
+void expect_usable(const ScratchFolder& folder, const std::string& hull, double low_z, double height) {
+  const std::string scene = R"(<?xml version="1.0"?>
+<scene version="1" name="prepared hull">
+  <time step="0.01" end="0.05"/>
+  <seed value="1"/>
+  <water density="1000"/><hydro><buoyancy/></hydro>
+  <vessel name="ship" hull=")" +
+                            hull + R"(" position="0 0 )" + std::to_string(-low_z - 0.5 * height) +
+                            R"("><fixed/></vessel>
+  <ice thickness="0.04">
+    <field kind="packed" region="-3 -3 8 3" concentration="0.5">
+      <size distribution="lognormal" mean="0.5" sd="0.1" min="0.3" max="0.8"/>
+    </field>
+  </ice>
+</scene>
+)";
+  folder.write("scene.xml", scene);
+  const auto checked = run_nilas("check scene.xml", folder.path());
+  EXPECT_EQ(checked.exit_code, 0) << hull << ": " << checked.err;
+  const auto run = run_nilas("run scene.xml --out run --force --quiet", folder.path());
+  EXPECT_EQ(run.exit_code, 0) << hull << ": " << run.err;
+}
+
+TEST(HullCommand, FiveShapesArePreparedAndFloatInIce) {
+  const ScratchFolder folder;
+  const TriangleMesh cone = nilas::cone_mesh(1, 1.5, 24), pool = nilas::moonpool_mesh(), ship = nilas::ship_mesh(30, 6),
+                     bulb = nilas::bulb_mesh({5.9, 0, 0.12}, {0.5, 0.09, 0.1}, 8),
+                     wedge = nilas::shifted(nilas::box_mesh({0, 0, 0}, {1, 1, 1}), {0, -0.5, 0});
+  struct Case {
+    std::string name;
+    std::vector<TriangleMesh> shells;
+    double low_volume, high_volume;
+  };
+  const double semi = nilas::semisubmersible_volume(16), both = signed_volume(ship) + signed_volume(bulb);
+  const std::vector<Case> cases{
+      {"wedge", {wedge}, 1, 1},
+      {"cone", {cone}, signed_volume(cone), signed_volume(cone)},
+      {"moonpool", {pool}, nilas::k_moonpool_volume, nilas::k_moonpool_volume},
+      {"bulb", {ship, bulb}, signed_volume(ship), both},
+      {"semi", nilas::semisubmersible_shells(16), semi, semi},
+  };
+  for (const auto& c : cases) {
+    write_obj(folder.path() / (c.name + ".obj"), c.shells);
+    const auto report = prepared(folder, c.name + ".obj --out " + c.name + " --tolerance 0.02");
+    if (!report.contains("volume_m3")) continue;
+    const double volume = report["volume_m3"];
+    EXPECT_GE(volume, c.low_volume * (1 - 1e-6)) << c.name;
+    EXPECT_LE(volume, c.high_volume * (1 + 1e-6)) << c.name;
+    EXPECT_EQ(report["closed"], true) << c.name;
+    EXPECT_EQ(report["symmetric"], true) << c.name;
+    EXPECT_LE(report["deviation_m"].get<double>(), 0.02) << c.name;
+    EXPECT_EQ(report["part_counts"].back()["parts"], report["parts"]) << c.name;
+    EXPECT_GT(fs::file_size(folder.path() / c.name / "hull.png"), 10000u) << c.name;
+    const double low = report["low_m"][2], high = report["high_m"][2];
+    expect_usable(folder, c.name, low, high - low);
+  }
+}
+
+TEST(HullCommand, ABarge) {
+  // closed forms of a box of 4 x 1 x 0.5 at half draught, drawn in millimetres with y up
+  const ScratchFolder folder;
+  std::vector<TriangleMesh> shells{nilas::box_mesh({-2, 0, -0.5}, {2, 0.5, 0.5})};
+  write_obj(folder.path() / "barge.obj", shells, 1e-3);
+  const auto report = prepared(folder, "barge.obj --scale 0.001 --up y --draught 0.25");
+  EXPECT_NEAR(report["volume_m3"], 2, 1e-9);
+  EXPECT_NEAR(report["displaced_m3"], 1, 1e-9);
+  EXPECT_NEAR(report["kb_m"], 0.125, 1e-9);
+  EXPECT_NEAR(report["bm_m"], 1.0 / 12 / 0.25, 1e-9);
+  EXPECT_NEAR(report["gm_m"], 0.125 + 1.0 / 3 - 0.25, 1e-9);
+  EXPECT_NEAR(report["wetted_area_m2"], 4 + 2 * (4 + 1) * 0.25, 1e-9);
+  EXPECT_NEAR(report["waterplane_area_m2"], 4, 1e-9);
+  EXPECT_NEAR(report["inertia_per_density_m5"][0], 2 * (1 + 0.25) / 12, 1e-9);
+  EXPECT_NEAR(report["inertia_per_density_m5"][2], 2 * (16.0 + 1) / 12, 1e-9);
+  EXPECT_EQ(report["parts"], 1);
+  EXPECT_TRUE(report["mended"].empty());
+}
+
+TEST(HullCommand, AnOpenHullIsRefusedWithItsPlaceAndAPicture) {
+  const ScratchFolder folder;
+  TriangleMesh open = nilas::box_mesh({0, 0, 0}, {4, 1, 1});
+  std::erase_if(open.triangles, [&](const auto& t) {
+    return std::all_of(t.begin(), t.end(), [&](int v) { return open.vertices[static_cast<std::size_t>(v)].z() == 1; });
+  });
+  write_obj(folder.path() / "open.obj", {open});
+  const auto refused = run_nilas("hull open.obj --out made", folder.path());
+  EXPECT_EQ(refused.exit_code, 2);
+  for (const char* word : {"open.obj", "holes left open", "(2, 0.5, 1)", "--fill-holes", "faults.png"})
+    EXPECT_NE(refused.err.find(word), std::string::npos) << word << " in " << refused.err;
+  EXPECT_GT(fs::file_size(folder.path() / "made" / "faults.png"), 10000u);
+  EXPECT_FALSE(fs::exists(folder.path() / "made" / "hull.json"));
+  EXPECT_NEAR(prepared(folder, "open.obj --out made --fill-holes 5")["volume_m3"], 4, 1e-6);
+}
+
+TEST(HullCommand, WrongArgumentsAndFilesAreNamed) {
+  const ScratchFolder folder;
+  write_obj(folder.path() / "box.obj", {nilas::box_mesh({0, 0, 0}, {4, 1, 1})});
+  folder.write("cut.off", "OFF\n8 6 0\n0 0 0\n1 0");
+  folder.write("hull.step", "ISO-10303-21;");
+  struct Case {
+    std::string arguments;
+    int exit_code;
+    std::string word;
+  };
+  for (const auto& c : std::vector<Case>{{"box.obj --draught 2", 2, "below 1 m"},
+                                         {"box.obj --draught -1", 2, "--draught"},
+                                         {"box.obj --length 3", 2, "length"},
+                                         {"box.obj --up x", 2, "--up"},
+                                         {"box.obj --scale 0", 2, "--scale"},
+                                         {"box.obj --scale 1e6", 2, "--scale 0.001"},
+                                         {"box.obj --tolerance nan", 2, "--tolerance"},
+                                         {"box.obj --parts 0", 2, "--parts"},
+                                         {"cut.off", 2, "cut.off:4"},
+                                         {"hull.step", 2, "allowed: .stl, .obj, .off, .ply"},
+                                         {"absent.stl", 4, "absent.stl"},
+                                         {"box.obj --generate wedge", 2, "either MESH or --generate"}}) {
+    const auto refused = run_nilas("hull " + c.arguments + " --out made", folder.path());
+    EXPECT_EQ(refused.exit_code, c.exit_code) << c.arguments << ": " << refused.err;
+    EXPECT_NE(refused.err.find(c.word), std::string::npos) << c.arguments << ": " << refused.err;
+    EXPECT_FALSE(fs::exists(folder.path() / "made" / "hull.json")) << c.arguments;
+  }
+}
+
+}  // namespace

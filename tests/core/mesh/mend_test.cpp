@@ -1,0 +1,137 @@
+/// What drawing programs leave wrong is mended, or refused with the place.
+#include "core/mesh/mend.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/mesh/hull_shapes.h"
+
+namespace nilas {
+namespace {
+
+MendSettings settings(double length) { return {1e-5 * length, 0.05 * length}; }
+
+bool did(const MendedMesh& mended, const std::string& what) {
+  return std::any_of(mended.done.begin(), mended.done.end(),
+                     [&](const MeshNote& note) { return note.what.find(what) != std::string::npos; });
+}
+
+/// Closed, outward, of the volume.
+void expect_sound(const MendedMesh& mended, double volume, double share) {
+  for (const auto& note : mended.open) ADD_FAILURE() << note.count << " " << note.what;
+  EXPECT_TRUE(find_defects(mended.mesh).sound()) << find_defects(mended.mesh).text();
+  EXPECT_NEAR(signed_volume(mended.mesh), volume, share * volume);
+}
+
+TEST(Mend, SoundMeshesStayAsTheyAre) {
+  for (const auto& mesh : {cone_mesh(1, 1.5, 24), moonpool_mesh(), ship_mesh(40, 8)}) {
+    const MendedMesh mended = mend(soup_of({mesh}), settings(4));
+    EXPECT_TRUE(mended.done.empty());
+    expect_sound(mended, signed_volume(mesh), 1e-6);
+    EXPECT_EQ(mended.mesh.triangles.size(), mesh.triangles.size());
+  }
+}
+
+TEST(Mend, FlippedFacesAreTurnedAndCounted) {
+  TriangleMesh ship = ship_mesh(40, 8);
+  for (std::size_t k = 0; k < ship.triangles.size(); k += 7) std::swap(ship.triangles[k][0], ship.triangles[k][1]);
+  const MendedMesh mended = mend(soup_of({ship}), settings(6));
+  expect_sound(mended, signed_volume(ship_mesh(40, 8)), 1e-6);
+  ASSERT_TRUE(did(mended, "turned to the winding"));
+  EXPECT_EQ(mended.done.front().count, (ship.triangles.size() + 6) / 7);
+}
+
+TEST(Mend, AHullWoundInwardsIsTurned) {
+  TriangleMesh cone = cone_mesh(1, 1.5, 24);
+  for (auto& t : cone.triangles) std::swap(t[0], t[1]);
+  const MendedMesh mended = mend(soup_of({cone}), settings(2));
+  expect_sound(mended, signed_volume(cone_mesh(1, 1.5, 24)), 1e-6);
+  EXPECT_TRUE(did(mended, "inwards"));
+}
+
+TEST(Mend, SmallHolesAreFilledLargeOnesRefusedWithTheirPlace) {
+  TriangleMesh ship = ship_mesh(40, 8);
+  const double volume = signed_volume(ship);
+  const auto below_deck = [&](const auto& t) {
+    return std::all_of(t.begin(), t.end(), [&](int v) { return ship.vertices[static_cast<std::size_t>(v)].z() < 0.5; });
+  };
+  for (int hole = 0; hole < 2; ++hole)
+    ship.triangles.erase(std::find_if(ship.triangles.begin() + 101 + 200 * hole, ship.triangles.end(), below_deck));
+  const MendedMesh mended = mend(soup_of({ship}), settings(6));
+  expect_sound(mended, volume, 1e-4);
+  EXPECT_TRUE(did(mended, "holes filled"));
+  TriangleMesh open = box_mesh({0, 0, 0}, {4, 1, 1});
+  std::erase_if(open.triangles, [&](const auto& t) {
+    return std::all_of(t.begin(), t.end(), [&](int v) { return open.vertices[static_cast<std::size_t>(v)].z() == 1; });
+  });
+  const MendedMesh left = mend(soup_of({open}), settings(4));
+  ASSERT_EQ(left.open.size(), 1u);
+  EXPECT_NE(left.open[0].what.find("4.12"), std::string::npos) << left.open[0].what;
+  EXPECT_LT((left.open[0].places.at(0) - Vec3(2, 0.5, 1)).norm(), 1e-12);
+  const MendedMesh filled = mend(soup_of({open}), {1e-5, 5});
+  expect_sound(filled, 4, 1e-9);
+}
+
+TEST(Mend, TJunctionsAndCracksAreClosed) {
+  // a cube whose top is cut finer than its sides, and stands a little off them
+  TriangleMesh cube = box_mesh({0, 0, 0}, {1, 1, 1});
+  std::erase_if(cube.triangles, [&](const auto& t) {
+    return std::all_of(t.begin(), t.end(), [&](int v) { return cube.vertices[static_cast<std::size_t>(v)].z() == 1; });
+  });
+  PolygonSoup soup = soup_of({cube});
+  constexpr int k_cells = 4;
+  constexpr double k_crack = 3e-6;
+  for (int i = 0; i < k_cells; ++i)
+    for (int j = 0; j < k_cells; ++j) {
+      const int first = static_cast<int>(soup.points.size());
+      for (const auto& [a, b] : {std::pair{i, j}, {i + 1, j}, {i + 1, j + 1}, {i, j + 1}})
+        soup.points.emplace_back(a / 4.0, b / 4.0, 1 + k_crack);
+      soup.polygons.push_back({first, first + 1, first + 2, first + 3});
+    }
+  const MendedMesh mended = mend(soup, settings(1));
+  expect_sound(mended, 1, 1e-5);
+  EXPECT_TRUE(did(mended, "neighbour's edge"));
+}
+
+TEST(Mend, DuplicateAndNestedShellsAreDropped) {
+  const TriangleMesh ship = ship_mesh(30, 6);
+  const MendedMesh twice = mend(soup_of({ship, ship}), settings(6));
+  expect_sound(twice, signed_volume(ship), 1e-6);
+  EXPECT_TRUE(did(twice, "more than once"));
+  const MendedMesh lined =
+      mend(soup_of({box_mesh({0, 0, 0}, {4, 1, 1}), box_mesh({1, 0.2, 0.2}, {3, 0.8, 0.8})}), settings(4));
+  expect_sound(lined, 4, 1e-9);
+  EXPECT_TRUE(did(lined, "inside another"));
+}
+
+TEST(Mend, OverlappingShellsAreUnited) {
+  const MendedMesh platform = mend(soup_of(semisubmersible_shells(16)), settings(3));
+  expect_sound(platform, semisubmersible_volume(16), 1e-6);
+  EXPECT_TRUE(did(platform, "united"));
+  // half of the ellipsoid stands out of the stem: the union lies between the ship and both together
+  const TriangleMesh ship = ship_mesh(40, 8), bulb = bulb_mesh({5.9, 0, 0.12}, {0.5, 0.09, 0.1}, 8);
+  const MendedMesh both = mend(soup_of({ship, bulb}), settings(6));
+  const double low = signed_volume(ship) + 0.4 * signed_volume(bulb), high = signed_volume(ship) + signed_volume(bulb);
+  expect_sound(both, 0.5 * (low + high), 0.5 * (high - low) / (low + high) * 2);
+}
+
+TEST(Mend, FacesThatCrossAreCutApartOrNamed) {
+  TriangleMesh ship = ship_mesh(40, 8);
+  const double volume = signed_volume(ship);
+  Vec3 place = Vec3::Zero();
+  for (auto& p : ship.vertices)  // one corner of the side pushed through the opposite side
+    if (place.isZero() && p.y() > 0.5 && p.z() > 0.2 && p.z() < 0.5) {
+      place = p;
+      p.y() = -1.1 * p.y();
+    }
+  const MendedMesh mended = mend(soup_of({ship}), settings(6));
+  if (mended.open.empty()) {
+    expect_sound(mended, volume, 0.03);
+    EXPECT_TRUE(did(mended, "cross"));
+  } else {
+    EXPECT_NE(mended.open[0].what.find("cross"), std::string::npos);
+    EXPECT_LT(std::abs(mended.open[0].places.at(0).x() - place.x()), 0.3);
+  }
+}
+
+}  // namespace
+}  // namespace nilas
