@@ -7,8 +7,11 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <numeric>
 
+#include "contact/detect/tree_walk.h"
 #include "core/base/error.h"
+#include "core/base/parallel.h"
 
 namespace nilas {
 
@@ -20,6 +23,9 @@ namespace {
 constexpr double k_allowed_margins = 4.0;
 constexpr double k_least_allowed_radii = 0.01;
 constexpr double k_most_allowed_radii = 0.05;
+/// Pieces of the tree per thread, and parts that make a piece worth its while.
+constexpr std::size_t k_pieces_per_thread = 16;
+constexpr std::size_t k_parts_per_piece = 32;
 
 bool can_move(const Bodies& bodies, const Part& part) { return bodies.motion[part.body] != Motion::fixed; }
 
@@ -41,12 +47,13 @@ Box box_of(const Bodies& bodies, const Part& part) {
 }
 
 /// One part's fattened box in the tree, and the pose it was made for.
-struct Leaf {
+struct Leaf : fcl::CollisionObjectd {
+  explicit Leaf(std::shared_ptr<fcl::Boxd> box) : CollisionObject(box), shape(std::move(box)) {}
+
   int part = 0;
   bool moving = false;
   int body = 0;
   std::shared_ptr<fcl::Boxd> shape;
-  std::unique_ptr<fcl::CollisionObjectd> object;
   Vec3 p = Vec3::Zero();
   Mat3 R = Mat3::Zero();
   double fat = -1;   ///< what was added on every side [m]
@@ -67,28 +74,34 @@ struct Leaf {
     fat = half_margin + (moving ? allowance : 0.0);
     const Vec3 half = box.half + Vec3::Constant(fat);
     shape->aabb_local = fcl::AABBd(-half, half);
-    object->setTranslation(box.centre);
-    object->computeAABB();
+    setTranslation(box.centre);
+    computeAABB();
   }
 
   void set_box(const fcl::AABBd& box) {
     shape->aabb_local = box;
-    object->setTranslation(Vec3::Zero());
-    object->computeAABB();
+    setTranslation(Vec3::Zero());
+    computeAABB();
   }
 };
 
 std::unique_ptr<Leaf> make_leaf(const Bodies& bodies, const Part& part, int index) {
-  auto leaf = std::make_unique<Leaf>();
+  auto leaf = std::make_unique<Leaf>(std::make_shared<fcl::Boxd>(1.0, 1.0, 1.0));
   leaf->part = index;
   leaf->body = part.body;
   leaf->reach = part.centre.norm() + part.bounding_radius;
-  leaf->shape = std::make_shared<fcl::Boxd>(1.0, 1.0, 1.0);
-  leaf->object = std::make_unique<fcl::CollisionObjectd>(leaf->shape);
-  leaf->object->setUserData(leaf.get());
   leaf->moving = can_move(bodies, part);
   return leaf;
 }
+
+/// The leaf of an entry of FCL's tree.
+const Leaf* leaf_of(void* entry) { return static_cast<const Leaf*>(static_cast<fcl::CollisionObjectd*>(entry)); }
+
+/// A pair, and which one it is of those that the tree comes upon.
+struct WalkedPair {
+  PartPair pair;
+  int place = 0;
+};
 
 }  // namespace
 
@@ -97,15 +110,17 @@ struct BroadPhase::Tree {
   std::vector<std::unique_ptr<Leaf>> leaves;
   std::vector<int> planes;
   std::size_t known_parts = 0;
-  std::vector<PartPair> pairs;
+  std::vector<std::vector<PartPair>> lists;  ///< of the pieces of the tree, and one of the pairs with planes
+  std::vector<WalkedPair> sorted;            ///< all of them
 
   /// Calls fit(leaf) for each part that is new and no plane.
   template <class Fit>
   void add_new_parts(const Bodies& bodies, const std::vector<Part>& parts, const Fit& fit);
   std::vector<fcl::AABBd> boxes() const;
   void refit(const Bodies& bodies, const std::vector<Part>& parts, double margin);
-  void list_tree_pairs();
+  void list_tree_pairs(int threads);
   void list_plane_pairs(const Bodies& bodies, const std::vector<Part>& parts, double margin);
+  void sort_pairs(int bodies);
 };
 
 template <class Fit>
@@ -119,7 +134,7 @@ void BroadPhase::Tree::add_new_parts(const Bodies& bodies, const std::vector<Par
     }
     auto leaf = make_leaf(bodies, part, static_cast<int>(known_parts));
     fit(*leaf);
-    fresh.push_back(leaf->object.get());
+    fresh.push_back(leaf.get());
     leaves.push_back(std::move(leaf));
   }
   if (fresh.empty()) return;
@@ -142,7 +157,7 @@ std::vector<fcl::AABBd> BroadPhase::Tree::boxes() const {
       nodes.insert(nodes.end(), {node->children[0], node->children[1]});
   }
   std::vector<fcl::AABBd> boxes;
-  for (const auto& leaf : leaves) boxes.push_back(*of_object.at(leaf->object.get()));
+  for (const auto& leaf : leaves) boxes.push_back(*of_object.at(leaf.get()));
   return boxes;
 }
 
@@ -152,24 +167,34 @@ void BroadPhase::Tree::refit(const Bodies& bodies, const std::vector<Part>& part
     leaf->moving = can_move(bodies, parts[leaf->part]);
     if (leaf->way(bodies) + 0.5 * margin <= leaf->fat) continue;
     leaf->fit(bodies, parts[leaf->part], 0.5 * margin);
-    moved.push_back(leaf->object.get());
+    moved.push_back(leaf.get());
   }
   if (!moved.empty()) manager.update(moved);
 }
 
-void BroadPhase::Tree::list_tree_pairs() {
-  const auto list = [](fcl::CollisionObjectd* one, fcl::CollisionObjectd* other, void* data) {
-    const Leaf* a = static_cast<const Leaf*>(one->getUserData());
-    const Leaf* b = static_cast<const Leaf*>(other->getUserData());
-    if (a->body == b->body || (!a->moving && !b->moving)) return false;
-    if (b->body < a->body) std::swap(a, b);
-    static_cast<std::vector<PartPair>*>(data)->push_back({a->body, b->body, a->part, b->part});
-    return false;
-  };
-  manager.collide(&pairs, list);
+/// What DynamicAABBTreeCollisionManager::collide() finds, by several threads.
+void BroadPhase::Tree::list_tree_pairs(int threads) {
+  const std::size_t wanted =
+      threads > 1 ? std::min(k_pieces_per_thread * static_cast<std::size_t>(threads), leaves.size() / k_parts_per_piece)
+                  : 1;
+  const std::vector<NodePair> pieces = cut_into_pieces(manager.getTree().getRoot(), wanted);
+  lists.resize(pieces.size() + 1);
+  parallel_pieces(static_cast<std::ptrdiff_t>(pieces.size()), threads, [&](std::ptrdiff_t k) {
+    std::vector<PartPair> list = std::move(lists[k]);  // alone in its cache lines
+    list.clear();
+    meet_leaves(pieces[k], [&](void* one, void* other) {
+      const Leaf *a = leaf_of(one), *b = leaf_of(other);
+      if (a->body == b->body || (!a->moving && !b->moving)) return;
+      if (b->body < a->body) std::swap(a, b);
+      list.push_back({a->body, b->body, a->part, b->part});
+    });
+    lists[k] = std::move(list);
+  });
 }
 
 void BroadPhase::Tree::list_plane_pairs(const Bodies& bodies, const std::vector<Part>& parts, double margin) {
+  std::vector<PartPair>& list = lists.back();
+  list.clear();
   for (int plane : planes) {
     const int host = parts[plane].body;
     const Vec3 up = bodies.R_GB[host].col(2);
@@ -180,11 +205,27 @@ void BroadPhase::Tree::list_plane_pairs(const Bodies& bodies, const std::vector<
       const double gap = up.dot(bodies.p_GB[leaf->body] - bodies.p_GB[host]) - extent(parts[leaf->part], down);
       if (!(gap < margin)) continue;
       if (host < leaf->body)
-        pairs.push_back({host, leaf->body, plane, leaf->part});
+        list.push_back({host, leaf->body, plane, leaf->part});
       else
-        pairs.push_back({leaf->body, host, leaf->part, plane});
+        list.push_back({leaf->body, host, leaf->part, plane});
     }
   }
+}
+
+/// By the first body into buckets, and within those.
+void BroadPhase::Tree::sort_pairs(int bodies) {
+  std::vector<std::size_t> ends(static_cast<std::size_t>(bodies) + 1, 0);  // of the buckets
+  for (const auto& list : lists)
+    for (const PartPair& pair : list) ++ends[pair.body_a + 1];
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  sorted.resize(ends.back());
+  int place = 0;
+  for (const auto& list : lists)
+    for (const PartPair& pair : list) sorted[ends[pair.body_a]++] = {pair, place++};
+  const auto before = [](const WalkedPair& p, const WalkedPair& q) { return p.pair < q.pair; };
+  std::size_t begin = 0;
+  for (std::size_t b = 0; begin < sorted.size(); begin = ends[b++])
+    std::sort(sorted.data() + begin, sorted.data() + ends[b], before);
 }
 
 BroadPhase::BroadPhase() : tree_(std::make_unique<Tree>()) {}
@@ -192,15 +233,19 @@ BroadPhase::~BroadPhase() = default;
 BroadPhase::BroadPhase(BroadPhase&&) noexcept = default;
 BroadPhase& BroadPhase::operator=(BroadPhase&&) noexcept = default;
 
-const std::vector<PartPair>& BroadPhase::candidates(const Bodies& bodies, const std::vector<Part>& parts,
-                                                    double margin) {
+void BroadPhase::list_pairs(const Bodies& bodies, const std::vector<Part>& parts, double margin, int threads,
+                            std::vector<PartPair>& pairs, std::vector<int>& walk) {
   tree_->refit(bodies, parts, margin);
   tree_->add_new_parts(bodies, parts, [&](Leaf& leaf) { leaf.fit(bodies, parts[leaf.part], 0.5 * margin); });
-  tree_->pairs.clear();
-  tree_->list_tree_pairs();
+  tree_->list_tree_pairs(threads);
   tree_->list_plane_pairs(bodies, parts, margin);
-  std::sort(tree_->pairs.begin(), tree_->pairs.end());
-  return tree_->pairs;
+  tree_->sort_pairs(bodies.size());
+  pairs.resize(tree_->sorted.size());
+  walk.resize(pairs.size());
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    pairs[i] = tree_->sorted[i].pair;
+    walk[tree_->sorted[i].place] = static_cast<int>(i);
+  }
 }
 
 void BroadPhase::save(StateWriter out) const {

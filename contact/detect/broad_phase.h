@@ -27,11 +27,14 @@ class BroadPhase {
 
   /// All pairs of parts of different bodies, at least one of which can move, that may be nearer than `margin` [m]; no
   /// pair of planes. `parts` may only grow from call to call. In rising order by bodies, then by parts.
-  const std::vector<PartPair>& candidates(const Bodies& bodies, const std::vector<Part>& parts, double margin);
+  /// `walk`: places of the pairs in the order in which the tree comes upon them. There neighbours in space follow each
+  /// other, so that a part's geometry is still in the cache when its next pair asks for it.
+  void list_pairs(const Bodies& bodies, const std::vector<Part>& parts, double margin, int threads,
+                  std::vector<PartPair>& pairs, std::vector<int>& walk);
 
   /// The boxes, and the poses they were made for.
   void save(StateWriter out) const;
-  /// Goes on with them, before the first call of candidates(). Throws InputError when they are not those of `parts`.
+  /// Goes on with them, before the first call of list_pairs(). Throws InputError when they are not those of `parts`.
   void restore(const Bodies& bodies, const std::vector<Part>& parts, const StateReader& in);
 
  private:

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 
 #include "contact/detect/broad_phase.h"
 #include "contact/detect/fcl_query.h"
@@ -19,9 +18,6 @@ namespace {
 
 /// Stretches of the pair list per thread, so that a stretch with many hull contacts does not keep the others waiting.
 constexpr std::ptrdiff_t k_stretches_per_thread = 8;
-/// Pairs are searched strip by strip of so many part radii, so that a part's geometry is still in the cache when its
-/// next neighbour asks for it.
-constexpr double k_strip_radii = 12;
 
 /// What one stretch of the pair list works with and finds.
 struct Stretch {
@@ -73,12 +69,6 @@ struct BodyOrder {
   bool operator()(int body, const Part& part) const { return body < part.body; }
 };
 
-struct PairPlace {
-  double strip = 0, along = 0;
-  std::ptrdiff_t pair = 0;
-  friend auto operator<=>(const PairPlace&, const PairPlace&) = default;
-};
-
 }  // namespace
 
 struct ContactDetector::Implementation {
@@ -90,7 +80,7 @@ struct ContactDetector::Implementation {
   FclShapes fcl;
   std::vector<PartPair> pairs, last_pairs;
   std::vector<PairMemory> memory, last_memory;
-  std::vector<PairPlace> order;  ///< in which the pairs are searched
+  std::vector<int> order;  ///< in which the pairs are searched
   std::vector<Stretch> stretches;
   std::vector<FoundPoints> found;
   DetectorCounts counts;
@@ -98,7 +88,6 @@ struct ContactDetector::Implementation {
   void forget_all();
   void learn_bodies(const Bodies& bodies);
   void carry_memory_over();
-  void order_by_place(const Bodies& bodies);
   void list_pairs(const Bodies& bodies, double margin);
   void search_pairs(const Bodies& bodies, const std::vector<double>& margins);
   std::vector<ContactPoint> collect(const Bodies& bodies, const std::vector<double>& margins);
@@ -134,32 +123,12 @@ void ContactDetector::Implementation::carry_memory_over() {
   }
 }
 
-void ContactDetector::Implementation::order_by_place(const Bodies& bodies) {
-  std::vector<double> radii;
-  for (const PartPair& pair : pairs) {
-    const double radius = std::min(parts[pair.part_a].bounding_radius, parts[pair.part_b].bounding_radius);
-    if (std::isfinite(radius)) radii.push_back(radius);
-  }
-  order.resize(pairs.size());
-  if (radii.empty()) radii.push_back(1);
-  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
-  std::nth_element(radii.begin(), middle, radii.end());
-  const double width = k_strip_radii * std::max(*middle, std::numeric_limits<double>::min());
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const bool a_is_smaller = parts[pairs[i].part_a].bounding_radius < parts[pairs[i].part_b].bounding_radius;
-    const Vec3& p = bodies.p_GB[a_is_smaller ? pairs[i].body_a : pairs[i].body_b];
-    order[i] = {std::floor(p.y() / width), p.x(), static_cast<std::ptrdiff_t>(i)};
-  }
-  std::sort(order.begin(), order.end(), [](const PairPlace& p, const PairPlace& q) { return p < q; });
-}
-
 void ContactDetector::Implementation::list_pairs(const Bodies& bodies, double margin) {
   learn_bodies(bodies);
   last_pairs.swap(pairs);
   last_memory.swap(memory);
-  pairs = broad.candidates(bodies, parts, margin);
+  broad.list_pairs(bodies, parts, margin, threads, pairs, order);
   carry_memory_over();
-  order_by_place(bodies);
 }
 
 void ContactDetector::Implementation::search_pairs(const Bodies& bodies, const std::vector<double>& margins) {
@@ -171,7 +140,7 @@ void ContactDetector::Implementation::search_pairs(const Bodies& bodies, const s
     Stretch& stretch = stretches[s];
     stretch.points.clear();
     for (std::ptrdiff_t k = s * count / wanted; k < (s + 1) * count / wanted; ++k) {
-      const std::ptrdiff_t i = order[k].pair;
+      const int i = order[k];
       found[i].stretch = s;
       found[i].first = stretch.points.size();
       found[i].contacts = find_pair_contacts(bodies, parts[pairs[i].part_a], parts[pairs[i].part_b], margins[i], fcl,

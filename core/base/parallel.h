@@ -11,6 +11,13 @@ void parallel_for(std::ptrdiff_t count, int threads, const Body& body) {
   for (std::ptrdiff_t i = 0; i < count; ++i) body(i);
 }
 
+/// The same for few pieces of uneven length: a thread that is done with one takes the next.
+template <class Body>
+void parallel_pieces(std::ptrdiff_t count, int threads, const Body& body) {
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads) if (threads > 1)
+  for (std::ptrdiff_t i = 0; i < count; ++i) body(i);
+}
+
 /// Items per chunk of a loop whose chunks are summed apart.
 constexpr std::ptrdiff_t k_chunk = 256;
 

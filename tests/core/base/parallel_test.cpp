@@ -21,6 +21,15 @@ TEST(ParallelFor, EveryItemOnceAndTheSameBitsForAnyThreadCount) {
   for (const int threads : {2, 3, 8}) EXPECT_EQ(run(threads), one);
 }
 
+TEST(ParallelPieces, EveryPieceOnce) {
+  for (const int threads : {1, 2, 3, 8}) {
+    std::vector<int> calls(37, 0);
+    parallel_pieces(static_cast<std::ptrdiff_t>(calls.size()), threads,
+                    [&](std::ptrdiff_t i) { ++calls[static_cast<std::size_t>(i)]; });
+    EXPECT_EQ(calls, std::vector<int>(37, 1));
+  }
+}
+
 TEST(ParallelFor, NothingToDo) {
   int calls = 0;
   parallel_for(0, 2, [&](std::ptrdiff_t) { ++calls; });
