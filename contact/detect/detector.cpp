@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 
 #include "contact/detect/broad_phase.h"
 #include "contact/detect/fcl_query.h"
@@ -19,17 +20,24 @@ namespace {
 /// Stretches of the pair list per thread, so that a stretch with many hull contacts does not keep the others waiting.
 constexpr std::ptrdiff_t k_stretches_per_thread = 8;
 
-/// What one stretch of the pair list works with and finds.
-struct Stretch {
+/// What one stretch of the pair list works with and finds, in cache lines of its own.
+struct alignas(64) Stretch {
   AxisSearchRoom room;
   std::vector<ContactPoint> points;
+  DetectorCounts counts;
+
+  void count(const PairContacts& contacts) {
+    counts.cached_separations += contacts.separated_by_memory ? 1 : 0;
+    counts.kept_axes += contacts.search.kept;
+    counts.fcl_queries += contacts.search.fcl_queries;
+    counts.fallbacks += contacts.search.fallbacks;
+  }
 };
 
 /// Where a pair's points stand.
 struct FoundPoints {
-  std::ptrdiff_t stretch = 0;
-  std::size_t first = 0;
-  PairContacts contacts;
+  int stretch = 0, count = 0;
+  std::ptrdiff_t first = 0;
 };
 
 /// Whether the parts have the features that made the axis.
@@ -76,20 +84,25 @@ struct ContactDetector::Implementation {
   std::vector<std::int64_t> ids;  ///< bodies whose parts are known
   std::vector<std::shared_ptr<const Shape>> shapes;
   std::vector<Part> parts;
+  std::vector<double> touching;  ///< per part: others of its body nearer than this touch it [m]; 0 where there are none
   BroadPhase broad;
   FclShapes fcl;
   std::vector<PartPair> pairs, last_pairs;
   std::vector<PairMemory> memory, last_memory;
-  std::vector<int> order;  ///< in which the pairs are searched
+  std::vector<std::ptrdiff_t> last_starts;  ///< where the last pairs of each first body begin
+  std::vector<int> order;                   ///< in which the pairs are searched
   std::vector<Stretch> stretches;
   std::vector<FoundPoints> found;
   DetectorCounts counts;
 
   void forget_all();
   void learn_bodies(const Bodies& bodies);
-  void carry_memory_over();
+  void index_last_pairs();
+  /// What the pair had at the last call, if it was there.
+  PairMemory remembered(const PartPair& pair) const;
   void list_pairs(const Bodies& bodies, double margin);
   void search_pairs(const Bodies& bodies, const std::vector<double>& margins);
+  void add_up_counts();
   std::vector<ContactPoint> collect(const Bodies& bodies, const std::vector<double>& margins);
   std::vector<PartsOnTheirWay> parts_of(const Bodies& bodies, const std::vector<FastPair>& fast) const;
   void save_pairs(StateWriter out) const;
@@ -109,18 +122,24 @@ void ContactDetector::Implementation::learn_bodies(const Bodies& bodies) {
   for (std::size_t b = ids.size(); b < bodies.id.size(); ++b) {
     ids.push_back(bodies.id[b]);
     shapes.push_back(bodies.shape[b]);
-    for (Part& part : make_parts(bodies, static_cast<int>(b))) parts.push_back(std::move(part));
+    for (Part& part : make_parts(bodies, static_cast<int>(b))) {
+      touching.push_back(part.cover ? part.cover->tolerance : 0);
+      parts.push_back(std::move(part));
+    }
   }
 }
 
-/// Both lists are sorted: one pass finds the pairs that were there before.
-void ContactDetector::Implementation::carry_memory_over() {
-  memory.assign(pairs.size(), {});
-  std::size_t last = 0;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    while (last < last_pairs.size() && last_pairs[last] < pairs[i]) ++last;
-    if (last < last_pairs.size() && last_pairs[last] == pairs[i]) memory[i] = last_memory[last];
-  }
+PairMemory ContactDetector::Implementation::remembered(const PartPair& pair) const {
+  const auto begin = last_pairs.begin() + last_starts[pair.body_a],
+             end = last_pairs.begin() + last_starts[pair.body_a + 1];
+  const auto last = std::lower_bound(begin, end, pair);
+  return last != end && *last == pair ? last_memory[last - last_pairs.begin()] : PairMemory{};
+}
+
+void ContactDetector::Implementation::index_last_pairs() {
+  last_starts.assign(ids.size() + 1, 0);
+  for (const PartPair& pair : last_pairs) ++last_starts[pair.body_a + 1];
+  std::partial_sum(last_starts.begin(), last_starts.end(), last_starts.begin());
 }
 
 void ContactDetector::Implementation::list_pairs(const Bodies& bodies, double margin) {
@@ -128,7 +147,8 @@ void ContactDetector::Implementation::list_pairs(const Bodies& bodies, double ma
   last_pairs.swap(pairs);
   last_memory.swap(memory);
   broad.list_pairs(bodies, parts, margin, threads, pairs, order);
-  carry_memory_over();
+  index_last_pairs();
+  memory.resize(pairs.size());
 }
 
 void ContactDetector::Implementation::search_pairs(const Bodies& bodies, const std::vector<double>& margins) {
@@ -136,44 +156,55 @@ void ContactDetector::Implementation::search_pairs(const Bodies& bodies, const s
   const std::ptrdiff_t wanted = threads > 1 ? threads * k_stretches_per_thread : 1;
   stretches.resize(static_cast<std::size_t>(wanted));
   found.resize(pairs.size());
-  parallel_for(wanted, threads, [&](std::ptrdiff_t s) {
+  parallel_pieces(wanted, threads, [&](std::ptrdiff_t s) {
     Stretch& stretch = stretches[s];
     stretch.points.clear();
+    stretch.counts = {};
     for (std::ptrdiff_t k = s * count / wanted; k < (s + 1) * count / wanted; ++k) {
       const int i = order[k];
-      found[i].stretch = s;
-      found[i].first = stretch.points.size();
-      found[i].contacts = find_pair_contacts(bodies, parts[pairs[i].part_a], parts[pairs[i].part_b], margins[i], fcl,
-                                             stretch.room, memory[i], stretch.points);
+      memory[i] = remembered(pairs[i]);
+      const auto first = static_cast<std::ptrdiff_t>(stretch.points.size());
+      const PairContacts contacts = find_pair_contacts(bodies, parts[pairs[i].part_a], parts[pairs[i].part_b],
+                                                       margins[i], fcl, stretch.room, memory[i], stretch.points);
+      found[i] = {static_cast<int>(s), contacts.count, first};
+      stretch.count(contacts);
     }
   });
 }
 
-std::vector<ContactPoint> ContactDetector::Implementation::collect(const Bodies& bodies,
-                                                                   const std::vector<double>& margins) {
-  std::vector<ContactPoint> points;
+void ContactDetector::Implementation::add_up_counts() {
   counts = {};
   counts.candidate_pairs = static_cast<long>(pairs.size());
+  for (const Stretch& stretch : stretches) {
+    counts.cached_separations += stretch.counts.cached_separations;
+    counts.kept_axes += stretch.counts.kept_axes;
+    counts.fcl_queries += stretch.counts.fcl_queries;
+    counts.fallbacks += stretch.counts.fallbacks;
+  }
+}
+
+std::vector<ContactPoint> ContactDetector::Implementation::collect(const Bodies& bodies,
+                                                                   const std::vector<double>& margins) {
+  add_up_counts();
+  std::size_t count = 0;
+  for (const Stretch& stretch : stretches) count += stretch.points.size();
+  std::vector<ContactPoint> points;
+  points.reserve(count);
   std::size_t of_bodies = 0;  // where the points of the present two bodies begin
-  double touching = 0;
+  double touches = 0;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const FoundPoints& pair = found[i];
     const bool same_bodies = i > 0 && pairs[i].body_a == pairs[i - 1].body_a && pairs[i].body_b == pairs[i - 1].body_b;
     if (!same_bodies) {
       of_bodies = points.size();
-      touching = 0;
+      touches = 0;
     }
-    for (const int part : {pairs[i].part_a, pairs[i].part_b})
-      if (parts[part].cover) touching = std::max(touching, parts[part].cover->tolerance);
-    const auto first = stretches[pair.stretch].points.begin() + static_cast<std::ptrdiff_t>(pair.first);
-    points.insert(points.end(), first, first + pair.contacts.count);
-    counts.cached_separations += pair.contacts.separated_by_memory ? 1 : 0;
-    counts.kept_axes += pair.contacts.search.kept;
-    counts.fcl_queries += pair.contacts.search.fcl_queries;
-    counts.fallbacks += pair.contacts.search.fallbacks;
+    touches = std::max({touches, touching[pairs[i].part_a], touching[pairs[i].part_b]});
+    const auto first = stretches[pair.stretch].points.begin() + pair.first;
+    points.insert(points.end(), first, first + pair.count);
     const bool last =
         i + 1 == pairs.size() || pairs[i + 1].body_a != pairs[i].body_a || pairs[i + 1].body_b != pairs[i].body_b;
-    if (last && touching > 0) join_at_seams(bodies, touching, margins[i], of_bodies, points);
+    if (last && touches > 0) join_at_seams(bodies, touches, margins[i], of_bodies, points);
   }
   return points;
 }
