@@ -57,6 +57,9 @@ class Reach {
 std::vector<double> own_reach(const Bodies& bodies, const Wrenches& loads, double h, double share) {
   const Vec3 mean = mean_free_velocity(bodies);
   std::vector<double> reach(static_cast<std::size_t>(bodies.size()));
+  // at first the radii, in a loop short enough that the reads of many shapes overlap
+  for (std::size_t b = 0; b < reach.size(); ++b)
+    reach[b] = bodies.motion[b] == Motion::fixed ? 0 : bodies.shape[b]->bounding_radius;
   for (std::size_t b = 0; b < reach.size(); ++b) {
     Vec3 v = bodies.v_GB[b] - mean, w = bodies.w_GB[b];
     if (bodies.motion[b] == Motion::free) {
@@ -64,8 +67,7 @@ std::vector<double> own_reach(const Bodies& bodies, const Wrenches& loads, doubl
       v += h / bodies.mass[b] * loads[b].force;
       w += R * (bodies.inertia_inverse_B[b] * (R.transpose() * (h * loads[b].torque)));
     }
-    const double radius = bodies.motion[b] == Motion::fixed ? 0 : bodies.shape[b]->bounding_radius;
-    reach[b] = share * h * (v.norm() + w.norm() * radius);
+    reach[b] = share * h * (v.norm() + w.norm() * reach[b]);
   }
   return reach;
 }
