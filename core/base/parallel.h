@@ -2,20 +2,48 @@
 /// Loop over independent items. Each item writes only its own result, so the bits do not depend on the thread count.
 #include <algorithm>
 #include <cstddef>
+#include <exception>
+#include <mutex>
 
 namespace nilas {
 
+/// The first exception of a loop's items, which must not leave the thread that runs them.
+class LoopException {
+ public:
+  template <class Body>
+  void guard(const Body& body, std::ptrdiff_t i) {
+    try {
+      body(i);
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!first_) first_ = std::current_exception();
+    }
+  }
+  void rethrow() const {
+    if (first_) std::rethrow_exception(first_);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::exception_ptr first_;
+};
+
+/// What an item throws is thrown on, after all others have run; of several, any one.
 template <class Body>
 void parallel_for(std::ptrdiff_t count, int threads, const Body& body) {
+  LoopException thrown;
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
-  for (std::ptrdiff_t i = 0; i < count; ++i) body(i);
+  for (std::ptrdiff_t i = 0; i < count; ++i) thrown.guard(body, i);
+  thrown.rethrow();
 }
 
 /// The same for few pieces of uneven length: a thread that is done with one takes the next.
 template <class Body>
 void parallel_pieces(std::ptrdiff_t count, int threads, const Body& body) {
+  LoopException thrown;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads) if (threads > 1)
-  for (std::ptrdiff_t i = 0; i < count; ++i) body(i);
+  for (std::ptrdiff_t i = 0; i < count; ++i) thrown.guard(body, i);
+  thrown.rethrow();
 }
 
 /// Items per chunk of a loop whose chunks are summed apart.

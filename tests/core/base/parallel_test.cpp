@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 namespace nilas {
@@ -34,6 +35,20 @@ TEST(ParallelFor, NothingToDo) {
   int calls = 0;
   parallel_for(0, 2, [&](std::ptrdiff_t) { ++calls; });
   EXPECT_EQ(calls, 0);
+}
+
+TEST(ParallelFor, WhatAnItemThrowsReachesTheCaller) {
+  for (const int threads : {1, 2, 3}) {
+    std::vector<int> calls(100, 0);
+    const auto run = [&] {
+      parallel_for(static_cast<std::ptrdiff_t>(calls.size()), threads, [&](std::ptrdiff_t i) {
+        ++calls[static_cast<std::size_t>(i)];
+        if (i % 40 == 7) throw std::runtime_error("no item");
+      });
+    };
+    EXPECT_THROW(run(), std::runtime_error);
+    EXPECT_EQ(calls, std::vector<int>(100, 1)) << "the others run all the same";
+  }
 }
 
 }  // namespace
