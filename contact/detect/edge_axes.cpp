@@ -11,8 +11,8 @@ namespace nilas {
 
 namespace {
 
-/// Edges whose directions differ by less than this sine make no axis of their own [-].
-constexpr double k_parallel_sine = 1e-7;
+/// Edges whose directions differ by less than this sine make no axis of their own [-]: rounding decides its direction.
+constexpr double k_parallel_sine = 1e-12;
 
 EdgeInA own_edge(const FacetedGeometry& facets, int e) {
   const PartEdge& edge = facets.edges[e];
@@ -105,6 +105,8 @@ void for_each_crossing(const EdgeChoice& edges, const Use& use) {
       const double length = n.norm();
       if (length <= k_parallel_sine * std::sqrt(a.along.squaredNorm() * b.along.squaredNorm())) continue;
       n /= n.dot(a.n0 + a.n1) < 0 ? -length : length;
+      // the product of nearly parallel edges is rounded; about the edge it may be turned, along it the parts are long
+      n = (n - n.dot(a.along) / a.along.squaredNorm() * a.along).normalized();
       use(a, b, n, n.dot(b.middle - a.middle));
     }
 }
@@ -178,11 +180,13 @@ NearestOnSegments nearest_on_segments(const Vec3& p0, const Vec3& d0, const Vec3
   const Vec3 r = p0 - p1;
   const double a = d0.squaredNorm(), e = d1.squaredNorm();
   const double b = d0.dot(d1), c = d0.dot(r), f = d1.dot(r);
-  const double denominator = a * e - b * b;
+  // b f - c e over a e - b b, without their cancellation
+  const Vec3 across = d0.cross(d1);
+  const double denominator = across.squaredNorm();
   NearestOnSegments nearest;
   // Parallel segments: any t serves; the clamps below then find an end that lies opposite.
   if (denominator > k_parallel_sine * k_parallel_sine * a * e)
-    nearest.t = std::clamp((b * f - c * e) / denominator, 0.0, 1.0);
+    nearest.t = std::clamp(across.dot(d1.cross(r)) / denominator, 0.0, 1.0);
   nearest.u = std::clamp((b * nearest.t + f) / e, 0.0, 1.0);
   nearest.t = std::clamp((b * nearest.u - c) / a, 0.0, 1.0);
   return nearest;

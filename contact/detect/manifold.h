@@ -32,9 +32,9 @@ void face_each_other(const PairView& pair, const Axis& axis, FacingSurfaces& fac
 /// far.
 bool is_proven(const PairView& pair, const Axis& axis, const FacingSurfaces& facing);
 
-/// Leaves in facing.points the contact points: gaps below the margin, at most four, the deepest gap equal to axis.s.
-/// Where the surfaces show no such point (two edges or corners) the nearest points of the supporting features give it.
-/// `last`: the features of the four that were kept of this pair before (point_reduction.h).
+/// Leaves in facing.points the contact points: gaps below the margin, at most k_most_points, the deepest gap equal to
+/// axis.s. Where the surfaces show no such point (two edges or corners) the nearest points of the supporting features
+/// give it. `last`: the features of the four that were kept of this pair before (point_reduction.h).
 void select_points(const PairView& pair, const Axis& axis, std::span<const Feature> last, FacingSurfaces& facing);
 
 }  // namespace nilas

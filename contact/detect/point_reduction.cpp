@@ -40,9 +40,11 @@ Mean mean_of(const Points& points) {
   return {u.value() / count, v.value() / count};
 }
 
-/// Rises with the angle of (u, v), without trigonometry.
+/// Rises with the angle of (u, v), without trigonometry; 0 at the middle itself.
 double angle_rank(double u, double v) {
-  const double r = v / (std::abs(u) + std::abs(v));
+  const double sum = std::abs(u) + std::abs(v);
+  if (sum == 0) return 0;
+  const double r = v / sum;
   return u < 0 ? 2.0 - r : (v < 0 ? 4.0 + r : r);
 }
 

@@ -62,11 +62,11 @@ inline MakeShape needle() {
   };
 }
 
-/// An outline with a corner cut off by an edge of 1e-8 to 1e-2 radii.
+/// An outline with a corner cut off by an edge of 1e-9 to 1e-2 radii.
 inline MakeShape plate_with_a_tiny_edge() {
   return [](RandomStream& random) {
     std::vector<Vec2> outline = random_outline(random, 1);
-    const double edge = log_uniform(random, 1e-8, 1e-2);
+    const double edge = log_uniform(random, 1e-9, 1e-2);
     const Vec2 corner = outline[0];
     const Vec2 before = (outline.back() - corner).normalized(), after = (outline[1] - corner).normalized();
     outline[0] = corner + edge * after;

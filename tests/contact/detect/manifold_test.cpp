@@ -232,5 +232,24 @@ TEST(Manifold, KeysAreUniqueAndLastThroughASlowDrift) {
   EXPECT_GE(same, total - total / 100);
 }
 
+/// Two square prisms, edge on edge, that cross at an angle down to rounding.
+TEST(Manifold, EdgesThatAreNearlyParallelTellTheirDistance) {
+  const double reach = std::sqrt(0.5);
+  const Quat on_edge(Eigen::AngleAxisd(0.25 * k_pi, Vec3::UnitY()));
+  for (const double turn : {1e-10, 1e-9, 5e-8, 9e-8, 1.1e-7, 1e-6})
+    for (const double gap : {1e-8, -1e-8, -1e-7}) {
+      Bodies bodies;
+      add_body(bodies, box_shape({1, 1, 1}), Vec3::Zero(), on_edge);
+      add_body(bodies, box_shape({1, 1, 1}), {0, 0, 2 * reach + gap},
+               Quat(Eigen::AngleAxisd(turn, Vec3::UnitZ())) * on_edge);
+      double least = 1;
+      for (const ContactPoint& c : ContactDetector().detect(bodies, 1e-3)) least = std::min(least, c.gap);
+      // where the crossing is as narrow as the overlap is deep, a face may lead out by less
+      const double deepest = gap > 0 ? gap : 1.001 * gap;
+      EXPECT_GT(least, deepest - 1e-9) << turn << " " << gap;
+      EXPECT_LT(least, (gap > 0 ? gap : 0.7 * gap) + 1e-9) << turn << " " << gap;
+    }
+}
+
 }  // namespace
 }  // namespace nilas

@@ -126,5 +126,16 @@ TEST(PointReduction, PointsThatTieComeTogetherOrNotAtAll) {
   EXPECT_EQ(points.size(), 4u);
 }
 
+TEST(PointReduction, APointInTheMiddleOfAllChangesNothing) {
+  const std::vector<OverlayPoint> corners{point(1, 0, 0), point(0, 1, 0), point(-1, 0, 0), point(0, -1, 0)};
+  for (std::size_t place = 0; place <= corners.size(); ++place) {
+    std::vector<OverlayPoint> points = corners;
+    points.insert(points.begin() + static_cast<std::ptrdiff_t>(place), point(0, 0, 0.1));
+    keep_spread_points(k_tolerance, 1, k_four_points_do, points);
+    EXPECT_EQ(points.size(), 4u) << place;
+    for (const OverlayPoint& corner : corners) EXPECT_TRUE(has(points, corner.u, corner.v)) << place;
+  }
+}
+
 }  // namespace
 }  // namespace nilas
