@@ -38,6 +38,7 @@ struct alignas(64) Stretch {
 struct FoundPoints {
   int stretch = 0, count = 0;
   std::ptrdiff_t first = 0;
+  bool left_to_others = false;
 };
 
 /// Whether the parts have the features that made the axis.
@@ -72,6 +73,12 @@ bool stay_apart(const Bodies& bodies, const PartsOnTheirWay& pair) {
   return (centre(*pair.b) - centre(*pair.a)).norm() - radii > pair.way;
 }
 
+/// A search among numbers that are none need not end.
+void demand_finite(const Bodies& bodies) {
+  for (std::size_t b = 0; b < bodies.id.size(); ++b)
+    NILAS_DEMAND(bodies.p_GB[b].allFinite() && bodies.R_GB[b].allFinite());
+}
+
 struct BodyOrder {
   bool operator()(const Part& part, int body) const { return part.body < body; }
   bool operator()(int body, const Part& part) const { return body < part.body; }
@@ -103,6 +110,8 @@ struct ContactDetector::Implementation {
   void list_pairs(const Bodies& bodies, double margin);
   void search_pairs(const Bodies& bodies, const std::vector<double>& margins);
   void add_up_counts();
+  void find_deep(const Bodies& bodies, std::size_t first, std::size_t last, double margin,
+                 std::vector<ContactPoint>& points);
   std::vector<ContactPoint> collect(const Bodies& bodies, const std::vector<double>& margins);
   std::vector<PartsOnTheirWay> parts_of(const Bodies& bodies, const std::vector<FastPair>& fast) const;
   void save_pairs(StateWriter out) const;
@@ -116,6 +125,7 @@ void ContactDetector::Implementation::forget_all() {
 }
 
 void ContactDetector::Implementation::learn_bodies(const Bodies& bodies) {
+  demand_finite(bodies);
   const bool same_start = ids.size() <= bodies.id.size() && std::equal(ids.begin(), ids.end(), bodies.id.begin()) &&
                           std::equal(shapes.begin(), shapes.end(), bodies.shape.begin());
   if (!same_start) forget_all();
@@ -166,7 +176,7 @@ void ContactDetector::Implementation::search_pairs(const Bodies& bodies, const s
       const auto first = static_cast<std::ptrdiff_t>(stretch.points.size());
       const PairContacts contacts = find_pair_contacts(bodies, parts[pairs[i].part_a], parts[pairs[i].part_b],
                                                        margins[i], fcl, stretch.room, memory[i], stretch.points);
-      found[i] = {static_cast<int>(s), contacts.count, first};
+      found[i] = {static_cast<int>(s), contacts.count, first, contacts.left_to_others};
       stretch.count(contacts);
     }
   });
@@ -183,6 +193,33 @@ void ContactDetector::Implementation::add_up_counts() {
   }
 }
 
+/// Of two bodies so deep in each other that each of their pairs of parts, [first, last), leaves the contact to another:
+/// the shallowest way out of one pair, and what the others have along it.
+void ContactDetector::Implementation::find_deep(const Bodies& bodies, std::size_t first, std::size_t last,
+                                                double margin, std::vector<ContactPoint>& points) {
+  AxisSearchRoom room;
+  std::vector<ContactPoint> deep;
+  for (std::size_t i = first; i < last; ++i) {
+    PairMemory none;
+    if (found[i].left_to_others)
+      find_pair_contacts(bodies, parts[pairs[i].part_a], parts[pairs[i].part_b], margin, fcl, room, none, deep, true);
+  }
+  double shallowest = -std::numeric_limits<double>::infinity();
+  Vec3 n = Vec3::Zero();
+  for (std::size_t i = 0; i < deep.size();) {
+    double deepest = 0;
+    const Vec3& of_pair = deep[i].n;
+    const int part_a = deep[i].part_a, part_b = deep[i].part_b;
+    for (; i < deep.size() && deep[i].part_a == part_a && deep[i].part_b == part_b; ++i)
+      deepest = std::min(deepest, deep[i].gap);
+    if (deepest <= shallowest) continue;
+    shallowest = deepest;
+    n = of_pair;
+  }
+  std::erase_if(deep, [&](const ContactPoint& c) { return c.n.dot(n) <= 0; });
+  points.insert(points.end(), deep.begin(), deep.end());
+}
+
 std::vector<ContactPoint> ContactDetector::Implementation::collect(const Bodies& bodies,
                                                                    const std::vector<double>& margins) {
   add_up_counts();
@@ -192,18 +229,26 @@ std::vector<ContactPoint> ContactDetector::Implementation::collect(const Bodies&
   points.reserve(count);
   std::size_t of_bodies = 0;  // where the points of the present two bodies begin
   double touches = 0;
+  std::size_t first_pair = 0;
+  bool left = false;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const FoundPoints& pair = found[i];
     const bool same_bodies = i > 0 && pairs[i].body_a == pairs[i - 1].body_a && pairs[i].body_b == pairs[i - 1].body_b;
     if (!same_bodies) {
       of_bodies = points.size();
       touches = 0;
+      first_pair = i;
+      left = false;
     }
+    left = left || pair.left_to_others;
     touches = std::max({touches, touching[pairs[i].part_a], touching[pairs[i].part_b]});
     const auto first = stretches[pair.stretch].points.begin() + pair.first;
     points.insert(points.end(), first, first + pair.count);
     const bool last =
         i + 1 == pairs.size() || pairs[i + 1].body_a != pairs[i].body_a || pairs[i + 1].body_b != pairs[i].body_b;
+    const auto overlaps = [](const ContactPoint& c) { return c.gap < 0; };
+    if (last && left && std::none_of(points.begin() + static_cast<std::ptrdiff_t>(of_bodies), points.end(), overlaps))
+      find_deep(bodies, first_pair, i + 1, margins[i], points);
     if (last && touches > 0) join_at_seams(bodies, touches, margins[i], of_bodies, points);
   }
   return points;
@@ -274,14 +319,15 @@ std::vector<ContactPoint> ContactDetector::detect(const Bodies& bodies, double m
 std::vector<ContactPoint> ContactDetector::detect(const Bodies& bodies, const std::vector<double>& own_reach,
                                                   double margin) {
   NILAS_DEMAND(own_reach.size() == static_cast<std::size_t>(bodies.size()));
-  // no two bodies close a larger gap than the two that reach farthest
+  // pairs farther apart are not listed, however far one that is pushed could reach
   std::vector<double> farthest = own_reach;
   farthest.resize(std::max<std::size_t>(farthest.size(), 2), 0);
   std::partial_sort(farthest.begin(), farthest.begin() + 2, farthest.end(), std::greater<>());
   Implementation& work = *implementation_;
-  work.list_pairs(bodies, std::max(farthest[0] + farthest[1], margin));
+  const double listed = std::max(farthest[0] + farthest[1], margin);
+  work.list_pairs(bodies, listed);
   std::vector<double> margins = pair_margins(bodies, own_reach, work.pairs);
-  for (double& of_pair : margins) of_pair = std::max(of_pair, margin);
+  for (double& of_pair : margins) of_pair = std::clamp(of_pair, margin, listed);
   work.search_pairs(bodies, margins);
   std::vector<ContactPoint> points = work.collect(bodies, margins);
   drop_out_of_reach(bodies, own_reach, points, margin);
@@ -326,6 +372,10 @@ std::vector<SweptPair> ContactDetector::sweep(const Bodies& bodies, const std::v
                       {}};
         }
       });
+  for (const SweptPair& pair : swept) {
+    work.counts.fcl_queries += pair.first.search.fcl_queries;
+    work.counts.fallbacks += pair.first.search.fallbacks;
+  }
   if (std::none_of(swept.begin(), swept.end(), [](const SweptPair& pair) { return pair.first.hit; })) return swept;
   Bodies there = bodies;
   AxisSearchRoom room;

@@ -51,7 +51,7 @@ class ContactDetector {
   /// (a, b, part_a, part_b).
   std::vector<SweptPair> sweep(const Bodies& bodies, const std::vector<BodyMotion>& motions,
                                const std::vector<FastPair>& pairs, double depth = 0);
-  const DetectorCounts& counts() const;  ///< of the last call
+  const DetectorCounts& counts() const;  ///< of the last detect() and of the sweeps since then
 
   /// The coherence caches: the boxes of the broad phase, and what each pair remembers.
   void save(StateWriter out) const;

@@ -59,7 +59,7 @@ void search_few_faces(const FaceSearch& search, double enough, Axis& best) {
       heights_of(facets, search.y_in_x().point(search.y().centre)) - search.y().inner_radius;
   for (;;) {
     Eigen::Index f = 0;
-    if (bound.maxCoeff(&f) < best.s - search.pair.tolerance) return;
+    if (!(bound.maxCoeff(&f) >= best.s - search.pair.tolerance)) return;
     const Vec3 nearest = try_face(search, static_cast<int>(f), best);
     if (best.s > enough) return;
     bound = bound.min(heights_of(facets, nearest));

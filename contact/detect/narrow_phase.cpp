@@ -85,8 +85,10 @@ void primitive_pair(const Bodies& bodies, const Part& a, const Part& b, double m
   }
 }
 
-void polytope_or_cylinder_pair(const Bodies& bodies, const Part& a, const Part& b, double margin, FclShapes& fcl,
-                               AxisSearchRoom& room, PairMemory& memory, AxisSearchCounts& counts, Points& points) {
+/// False where the parts overlap and their contact is left to others.
+bool polytope_or_cylinder_pair(const Bodies& bodies, const Part& a, const Part& b, double margin, FclShapes& fcl,
+                               AxisSearchRoom& room, PairMemory& memory, AxisSearchCounts& counts, Points& points,
+                               bool alone) {
   const PairView pair = view_pair(a, b, pose_of_b_in_a(bodies, a.body, b.body), margin);
   const bool both_faceted = a.facets && b.facets;
   Axis axis = both_faceted ? find_axis(pair, memory.contact_axis, fcl, room, counts)
@@ -96,9 +98,10 @@ void polytope_or_cylinder_pair(const Bodies& bodies, const Part& a, const Part& 
   memory = {};
   if (axis.s > margin) {
     memory.separating = R * axis.n;
-    return;
+    return true;
   }
-  if ((a.cover || b.cover) && !find_way_out(pair, room, axis)) return;
+  const bool overlap = axis.s < -pair.tolerance;
+  if ((a.cover || b.cover) && !find_way_out(pair, room, axis, alone)) return !overlap;
   const Vec3 n_G = R * axis.n;
   if (axis.proven) memory.contact_axis = {axis.kind, axis.feature_a, axis.feature_b};
   select_points(pair, axis, before.last(), room.facing);
@@ -120,12 +123,14 @@ void polytope_or_cylinder_pair(const Bodies& bodies, const Part& a, const Part& 
     }
     point.key = contact_key(key, p.feature);
   }
+  return true;
 }
 
 }  // namespace
 
 PairContacts find_pair_contacts(const Bodies& bodies, const Part& a, const Part& b, double margin, FclShapes& fcl,
-                                AxisSearchRoom& room, PairMemory& memory, std::vector<ContactPoint>& points) {
+                                AxisSearchRoom& room, PairMemory& memory, std::vector<ContactPoint>& points,
+                                bool alone) {
   PairContacts out;
   const std::size_t before = points.size();
   const auto is_primitive = [](const Part& part) {
@@ -137,7 +142,7 @@ PairContacts find_pair_contacts(const Bodies& bodies, const Part& a, const Part&
     out.separated_by_memory = true;
     return out;
   } else {
-    polytope_or_cylinder_pair(bodies, a, b, margin, fcl, room, memory, out.search, points);
+    out.left_to_others = !polytope_or_cylinder_pair(bodies, a, b, margin, fcl, room, memory, out.search, points, alone);
   }
   out.count = static_cast<int>(points.size() - before);
   order_by_key(std::span(points).subspan(before));

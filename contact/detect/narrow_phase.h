@@ -24,11 +24,14 @@ struct PairMemory {
 struct PairContacts {
   int count = 0;  ///< points added
   bool separated_by_memory = false;
+  bool left_to_others = false;  ///< the parts overlap, but their contact is for other parts of the two bodies
   AxisSearchCounts search;
 };
 
 /// Appends the points of parts a and b (body a < body b) with gap < margin [m] to `points`, in rising order of key.
+/// `alone`: no other parts of the two bodies have a point that overlaps, see find_way_out.
 PairContacts find_pair_contacts(const Bodies& bodies, const Part& a, const Part& b, double margin, FclShapes& fcl,
-                                AxisSearchRoom& room, PairMemory& memory, std::vector<ContactPoint>& points);
+                                AxisSearchRoom& room, PairMemory& memory, std::vector<ContactPoint>& points,
+                                bool alone = false);
 
 }  // namespace nilas

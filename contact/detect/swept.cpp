@@ -90,6 +90,7 @@ class Advance {
       place(t);
       const Axis axis = separating_axis();
       const bool touches = axis.s + depth_ <= k_touching * tolerance_;
+      out.search = counts_;
       if (touches || out.advances == k_most_advances) {
         finish(t, axis, out);
         return out;
@@ -127,9 +128,8 @@ class Advance {
       asked.s = separation(pair, asked.n);
       if (asked.s > k_near * size_) return asked;
     }
-    AxisSearchCounts counts;
-    return a_.facets && b_.facets ? find_axis(pair, {}, fcl_, room_, counts)
-                                  : find_cylinder_axis(pair, fcl_, room_, counts);
+    return a_.facets && b_.facets ? find_axis(pair, {}, fcl_, room_, counts_)
+                                  : find_cylinder_axis(pair, fcl_, room_, counts_);
   }
 
   Axis of_plane(const RelativePose& guest_in_host, const Part& guest, double sign) const {
@@ -232,6 +232,7 @@ class Advance {
   RelativePose b_in_a_;
   double size_ = 0, tolerance_ = 0;
   Heights above_a_, below_b_;
+  AxisSearchCounts counts_;
 };
 
 }  // namespace

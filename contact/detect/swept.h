@@ -24,6 +24,7 @@ struct TimeOfImpact {
   Vec3 on_b = Vec3::Zero();  ///< [m]
   double distance = 0;       ///< of the parts there, at most the resolution of lengths unless they overlap at t = 0 [m]
   int advances = 0;          ///< that it took
+  AxisSearchCounts search;
 };
 
 /// Conservative advancement: along an axis that separates the parts, the time before which they cannot touch follows

@@ -22,7 +22,8 @@ constexpr double k_much_shorter = 0.2;
 
 class WayOut {
  public:
-  WayOut(const PairView& pair, AxisSearchRoom& room, bool apart) : pair_(pair), room_(room), apart_(apart) {
+  WayOut(const PairView& pair, AxisSearchRoom& room, bool apart, bool alone)
+      : pair_(pair), room_(room), apart_(apart), alone_(alone) {
     for (const bool of_a : {true, false})
       if ((of_a ? pair.a : pair.b).cover) sides_.push_back({pair, of_a});
   }
@@ -47,7 +48,7 @@ class WayOut {
       if (side.owns(axis.kind)) drop_dominated(side, room_.facing);
     }
     if (room_.facing.points.empty() && (own_face || shown > 0)) return false;
-    if (searching_ && offers_nearer_way(axis)) return false;
+    if (searching_ && !alone_ && offers_nearer_way(axis)) return false;
     for (const CoveredSide& side : sides_) drop_internal_features(side, room_.facing);
     // the place where the axis tells the depth is then none of this pair's
     if ((own_face && searching_) || room_.facing.points.size() < shown)
@@ -177,15 +178,15 @@ class WayOut {
 
   const PairView& pair_;
   AxisSearchRoom& room_;
-  bool apart_;
+  bool apart_, alone_;
   bool searching_ = false;  ///< the axis at work need not be the best of the two parts by themselves
   std::vector<CoveredSide> sides_;
 };
 
 }  // namespace
 
-bool find_way_out(const PairView& pair, AxisSearchRoom& room, Axis& axis) {
-  WayOut way(pair, room, axis.s >= -pair.tolerance);
+bool find_way_out(const PairView& pair, AxisSearchRoom& room, Axis& axis, bool alone) {
+  WayOut way(pair, room, axis.s >= -pair.tolerance, alone);
   if (way.serves(axis)) return true;
   axis.proven = false;
   return way.search(axis);

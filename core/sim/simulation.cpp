@@ -88,6 +88,7 @@ void Simulation::World::part_of_step(bool may_cut, StepRecord& record, MomentumB
   h = whole_step - elapsed;
   // what moves before the impulses (moreau), then loads other than contact, at that pose
   move_before_impulses();
+  demand_finite();
   const Wrenches& free = evaluate_loads();
   watch.lap(Phase::hydro);
 

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <tuple>
@@ -339,6 +340,15 @@ TEST(Detector, RefusesAStateOfOtherParts) {
   axes.at(0) = 0;  // of a face that no floe has
   axes.at(1) = 1000;
   EXPECT_THROW(other.restore(ten, StateReader(wrong_axis)), InputError);
+}
+
+TEST(ContactDetector, APoseThatIsNoNumberIsRefused) {
+  for (const int corners : {4, 40}) {
+    Bodies bodies;
+    for (int k = 0; k < 2; ++k) add_body(bodies, floe_shape(regular_outline(corners, 1), 0.1), {0.5 * k, 0, 0});
+    bodies.p_GB[1].y() = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THROW(ContactDetector().detect(bodies, 0.1), ContractError);
+  }
 }
 
 }  // namespace

@@ -223,5 +223,37 @@ TEST(Seams, APartedFloeTouchesAsTheWholeOne) {
   EXPECT_GT(compared, 1000);
 }
 
+/// However deep; up to half the thinner body's thickness also how deep.
+TEST(Seams, ABodyDeepInAPartedOneIsFound) {
+  const Shape whole = box_shape({2, 1, 0.5});
+  const std::vector<Shape> parted{
+      mesh_shape(whole.surface,
+                 {box_part({-1, -0.5, -0.25}, {0, 0.5, 0.25}), box_part({0, -0.5, -0.25}, {1, 0.5, 0.25})}),
+      mesh_shape(whole.surface, {box_part({-1, -0.5, -0.25}, {0, 0, 0.25}), box_part({0, -0.5, -0.25}, {1, 0, 0.25}),
+                                 box_part({-1, 0, -0.25}, {0, 0.5, 0.25}), box_part({0, 0, -0.25}, {1, 0.5, 0.25})})};
+  RandomStream random(3, "deep");
+  int deep = 0;
+  for (int k = 0; k < 4000; ++k) {
+    const Vec3 p(random.uniform(-0.3, 0.3), random.uniform(-0.55, 0.55), random.uniform(-0.3, 0.3));
+    const Quat q = k % 2 != 0 ? random_tilt(random, 0.1) : random_attitude(random);
+    const auto depth_in = [&](const Shape& host) {
+      Bodies bodies;
+      add_body(bodies, host, Vec3::Zero());
+      add_body(bodies, box_shape({0.4, 0.3, 0.1}), p, q);
+      double deepest = 0;
+      for (const ContactPoint& c : ContactDetector().detect(bodies, 0.01)) deepest = std::max(deepest, -c.gap);
+      return deepest;
+    };
+    const double of_whole = depth_in(whole);
+    for (const Shape& host : parted) {
+      const double of_parted = depth_in(host);
+      EXPECT_EQ(of_parted > 0, of_whole > 0) << k << ": " << of_whole;
+      EXPECT_TRUE(of_whole > 0.05 || of_parted > 0.99 * of_whole) << k << ": " << of_whole << " " << of_parted;
+    }
+    deep += of_whole > 0.1 ? 1 : 0;
+  }
+  EXPECT_GT(deep, 2000);
+}
+
 }  // namespace
 }  // namespace nilas
