@@ -62,8 +62,7 @@ void expect_usable(const ScratchFolder& folder, const std::string& hull, double 
 TEST(HullCommand, FiveShapesArePreparedAndFloatInIce) {
   const ScratchFolder folder;
   const TriangleMesh cone = nilas::cone_mesh(1, 1.5, 24), pool = nilas::moonpool_mesh(), ship = nilas::ship_mesh(30, 6),
-                     bulb = nilas::bulb_mesh({5.9, 0, 0.12}, {0.5, 0.09, 0.1}, 8),
-                     wedge = nilas::shifted(nilas::box_mesh({0, 0, 0}, {1, 1, 1}), {0, -0.5, 0});
+                     bulb = nilas::bulb_mesh({5.9, 0, 0.12}, {0.5, 0.09, 0.1}, 8), wedge = nilas::wedge_mesh();
   struct Case {
     std::string name;
     std::vector<TriangleMesh> shells;
@@ -71,7 +70,7 @@ TEST(HullCommand, FiveShapesArePreparedAndFloatInIce) {
   };
   const double semi = nilas::semisubmersible_volume(16), both = signed_volume(ship) + signed_volume(bulb);
   const std::vector<Case> cases{
-      {"wedge", {wedge}, 1, 1},
+      {"wedge", {wedge}, nilas::k_wedge_volume, nilas::k_wedge_volume},
       {"cone", {cone}, signed_volume(cone), signed_volume(cone)},
       {"moonpool", {pool}, nilas::k_moonpool_volume, nilas::k_moonpool_volume},
       {"bulb", {ship, bulb}, signed_volume(ship), both},
@@ -92,6 +91,22 @@ TEST(HullCommand, FiveShapesArePreparedAndFloatInIce) {
     const double low = report["low_m"][2], high = report["high_m"][2];
     expect_usable(folder, c.name, low, high - low);
   }
+}
+
+TEST(HullCommand, AHundredThousandTrianglesSomeOfThemWrong) {
+  const ScratchFolder folder;
+  TriangleMesh hull = nilas::bulb_mesh({2, 0, 0.3}, {2, 0.5, 0.3}, 160);
+  ASSERT_GT(hull.triangles.size(), 100000u);
+  const double volume = signed_volume(hull);
+  for (std::size_t k = 500; k < hull.triangles.size(); k += 1000) std::swap(hull.triangles[k][0], hull.triangles[k][1]);
+  for (std::size_t k = 5; k > 0; --k)  // small holes
+    hull.triangles.erase(hull.triangles.begin() + static_cast<std::ptrdiff_t>(20000 * k));
+  write_obj(folder.path() / "fine.obj", {hull});
+  const auto report = prepared(folder, "fine.obj --out fine");
+  ASSERT_TRUE(report.contains("volume_m3"));
+  EXPECT_NEAR(report["volume_m3"], volume, 1e-6 * volume);
+  EXPECT_EQ(report["closed"], true);
+  EXPECT_LE(report["deviation_m"].get<double>(), 0.004);
 }
 
 TEST(HullCommand, ABarge) {

@@ -14,6 +14,7 @@ struct Case {
   const char* scene;
   double until;      ///< [s]
   double thickness;  ///< of the ice [m]
+  double deepest;    ///< largest penetration as a share of it [-]
 };
 
 void PrintTo(const Case& c, std::ostream* out) { *out << c.scene; }
@@ -36,7 +37,7 @@ TEST_P(ShippedScene, KeepsItsInvariants) {
     }
     EXPECT_LE(steps["momentum_imbalance_Ns"][i], 1e-9 * steps["momentum_scale_Ns"][i]) << "row " << i;
     EXPECT_LE(steps["angular_momentum_imbalance_Nms"][i], 1e-9 * steps["angular_momentum_scale_Nms"][i]) << "row " << i;
-    EXPECT_LT(steps["penetration_max_m"][i], 0.05 * GetParam().thickness) << "row " << i;
+    EXPECT_LT(steps["penetration_max_m"][i], GetParam().deepest * GetParam().thickness) << "row " << i;
     EXPECT_LT(steps["penetration_mean_m"][i], 0.005 * GetParam().thickness) << "row " << i;
     touching = std::max(touching, steps["contacts"][i]);
   }
@@ -76,17 +77,18 @@ TEST_P(ShippedScene, KeepsItsInvariantsWithMoreau) {
   for (std::size_t i = 0; i < steps.rows(); ++i) {
     EXPECT_LE(steps["momentum_imbalance_Ns"][i], 1e-9 * steps["momentum_scale_Ns"][i]) << "row " << i;
     EXPECT_LE(steps["angular_momentum_imbalance_Nms"][i], 1e-9 * steps["angular_momentum_scale_Nms"][i]) << "row " << i;
-    EXPECT_LT(steps["penetration_max_m"][i], 0.05 * GetParam().thickness) << "row " << i;
+    EXPECT_LT(steps["penetration_max_m"][i], GetParam().deepest * GetParam().thickness) << "row " << i;
     touching = std::max(touching, steps["contacts"][i]);
   }
   EXPECT_GT(touching, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ShippedScene,
-                         ::testing::Values(Case{"towing.xml", 4, 0.04}, Case{"seed-2014.xml", 4, 0.04},
-                                           Case{"presawn-a.xml", 4, 0.04}, Case{"presawn-b.xml", 4, 0.04},
-                                           Case{"presawn-c.xml", 3, 0.04}, Case{"mirror-25.xml", 3, 0.05},
-                                           Case{"oblique-towing.xml", 4, 0.04}, Case{"dense-95.xml", 2, 0.04}),
+                         ::testing::Values(Case{"towing.xml", 4, 0.04, 0.05}, Case{"seed-2014.xml", 4, 0.04, 0.05},
+                                           Case{"presawn-a.xml", 4, 0.04, 0.01}, Case{"presawn-b.xml", 4, 0.04, 0.01},
+                                           Case{"presawn-c.xml", 3, 0.04, 0.01}, Case{"mirror-25.xml", 3, 0.05, 0.05},
+                                           Case{"oblique-towing.xml", 4, 0.04, 0.05},
+                                           Case{"dense-95.xml", 2, 0.04, 0.005}),
                          [](const auto& instance) {
                            std::string name = instance.param.scene;
                            for (auto& c : name)

@@ -45,6 +45,12 @@ inline TriangleMesh column_mesh(const Vec3& foot, double radius, double height, 
 }
 inline double column_area(double radius, int n) { return 0.5 * n * radius * radius * std::sin(2 * k_pi / n); }
 
+/// Upright sides that meet in a stem: x from 0 to 3, the bow from 2 on.
+inline TriangleMesh wedge_mesh() {
+  return shifted(prism_shape({{0, -0.5}, {2, -0.5}, {3, 0}, {2, 0.5}, {0, 0.5}}, 0.6).surface, {0, 0, 0.3});
+}
+constexpr double k_wedge_volume = (2.0 + 0.5) * 0.6;
+
 /// Point down at the origin; n sides.
 inline TriangleMesh cone_mesh(double radius, double height, int n) {
   SolidBuilder b;
