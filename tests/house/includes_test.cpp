@@ -99,7 +99,7 @@ TEST(House, IncludesPointOneWay) {
 
 TEST(House, OnlyVesselKnowsSimbodyAndOnlyItsRoomsKnowTheOtherLibraries) {
   const std::vector<std::pair<std::string, std::set<std::string>>> owners{
-      {"Simbody", {"core/vessel"}},    {"CGAL/", {"core/bodies", "core/field", "core/mesh"}},
+      {"Simbody", {"core/vessel"}},    {"CGAL/", {"core/bodies", "core/field", "core/mesh", "fracture"}},
       {"fcl/", {"contact"}},           {"CLI/", {"apps"}},
       {"kinsol/", {"core/numerics"}},  {"cvode/", {"core/numerics"}},
       {"nvector/", {"core/numerics"}}, {"sundials/", {"core/numerics"}}};
