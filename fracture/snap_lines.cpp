@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <set>
 
 #include "core/bodies/orientation.h"
 
@@ -58,6 +58,7 @@ class Snapper {
       : num_corners_(static_cast<int>(outline.size())), resolution_(resolution) {
     out_.points = outline;
     for (int i = 0; i < num_corners_; ++i) out_.outline.push_back(i);
+    on_outline_.insert(out_.outline.begin(), out_.outline.end());
     for (const auto& crack : cracks) {
       out_.cracks.emplace_back();
       for (const Vec2& p : crack) append(out_.cracks.back(), add_crack_vertex(p));
@@ -83,16 +84,21 @@ class Snapper {
     if (line.empty() || line.back() != point) line.push_back(point);
   }
 
-  /// Nearest of the points [first, end) within the resolution, or -1.
-  int near_point(const Vec2& p, int first) const {
+  /// Nearest of the points within the resolution that a line may go through, or -1.
+  template <class Allowed>
+  int near_point(const Vec2& p, const Allowed& allowed) const {
     int best = -1;
     double least = resolution_;
-    for (int i = first; i < static_cast<int>(out_.points.size()); ++i)
-      if (const double d = (at(i) - p).norm(); d <= least) {
+    for (int i = 0; i < static_cast<int>(out_.points.size()); ++i)
+      if (const double d = (at(i) - p).norm(); d <= least && allowed(i)) {
         least = d;
         best = i;
       }
     return best;
+  }
+
+  int near_point(const Vec2& p) const {
+    return near_point(p, [](int) { return true; });
   }
 
   int add(const Vec2& p) {
@@ -102,25 +108,38 @@ class Snapper {
 
   /// A point that is there already, or one on the outline's edge, or p itself.
   int add_crack_vertex(const Vec2& p) {
-    if (const int known = near_point(p, 0); known >= 0) return known;
+    if (const int known = near_point(p); known >= 0) return known;
     for (int i = 0; i < num_corners_; ++i) {
       const Vec2 &a = at(i), &b = at((i + 1) % num_corners_);
       if (distance_to_segment(a, b, p) > resolution_) continue;
       const Vec2 foot = a + foot_share(a, b, p) * (b - a);
-      const int known = near_point(foot, 0);
+      const int known = near_point(foot);
       return known >= 0 ? known : add(foot);
     }
     return add(p);
   }
 
-  /// The crossing's point: an end of either segment where one is near, else a point near by that is no corner of the
-  /// outline (a corner of another edge would fold it), else a new one.
+  /// The outline visits a point once only, else it would fold.
+  bool may_visit(const Segment& s, int p) const {
+    if (s.line >= 0 || p == s.a || p == s.b) return true;
+    return !is_on_outline(p) || std::find(s.through.begin(), s.through.end(), p) != s.through.end();
+  }
+
+  bool is_on_outline(int p) const { return on_outline_.count(p) > 0; }
+
+  void lead_through(Segment& s, int p) {
+    if (p == s.a || p == s.b) return;
+    s.through.push_back(p);
+    if (s.line < 0) on_outline_.insert(p);
+  }
+
+  /// The crossing's point: an end of either segment where one is near, else another point near by, else a new one.
   int crossing(const Segment& s, const Segment& t) {
     const Vec2 p = crossing_point(at(s.a), at(s.b), at(t.a), at(t.b));
-    const auto closer = [&](int i, int j) { return (at(i) - p).norm() < (at(j) - p).norm(); };
-    const int end = std::min({s.a, s.b, t.a, t.b}, closer);
-    if ((at(end) - p).norm() <= resolution_) return end;
-    const int known = near_point(p, s.line < 0 || t.line < 0 ? num_corners_ : 0);
+    const auto allowed = [&](int i) { return may_visit(s, i) && may_visit(t, i); };
+    const auto end = [&](int i) { return (i == s.a || i == s.b || i == t.a || i == t.b) && allowed(i); };
+    if (const int known = near_point(p, end); known >= 0) return known;
+    const int known = near_point(p, allowed);
     return known >= 0 ? known : add(p);
   }
 
@@ -131,15 +150,19 @@ class Snapper {
         if (s.line < 0 && t.line < 0) continue;
         if (!cross_properly(at(s.a), at(s.b), at(t.a), at(t.b))) continue;
         const int p = crossing(s, t);
-        for (Segment* one : {&s, &t})
-          if (p != one->a && p != one->b) one->through.push_back(p);
+        lead_through(s, p);
+        lead_through(t, p);
       }
+  }
+
+  bool passes(const Segment& s, int p) const {
+    return p != s.a && p != s.b && distance_to_segment(at(s.a), at(s.b), at(p)) <= resolution_;
   }
 
   void find_near_points(std::vector<Segment>& segments) {
     for (Segment& s : segments)
-      for (int i = s.line < 0 ? num_corners_ : 0; i < static_cast<int>(out_.points.size()); ++i)
-        if (i != s.a && i != s.b && distance_to_segment(at(s.a), at(s.b), at(i)) <= resolution_) s.through.push_back(i);
+      for (int p = 0; p < static_cast<int>(out_.points.size()); ++p)
+        if ((s.line >= 0 || !is_on_outline(p)) && passes(s, p)) lead_through(s, p);
   }
 
   std::vector<Segment> segments() const {
@@ -184,6 +207,7 @@ class Snapper {
   }
 
   int num_corners_;
+  std::set<int> on_outline_;
   double resolution_;
   SnappedLines out_;
 };
