@@ -7,6 +7,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <set>
@@ -86,31 +87,39 @@ class FaceFinder {
     return all;
   }
 
-  /// Points with two edges left of one kind that are neither the outline's nor a crack's own.
-  std::vector<char> needless() const {
+  /// Points with two edges left of one kind, other than the outline's own and those where a crack turns.
+  std::vector<char> needless(double resolution) const {
     std::vector<char> found(lines_.points.size(), 0);
     for (auto v = plane_.vertices_begin(); v != plane_.vertices_end(); ++v) {
-      const auto p = static_cast<std::size_t>(v->data());
       if (v->degree() != 2 || v->data() < lines_.num_corners) continue;
       const auto h = v->incident_halfedges();
-      const bool crack = h->data() < 0 && h->twin()->data() < 0;
-      found[p] = !crack || !lines_.given[p];
+      const bool crack = h->data() < 0 && h->twin()->data() < 0, given = lines_.given[index(v->data())] != 0;
+      const int before = h->source()->data(), after = h->next()->target()->data();
+      found[index(v->data())] = !crack || !given || is_straight(before, v->data(), after, resolution);
     }
     return found;
   }
 
  private:
+  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+  bool is_straight(int a, int b, int c, double resolution) const {
+    const Vec2 along = lines_.points[index(c)] - lines_.points[index(a)];
+    const Vec2 to_b = lines_.points[index(b)] - lines_.points[index(a)];
+    return std::abs(along.x() * to_b.y() - along.y() * to_b.x()) <= resolution * along.norm();
+  }
+
   Kernel::Point_2 point(int i) const {
-    const Vec2& p = lines_.points[static_cast<std::size_t>(i)];
+    const Vec2& p = lines_.points[index(i)];
     return {p.x(), p.y()};
   }
 
   void label() {
-    std::map<std::pair<double, double>, int> index;
+    std::map<std::pair<double, double>, int> indices;
     for (std::size_t i = 0; i < lines_.points.size(); ++i)
-      index[{lines_.points[i].x(), lines_.points[i].y()}] = static_cast<int>(i);
+      indices[{lines_.points[i].x(), lines_.points[i].y()}] = static_cast<int>(i);
     for (auto v = plane_.vertices_begin(); v != plane_.vertices_end(); ++v)
-      v->set_data(index.at({v->point().x(), v->point().y()}));
+      v->set_data(indices.at({v->point().x(), v->point().y()}));
     for (auto h = plane_.halfedges_begin(); h != plane_.halfedges_end(); ++h) {
       const auto place = place_.find({h->source()->data(), h->target()->data()});
       h->set_data(place == place_.end() ? -1 : place->second);
@@ -153,15 +162,14 @@ class FaceFinder {
   }
 
   Vec2 vector_along(Halfedge h) const {
-    return lines_.points[static_cast<std::size_t>(h->target()->data())] -
-           lines_.points[static_cast<std::size_t>(h->source()->data())];
+    return lines_.points[index(h->target()->data())] - lines_.points[index(h->source()->data())];
   }
 
   bool is_thin(Face face, double least_width) const {
     std::vector<Vec2> outline;
     double perimeter = 0;
     for (Halfedge h : around(face)) {
-      outline.push_back(lines_.points[static_cast<std::size_t>(h->source()->data())]);
+      outline.push_back(lines_.points[index(h->source()->data())]);
       perimeter += vector_along(h).norm();
     }
     return 2 * polygon_moments(outline).area < least_width * perimeter;
@@ -198,7 +206,7 @@ CrackFaces crack_faces(const SnappedLines& lines, double least_width) {
   CrackFaces found;
   while (finder.join_sliver(least_width)) ++found.slivers;
   found.faces = finder.faces();
-  found.needless = finder.needless();
+  found.needless = finder.needless(least_width);
   return found;
 }
 

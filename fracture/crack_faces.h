@@ -15,13 +15,14 @@ struct CrackFace {
 
 struct CrackFaces {
   std::vector<CrackFace> faces;  ///< in an order that depends on the geometry alone
-  std::vector<char> needless;    ///< per point: neither a given vertex nor a place where three lines still meet
+  std::vector<char> needless;    ///< per point: no corner of the outline, turn of a crack or junction any more
   int slivers = 0;               ///< faces joined to a neighbour
 };
 
 /// Faces inside the outline, without what separates nothing. Faces whose mean width, twice the area over the
-/// perimeter, is below `least_width` [m] join the neighbour with which they share most crack length. `lines` settled,
-/// its outline simple and counter-clockwise. Throws CGAL::Failure_exception where CGAL gives up.
+/// perimeter, is below `least_width` [m], below which a crack counts as straight too, join the neighbour with which
+/// they share most crack length. `lines` settled, its outline simple and counter-clockwise. Throws
+/// CGAL::Failure_exception where CGAL gives up.
 CrackFaces crack_faces(const SnappedLines& lines, double least_width);
 
 }  // namespace nilas
