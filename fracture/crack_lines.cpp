@@ -17,8 +17,9 @@ namespace {
 Vec2 direction_of(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 /// Where the line crosses the outline's edges, as distances from `point`, sorted: even in number, since vertices on the
-/// line count as left of it.
-std::vector<double> crossings(const std::vector<Vec2>& outline, const Vec2& point, const Vec2& along) {
+/// line count as left of it. A vertex that it passes within `resolution` counts twice more, as an end and a start.
+std::vector<double> crossings(const std::vector<Vec2>& outline, const Vec2& point, const Vec2& along,
+                              double resolution) {
   double reach = 0;
   for (const Vec2& p : outline) reach = std::max(reach, (p - point).norm());
   const Vec2 beyond = point + reach * along;
@@ -28,6 +29,7 @@ std::vector<double> crossings(const std::vector<Vec2>& outline, const Vec2& poin
   std::vector<double> found;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Vec2 &a = outline[i], &b = outline[(i + 1) % outline.size()];
+    if (height(a) <= resolution) found.insert(found.end(), 2, line.dot(a - point));
     if (left(a) == left(b)) continue;
     const double sum = height(a) + height(b), share = sum > 0 ? height(a) / sum : 0;
     found.push_back(line.dot(a - point) + share * line.dot(b - a));
@@ -51,25 +53,36 @@ int chords_per_wedge(const WedgeFan& fan) {
   return static_cast<int>(std::ceil(fan.wedge_angle / largest));
 }
 
-}  // namespace
+/// On edge `edge` from vertex `edge` on, that vertex included.
+struct EdgePlace {
+  std::size_t edge = 0;
+  Vec2 point = Vec2::Zero();
+};
 
-Vec2 nearest_edge_point(const std::vector<Vec2>& outline, const Vec2& point) {
-  NILAS_DEMAND(!outline.empty());
-  Vec2 best = outline.front();
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Vec2 &a = outline[i], along = outline[(i + 1) % outline.size()] - a;
+EdgePlace nearest_place(const std::vector<Vec2>& outline, const Vec2& point) {
+  EdgePlace best{0, outline.front()};
+  const std::size_t n = outline.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 &a = outline[i], &b = outline[(i + 1) % n], along = b - a;
     const double square = along.squaredNorm();
-    const double share = square > 0 ? std::clamp(along.dot(point - a) / square, 0.0, 1.0) : 0;
-    const Vec2 foot = a + share * along;
-    if ((foot - point).squaredNorm() < (best - point).squaredNorm()) best = foot;
+    const double share = square > 0 ? along.dot(point - a) / square : 0;
+    const Vec2 foot = share <= 0 ? a : share >= 1 ? b : Vec2(a + share * along);
+    if ((foot - point).squaredNorm() < (best.point - point).squaredNorm()) best = {foot == b ? (i + 1) % n : i, foot};
   }
   return best;
 }
 
+}  // namespace
+
+Vec2 nearest_edge_point(const std::vector<Vec2>& outline, const Vec2& point) {
+  NILAS_DEMAND(!outline.empty());
+  return nearest_place(outline, point).point;
+}
+
 std::vector<Chord> chords(const std::vector<Vec2>& outline, const Vec2& point, double angle) {
   const Vec2 along = direction_of(angle);
-  const std::vector<double> at = crossings(outline, point, along);
   const double resolution = snap_resolution(outline);
+  const std::vector<double> at = crossings(outline, point, along, resolution);
   std::vector<Chord> found;
   for (std::size_t i = 0; i + 1 < at.size(); i += 2)
     if (at[i + 1] > resolution && at[i + 1] - at[i] > resolution)
@@ -114,6 +127,22 @@ Split split_along(const std::vector<Vec2>& outline, const Vec2& breaking_point, 
   const CutResult cut = cut_outline(outline, {{chord->start, chord->end}});
   if (cut.status != CutStatus::cut) return {SplitVerdict::not_cut, *chord};
   return {judge_pieces(cut.pieces, rule), *chord};
+}
+
+WedgeFan fan_across(const std::vector<Vec2>& outline, const Vec2& point, double wedge_angle, double radius,
+                    double arc_tolerance) {
+  NILAS_DEMAND(outline.size() >= 3 && wedge_angle > 0);
+  const EdgePlace place = nearest_place(outline, point);
+  const std::size_t n = outline.size(), i = place.edge;
+  const bool corner = place.point == outline[i];
+  const Vec2 onward = outline[(i + 1) % n] - place.point;
+  const Vec2 back = outline[corner ? (i + n - 1) % n : i] - place.point;
+  double inside = std::atan2(onward.x() * back.y() - onward.y() * back.x(), onward.dot(back));
+  if (!corner) inside = k_pi;
+  if (inside <= 0) inside += 2 * k_pi;
+  const int wedges = std::max(1, static_cast<int>(std::lround(inside / wedge_angle)));
+  const double first = std::atan2(onward.y(), onward.x());
+  return {place.point, first + inside / 2, wedges, inside / wedges, radius, arc_tolerance};
 }
 
 std::vector<std::vector<Vec2>> wedge_cracks(const WedgeFan& fan) {

@@ -20,7 +20,8 @@ Vec2 nearest_edge_point(const std::vector<Vec2>& outline, const Vec2& point);
 
 /// Parts inside the outline of the line from `point` along `angle` [rad, from x], in order: all that lie ahead of the
 /// point, and the one it lies in with its part behind, so that a point some way inside the edge serves as well. A line
-/// along an edge may give the edge itself. `outline` simple.
+/// along an edge may give the edge itself, and one that touches a vertex within snap_resolution ends there. `outline`
+/// simple.
 std::vector<Chord> chords(const std::vector<Vec2>& outline, const Vec2& point, double angle);
 
 /// The shortest of chords(): the splitting crack of Metrikin (2014), 5.2, steps 1 and 2. None when the line misses.
@@ -64,6 +65,13 @@ struct WedgeFan {
   /// Largest distance between the circumferential crack and its circle; infinite: one chord per wedge [m]
   double arc_tolerance = 0;
 };
+
+/// Fan at the edge point nearest to `point` that spans the ice from edge to edge, half a turn or a corner's angle, in
+/// as many equal wedges as come nearest to `wedge_angle`. A fan that spans less touches the edge at its apex only and
+/// leaves a floe pinched there, which cut_outline refuses. `outline` simple, counter-clockwise. Throws ContractError
+/// when the wedge angle is not positive.
+WedgeFan fan_across(const std::vector<Vec2>& outline, const Vec2& point, double wedge_angle, double radius,
+                    double arc_tolerance);
 
 /// wedges + 1 radial cracks, then the circumferential one through their ends, for cut_outline, which drops what lies
 /// outside the floe. Throws ContractError unless there is a wedge, angle, radius and tolerance are positive, and the
