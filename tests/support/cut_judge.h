@@ -1,0 +1,114 @@
+#pragma once
+/// What a cut keeps and what it does not, found without the cutting code.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/bodies/mass_properties.h"
+#include "core/bodies/orientation.h"
+#include "core/bodies/polygon.h"
+#include "fracture/cut_floe.h"
+#include "fracture/cut_outline.h"
+#include "fracture/snap_lines.h"
+#include "tests/support/cut_cases.h"
+
+namespace nilas::test {
+
+inline double perimeter(const Outline& outline) {
+  double sum = 0;
+  for (std::size_t i = 0; i < outline.size(); ++i) sum += (outline[(i + 1) % outline.size()] - outline[i]).norm();
+  return sum;
+}
+
+/// Area gained or lost [m^2].
+inline double area_error(const Outline& outline, const std::vector<CutPiece>& pieces) {
+  double sum = 0;
+  for (const CutPiece& piece : pieces) sum += polygon_moments(piece.outline).area;
+  return std::abs(sum - polygon_moments(outline).area);
+}
+
+inline Eigen::AlignedBox2d box_of(const Outline& outline) {
+  Eigen::AlignedBox2d box;
+  for (const Vec2& p : outline) box.extend(p);
+  return box;
+}
+
+/// Deepest overlap between two of the outlines, over their convex parts by separating axes [m].
+inline double deepest_overlap(const std::vector<Outline>& outlines) {
+  std::vector<std::vector<Outline>> parts;
+  for (const Outline& outline : outlines) parts.push_back(convex_pieces(outline));
+  double deepest = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    for (std::size_t j = i + 1; j < parts.size(); ++j)
+      for (const Outline& a : parts[i])
+        for (const Outline& b : parts[j])
+          if (box_of(a).intersects(box_of(b))) deepest = std::max(deepest, convex_overlap(a, b));
+  return deepest;
+}
+
+inline double deepest_overlap(const std::vector<CutPiece>& pieces) {
+  std::vector<Outline> outlines;
+  for (const CutPiece& piece : pieces) outlines.push_back(piece.outline);
+  return deepest_overlap(outlines);
+}
+
+/// Uniform plate over the outline, moved to its centroid, on a random course.
+inline FloeState random_floe(Outline outline, RandomStream& random) {
+  const Vec2 centroid = polygon_moments(outline).centroid;
+  for (Vec2& p : outline) p -= centroid;
+  const double size_of_floe = std::sqrt(polygon_moments(outline).area);
+  const auto vector = [&](double size) {
+    return Vec3(size * random.normal(), size * random.normal(), size * random.normal());
+  };
+  FloeState floe;
+  floe.thickness = random.uniform(0.02, 0.2) * size_of_floe;
+  const MassProperties plate = prism_properties(outline, floe.thickness, 900);
+  floe.mass = plate.mass;
+  floe.inertia_B = plate.inertia;
+  floe.strengths = {4e4, 1e5, 3e3};
+  floe.pose.q = Quat(random.normal(), random.normal(), random.normal(), random.normal()).normalized();
+  floe.pose.p = vector(10 * size_of_floe);
+  floe.v_GB = vector(1);
+  floe.w_GB = vector(0.1);
+  floe.outline = std::move(outline);
+  return floe;
+}
+
+/// Relative errors of a cut; each over the sum of the magnitudes of what is added up.
+struct MotionError {
+  double mass = 0, momentum = 0, angular_momentum = 0, energy = 0;
+  double worst() const { return std::max({mass, momentum, angular_momentum, energy}); }
+};
+
+inline MotionError motion_error(const FloeState& floe, const FloeCut& cut) {
+  const Vec3& about = floe.pose.p;
+  const MotionAccount before = motion_account(floe, about);
+  MotionAccount after = cut.brash_account;
+  // a place is rounded, and with it the momentum's lever
+  const double size = std::sqrt(polygon_moments(floe.outline).area);
+  double momentum = before.momentum.norm(), angular = before.angular_momentum.norm() + size * momentum;
+  for (const FloePiece& piece : cut.pieces) {
+    const MotionAccount part = motion_account(piece.state, about);
+    after += part;
+    momentum += part.momentum.norm();
+    angular += part.angular_momentum.norm();
+  }
+  return {std::abs(after.mass - before.mass) / before.mass, (after.momentum - before.momentum).norm() / momentum,
+          (after.angular_momentum - before.angular_momentum).norm() / angular,
+          std::abs(after.kinetic_energy - before.kinetic_energy) / before.kinetic_energy};
+}
+
+/// Pieces as they lie in the floe's plane, their own rounding included; those are left out that it makes touch
+/// themselves.
+inline std::vector<Outline> pieces_in_plane(const FloeState& floe, const FloeCut& cut) {
+  std::vector<Outline> outlines;
+  for (const FloePiece& piece : cut.pieces) {
+    const Vec3 r = floe.pose.q.conjugate() * (piece.state.pose.p - floe.pose.p);
+    Outline outline = piece.state.outline;
+    for (Vec2& p : outline) p += r.head<2>();
+    if (sound(outline)) outlines.push_back(std::move(outline));
+  }
+  return outlines;
+}
+
+}  // namespace nilas::test
