@@ -1,0 +1,23 @@
+#pragma once
+/// Stiffness of a floating ice sheet as an elastic plate (or beam) on water, a Winkler foundation of modulus k.
+
+namespace nilas {
+
+/// Elastic ice sheet on water.
+struct IcePlate {
+  double thickness = 1;         ///< h [m]
+  double youngs_modulus = 5e9;  ///< E [Pa]
+  double poisson = 0.3;         ///< nu, in [0, 0.5]
+  double water_density = 1025;  ///< [kg/m^3]
+  double gravity = 9.81;        ///< [m/s^2]
+};
+
+/// All three throw ContractError unless thickness, modulus, density and gravity are positive and 0 <= nu <= 0.5.
+/// D = E h^3 / (12 (1 - nu^2)) [N m].
+double flexural_rigidity(const IcePlate& plate);
+/// l = (D / (rho_w g))^(1/4) [m] of a plate; one for sheets and their edges (Hertz 1884).
+double characteristic_length(const IcePlate& plate);
+/// l = (E h^3 / (12 rho_w g))^(1/4) [m] of a beam, one for wedges: without (1 - nu^2), as beams bend (Nevel 1961).
+double beam_characteristic_length(const IcePlate& plate);
+
+}  // namespace nilas
