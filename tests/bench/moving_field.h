@@ -10,7 +10,7 @@
 
 namespace nilas::bench {
 
-/// Cells of a jittered grid as floes of four to eight corners at about 94 % concentration. All drift; each swings and
+/// Cells of a jittered grid as floes of four to eight corners at about 96 % concentration. All drift; each swings and
 /// turns about its place by as much as its neighbours leave it, so that about every other pair of neighbours overlaps
 /// by up to some millimetres at any time.
 class MovingField {
