@@ -69,19 +69,22 @@ static FloeScene build_floe(const SceneElement& element) {
   return floe;
 }
 
-/// What a strength varies about when <vary> gives no mean.
-static double strength_of(const std::string& property) {
+/// What a strength varies about when <vary> gives no mean: that of <fracture>, or its default there.
+static double strength_of(const std::string& property, const SceneElement* fracture) {
   const AttributeSpec* strength = find_attribute(*find_element("fracture"), property);
-  return strength ? parse_number(strength->default_value).value() : 0;
+  if (!strength) return 0;
+  double mean = parse_number(strength->default_value).value();
+  if (fracture) assign(mean, *fracture, property);
+  return mean;
 }
 
-static VaryScene build_vary(const SceneElement& element) {
+static VaryScene build_vary(const SceneElement& element, const SceneElement* fracture) {
   VaryScene vary;
   vary.line = element.place.line;
   assign(vary.property, element, "property");
   assign(vary.distribution, element, "distribution");
   assign(vary.cov, element, "cov");
-  vary.mean = strength_of(vary.property);
+  vary.mean = strength_of(vary.property, fracture);
   if (vary.mean > 0) assign(vary.mean, element, "mean");
   assign(vary.correlation_length, element, "correlation_length");
   const auto partners = words_of(element, "with");
@@ -90,7 +93,7 @@ static VaryScene build_vary(const SceneElement& element) {
   return vary;
 }
 
-IceScene build_ice_scene(const SceneElement& element) {
+IceScene build_ice_scene(const SceneElement& element, const SceneElement* fracture) {
   IceScene ice;
   assign(ice.density, element, "density");
   assign(ice.youngs_modulus, element, "youngs_modulus");
@@ -98,7 +101,7 @@ IceScene build_ice_scene(const SceneElement& element) {
   assign(ice.thickness, element, "thickness");
   for (const auto& child : element.children) {
     if (child.name == "field") ice.fields.push_back(build_field(child));
-    if (child.name == "vary") ice.vary.push_back(build_vary(child));
+    if (child.name == "vary") ice.vary.push_back(build_vary(child, fracture));
     if (child.name == "floe") ice.floes.push_back(build_floe(child));
   }
   return ice;

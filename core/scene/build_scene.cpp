@@ -76,6 +76,22 @@ static TankScene build_tank(const SceneElement& element) {
   return tank;
 }
 
+static FractureScene build_fracture(const SceneElement& element) {
+  FractureScene fracture;
+  assign(fracture.flexural_strength, element, "flexural_strength");
+  assign(fracture.compressive_strength, element, "compressive_strength");
+  assign(fracture.fracture_toughness, element, "fracture_toughness");
+  assign(fracture.min_area, element, "min_area");
+  assign(fracture.max_aspect, element, "max_aspect");
+  if (const auto* crushing = child_of(element, "crushing")) {
+    fracture.crushing.emplace();
+    assign(fracture.crushing->model, *crushing, "model");
+    assign(fracture.crushing->coefficient, *crushing, "coefficient");
+    assign(fracture.crushing->exponent, *crushing, "exponent");
+  }
+  return fracture;
+}
+
 static BodyScene build_body(const SceneElement& element) {
   BodyScene body;
   body.line = element.place.line;
@@ -124,7 +140,7 @@ static void build_element(Scene& scene, const SceneElement& element) {
   if (name == "hydro") scene.hydro = build_hydro(element);
   if (name == "tank") scene.tank = build_tank(element);
   if (name == "vessel") scene.vessel = build_vessel_scene(element);
-  if (name == "ice") scene.ice = build_ice_scene(element);
+  if (name == "fracture") scene.fracture = build_fracture(element);
   if (name == "body") scene.bodies.push_back(build_body(element));
   if (name == "output") scene.output = build_output(element);
 }
@@ -133,6 +149,7 @@ Scene build_scene(const SceneElement& root) {
   Scene scene;
   assign(scene.name, root, "name");
   for (const auto& element : root.children) build_element(scene, element);
+  if (const auto* ice = child_of(root, "ice")) scene.ice = build_ice_scene(*ice, child_of(root, "fracture"));
   return scene;
 }
 

@@ -9,6 +9,7 @@ namespace nilas {
 Scene build_scene(const SceneElement& root);
 
 VesselScene build_vessel_scene(const SceneElement& vessel);
-IceScene build_ice_scene(const SceneElement& ice);
+/// `fracture`: the scene's element, null without one; its strengths are what <vary> varies about.
+IceScene build_ice_scene(const SceneElement& ice, const SceneElement* fracture);
 
 }  // namespace nilas

@@ -112,20 +112,35 @@ class Resolver {
       const Condition& condition = find_element(child.name)->applies;
       if (!has_effect(element, condition)) note_condition(child.path, element, condition);
     }
-    if (element.is_root && !child_of(element, "fracture")) note_idle_strengths(element);
+    if (element.is_root) note_idle_strengths(element);
+    if (element.is_root) note_idle_fracture(element);
     if (element.name != "carriage" || !child_of(element, "path")) return;
     for (const char* attribute : {"speed", "heading_deg", "ramp"})
       if (is_given_nonzero(element, attribute)) note(where_of(element, attribute), "no effect with <path>");
   }
 
+  /// Each strength with what uses it.
   void note_idle_strengths(const SceneElement& root) {
-    const SceneElement* ice = child_of(root, "ice");
+    static const std::map<std::string, std::string> uses{
+        {"flexural_strength", "bending"}, {"compressive_strength", "crushing"}, {"fracture_toughness", "splitting"}};
+    const SceneElement *ice = child_of(root, "ice"), *fracture = child_of(root, "fracture");
     if (!ice) return;
     for (const auto& child : ice->children) {
       const SceneAttribute* property = child.name == "vary" ? attribute_of(child, "property") : nullptr;
-      if (property && property->valid && find_attribute(*find_element("fracture"), property->value))
-        note(child.path, property->value + " has no effect in a run without <fracture>; `nilas field` writes it");
+      const auto use = property && property->valid ? uses.find(property->value) : uses.end();
+      if (use == uses.end() || (fracture && child_of(*fracture, use->second))) continue;
+      note(child.path, use->first + " has no effect in a run without <" + (fracture ? use->second : "fracture") +
+                           ">; `nilas field` writes it");
     }
+  }
+
+  void note_idle_fracture(const SceneElement& root) {
+    const SceneElement *ice = child_of(root, "ice"), *fracture = child_of(root, "fracture");
+    if (!fracture) return;
+    const bool breakable = ice && std::any_of(ice->children.begin(), ice->children.end(),
+                                              [](const SceneElement& child) { return is_true(child, "breakable"); });
+    if (!breakable) note(fracture->path, "no effect: no <field> or <floe> is breakable");
+    if (fracture->children.empty()) note(fracture->path, "no effect: it names no <crushing>");
   }
 
   void note_condition(const std::string& where, const SceneElement& element, const Condition& condition) {

@@ -176,6 +176,18 @@ struct IceScene {
   std::vector<VaryScene> vary;
 };
 
+struct CrushingScene {
+  std::string model = "seed-limit";
+  double coefficient = 1e5, exponent = -0.7;  ///< of model pressure-area [Pa m^(-2 exponent), -]
+};
+struct FractureScene {
+  double flexural_strength = 4e4, compressive_strength = 1e5;  ///< [Pa]
+  double fracture_toughness = 3e3;                             ///< [Pa sqrt(m)]
+  double min_area = 2e-4;                                      ///< [m^2]
+  double max_aspect = 8;
+  std::optional<CrushingScene> crushing;
+};
+
 struct BodyScene {
   std::string name;
   std::string shape = "box";  ///< box sphere cylinder plane mesh
@@ -218,7 +230,7 @@ struct Scene {
   std::optional<TankScene> tank;
   std::optional<VesselScene> vessel;
   std::optional<IceScene> ice;
-  bool fracture = false;
+  std::optional<FractureScene> fracture;
   std::vector<BodyScene> bodies;
   OutputScene output;
   std::vector<std::string> notes;  ///< what the reader wants said once, e.g. a default that fell back to a built model

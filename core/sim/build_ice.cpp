@@ -57,6 +57,7 @@ class IceBuilder {
     parts_.info.ice_thickness = ice_.thickness;
     parts_.info.modules.emplace_back("ice", "<ice>: " + std::to_string(parts_.info.floes) + " floes");
     for (const VaryScene& one : ice_.vary) parts_.info.modules.emplace_back("vary " + one.property, reason(one));
+    if (scene_.fracture) name_breakable();
   }
 
  private:
@@ -79,6 +80,7 @@ class IceBuilder {
     if (is_clockwise(floe.outline)) std::reverse(planned.floe.outline.begin(), planned.floe.outline.end());
     planned.name = floe.name.empty() ? "floe " + std::to_string(number) : floe.name;
     planned.fixed = floe.fixed;
+    planned.breakable = floe.breakable;
     planned.velocity = floe.velocity;
     planned.z = floe.z;
     planned.means = means_of(floe.thickness);
@@ -88,6 +90,11 @@ class IceBuilder {
   /// The properties of floes that neither state nor vary them.
   FloeValues means_of(const std::optional<double>& thickness) const {
     FloeValues means{};
+    if (const auto& fracture = scene_.fracture) {
+      means[static_cast<std::size_t>(FloeProperty::flexural_strength)] = fracture->flexural_strength;
+      means[static_cast<std::size_t>(FloeProperty::compressive_strength)] = fracture->compressive_strength;
+      means[static_cast<std::size_t>(FloeProperty::fracture_toughness)] = fracture->fracture_toughness;
+    }
     means[static_cast<std::size_t>(FloeProperty::thickness)] = thickness.value_or(ice_.thickness);
     means[static_cast<std::size_t>(FloeProperty::density)] = ice_.density;
     for (const VaryScene& one : ice_.vary)
@@ -109,6 +116,7 @@ class IceBuilder {
       planned.floes.push_back({std::move(floe),
                                planned.name + " floe " + std::to_string(planned.floes.size() + 1),
                                field.fixed || stays,
+                               field.breakable,
                                stays ? Vec3::Zero() : field.velocity,
                                field.z,
                                means_of(field.thickness),
@@ -230,9 +238,36 @@ class IceBuilder {
     spec.inertia_B = mass.inertia;
     spec.pose.p = {centre.x(), centre.y(), mid_plane(floe.thickness, floe.density) + planned.z};
     if (!planned.fixed) spec.v = planned.velocity;
-    parts_.bodies.add(spec);
+    const int body = parts_.bodies.add(spec);
+    if (scene_.fracture) add_strengths(planned, body);
     ++parts_.info.floes;
     if (!planned.fixed) parts_.info.ice_mass += mass.mass;
+  }
+
+  void add_strengths(const PlannedFloe& planned, int body) {
+    const auto strength = [&](FloeProperty property) {
+      FloeStrength of_floe{value_of(planned.floe, property), {}};
+      if (of_floe.mean <= 0) of_floe.mean = planned.means[static_cast<std::size_t>(property)];
+      for (const TexturedProperty& one : planned.texture)
+        if (one.property == property)
+          of_floe.at_xy = [texture = one.texture](double x, double y) { return texture.at(x, y); };
+      return of_floe;
+    };
+    if (!parts_.ice_properties) parts_.ice_properties.emplace();
+    IceProperties& ice = *parts_.ice_properties;
+    ice.resize(parts_.bodies.id.size());
+    const auto b = static_cast<std::size_t>(body);
+    ice.breakable[b] = planned.breakable ? 1 : 0;
+    ice.flexural_strength[b] = strength(FloeProperty::flexural_strength);
+    ice.compressive_strength[b] = strength(FloeProperty::compressive_strength);
+    ice.fracture_toughness[b] = strength(FloeProperty::fracture_toughness);
+  }
+
+  void name_breakable() {
+    long breakable = 0;
+    for (const auto& planned : parts_.ice)
+      breakable += std::count_if(planned.floes.begin(), planned.floes.end(), [](const auto& f) { return f.breakable; });
+    parts_.info.modules.emplace_back("fracture", fmt::format("<fracture>: {} breakable floes", breakable));
   }
 
   const Scene& scene_;

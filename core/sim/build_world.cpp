@@ -63,7 +63,7 @@ static void list_absent(const Scene& scene, RunInfo& info) {
   absent(scene.hydro && scene.hydro->drag, "drag");
   absent(scene.hydro && scene.hydro->virtual_drag, "virtual_drag");
   absent(scene.tank.has_value(), "tank");
-  absent(scene.fracture, "fracture");
+  absent(scene.fracture.has_value(), "fracture");
 }
 
 /// Bodies that a user places and that must be free at the start; others may stand in each other.
@@ -95,7 +95,8 @@ WorldParts build_world(const Scene& scene, int threads, WarningCounts& warnings)
   demand_contact_choices(scene);
   WorldParts parts;
   parts.info.scene_name = scene.name;
-  if (scene.fracture) throw InputError(scene.file.string() + ": <fracture>: breaking ice is not built in this version");
+  if (scene.fracture && scene.fracture->crushing)
+    throw InputError(scene.file.string() + ": <fracture><crushing>: not built in this version");
   if (scene.contact.integrator == "reference") demand_reference(scene);
   build_water(scene, parts);
   build_friction(scene, parts);

@@ -14,6 +14,7 @@ struct PlannedFloe {
   FieldFloe floe;    ///< thickness and density filled; strengths where drawn or read
   std::string name;  ///< of the body
   bool fixed = false;
+  bool breakable = false;
   Vec3 velocity = Vec3::Zero();           ///< [m/s]
   double z = 0;                           ///< offset from floating equilibrium [m]
   FloeValues means{};                     ///< of its properties, before they vary; 0: not known

@@ -75,6 +75,7 @@ void demand_reference(const Scene& scene) {
   if (scene.vessel) refuse("a <vessel>", "free and fixed <body> elements (a hull as shape=\"mesh\"), floes, <tank>");
   if (contact.law != "coulomb" && contact.law != "frictionless")
     refuse("law '" + contact.law + "'", "coulomb, frictionless");
+  if (scene.fracture) refuse("<fracture>", "ice that cannot break");
   if (!contact.gyroscopic) refuse("gyroscopic=\"false\"", "true");
   if (scene.output.checkpoint_every > 0)
     refuse("checkpoints, since what CVODE remembers cannot be saved", "no checkpoint_every");

@@ -8,6 +8,7 @@
 #include "contact/friction.h"
 #include "core/base/log.h"
 #include "core/bodies/bodies.h"
+#include "core/bodies/ice_properties.h"
 #include "core/bodies/module.h"
 #include "core/scene/scene.h"
 #include "core/sim/ice_plan.h"
@@ -23,7 +24,8 @@ struct WorldParts {
   std::vector<std::unique_ptr<ForceModule>> modules;
   std::optional<VesselSystem> vessel;
   int vessel_index = -1;
-  std::vector<PlannedIce> ice;  ///< its floes in the order of their bodies
+  std::vector<PlannedIce> ice;                  ///< its floes in the order of their bodies
+  std::optional<IceProperties> ice_properties;  ///< of a scene with <fracture> and ice
   FrictionTable friction;
   RunInfo info;
 };

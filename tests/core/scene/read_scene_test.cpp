@@ -33,7 +33,7 @@ TEST_F(CompleteScene, RunSettings) {
   EXPECT_EQ(scene_.output.trajectory_every, 0.5);
   EXPECT_EQ(scene_.output.contacts, "none");
   EXPECT_EQ(scene_.output.bodies, true);
-  EXPECT_FALSE(scene_.fracture);
+  EXPECT_FALSE(scene_.fracture.has_value());
 }
 
 TEST_F(CompleteScene, Contact) {

@@ -1,0 +1,35 @@
+#pragma once
+/// What the ice of breakable floes can bear, in arrays beside Bodies.
+#include <functional>
+#include <vector>
+
+#include "core/base/math.h"
+
+namespace nilas {
+
+/// A strength of one floe: its mean over the floe, and how it varies inside.
+struct FloeStrength {
+  double mean = 0;                              ///< [Pa], of toughness [Pa sqrt(m)]
+  std::function<double(double, double)> at_xy;  ///< at a point of the floe's frame B [m]; empty: the mean everywhere
+
+  double at(const Vec3& x_B) const { return at_xy ? at_xy(x_B.x(), x_B.y()) : mean; }
+};
+
+/// One entry per body, in the order of the bodies; bodies that are no floes have zeros.
+struct IceProperties {
+  std::vector<char> breakable;
+  std::vector<FloeStrength> flexural_strength, compressive_strength, fracture_toughness;
+
+  bool is_breakable(int b) const {
+    return static_cast<std::size_t>(b) < breakable.size() && breakable[static_cast<std::size_t>(b)] != 0;
+  }
+  /// Gives entries to all bodies up to `count`.
+  void resize(std::size_t count) {
+    breakable.resize(count, 0);
+    flexural_strength.resize(count);
+    compressive_strength.resize(count);
+    fracture_toughness.resize(count);
+  }
+};
+
+}  // namespace nilas

@@ -1,0 +1,90 @@
+/// <fracture> and what it means for <vary>, from XML to plain values.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/core/scene/scene_files.h"
+
+namespace nilas {
+namespace {
+
+using testing::expect_fault;
+using testing::in_scene;
+using testing::SceneFolder;
+
+const std::string k_ice = "<ice><floe breakable='true' outline='0 0 1 0 1 1'/></ice>";
+
+int count(const Scene& scene, const std::string& note) {
+  return static_cast<int>(std::count(scene.notes.begin(), scene.notes.end(), note));
+}
+
+TEST(FractureScene, ReadsToPlainValues) {
+  const SceneFolder folder;
+  const Scene scene = folder.read(
+      in_scene(k_ice + "<fracture flexural_strength='5e4' compressive_strength='2e5' fracture_toughness='4e3' "
+                       "min_area='1e-3' max_aspect='6'>"
+                       "<crushing model='pressure-area' coefficient='3e5' exponent='-0.1'/></fracture>"));
+  ASSERT_TRUE(scene.fracture.has_value());
+  const FractureScene& fracture = *scene.fracture;
+  EXPECT_EQ(fracture.flexural_strength, 5e4);
+  EXPECT_EQ(fracture.compressive_strength, 2e5);
+  EXPECT_EQ(fracture.fracture_toughness, 4e3);
+  EXPECT_EQ(fracture.min_area, 1e-3);
+  EXPECT_EQ(fracture.max_aspect, 6);
+  ASSERT_TRUE(fracture.crushing.has_value());
+  EXPECT_EQ(fracture.crushing->model, "pressure-area");
+  EXPECT_EQ(fracture.crushing->coefficient, 3e5);
+  EXPECT_EQ(fracture.crushing->exponent, -0.1);
+  EXPECT_EQ(SceneFolder().read(scene.as_run).as_run, scene.as_run);
+}
+
+TEST(FractureScene, DefaultsAreTheSeedsModel) {
+  const SceneFolder folder;
+  const Scene scene = folder.read(in_scene(k_ice + "<fracture><crushing/></fracture>"));
+  EXPECT_EQ(scene.fracture->crushing->model, "seed-limit");
+  EXPECT_EQ(scene.fracture->compressive_strength, 1e5);
+  EXPECT_TRUE(scene.notes.empty()) << scene.notes.front();
+  EXPECT_FALSE(folder.read(in_scene(k_ice)).fracture.has_value());
+}
+
+TEST(FractureScene, WhatHasNoEffectIsNamed) {
+  const SceneFolder folder;
+  const std::string crushing = "<fracture><crushing/></fracture>";
+  EXPECT_EQ(count(folder.read(in_scene("<ice><floe outline='0 0 1 0 1 1'/></ice>" + crushing)),
+                  "<fracture>: no effect: no <field> or <floe> is breakable."),
+            1);
+  EXPECT_EQ(count(folder.read(in_scene(k_ice + "<fracture/>")), "<fracture>: no effect: it names no <crushing>."), 1);
+  EXPECT_EQ(count(folder.read(in_scene(k_ice + "<fracture><crushing exponent='0'/></fracture>")),
+                  "<fracture><crushing exponent>: no effect with model 'seed-limit'."),
+            1);
+  const Scene varied = folder.read(
+      in_scene("<ice><floe breakable='true' outline='0 0 1 0 1 1'/><vary property='flexural_strength' cov='0.1'/>"
+               "<vary property='compressive_strength' cov='0.1'/></ice>" +
+               crushing));
+  ASSERT_EQ(varied.notes.size(), 1u);
+  EXPECT_EQ(varied.notes.front(),
+            "<ice><vary>: flexural_strength has no effect in a run without <bending>; `nilas field` writes it.");
+}
+
+TEST(FractureScene, StrengthsVaryAboutItsOwn) {
+  const SceneFolder folder;
+  const std::string ice =
+      "<ice><floe breakable='true' outline='0 0 1 0 1 1'/>"
+      "<vary property='compressive_strength' cov='0.1'/></ice>";
+  EXPECT_EQ(folder.read(in_scene(ice + "<fracture compressive_strength='3e5'/>")).ice->vary.at(0).mean, 3e5);
+  EXPECT_EQ(folder.read(in_scene("<fracture compressive_strength='3e5'/>" + ice)).ice->vary.at(0).mean, 3e5);
+}
+
+TEST(FractureScene, FaultsAreFound) {
+  const SceneFolder folder;
+  const auto faults = [&](const std::string& content) { return folder.faults(in_scene(k_ice + content)); };
+  expect_fault(faults("<fracture compressive_strength='0'/>"), 2, "<fracture compressive_strength>", {"> 0"});
+  expect_fault(faults("<fracture><crushing model='compliance'/></fracture>"), 2, "<fracture><crushing model>",
+               {"compliant"});
+  expect_fault(faults("<fracture><crushing model='pressure-area' exponent='-1'/></fracture>"), 2,
+               "<fracture><crushing exponent>", {">= -0.95"});
+  expect_fault(faults("<fracture><splitting/></fracture>"), 2, "<fracture><splitting>", {"not built"});
+}
+
+}  // namespace
+}  // namespace nilas
