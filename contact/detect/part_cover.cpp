@@ -131,6 +131,19 @@ std::shared_ptr<PartCover> cover_of(const std::vector<Part>& parts, const std::v
 
 }  // namespace
 
+std::vector<std::vector<Vec3>> shown_pieces(const Part& part, std::size_t face) {
+  const ConvexPolytope& polytope = *part.facets->polytope;
+  Loop loop;
+  for (const int v : polytope.faces[face]) loop.push_back(polytope.vertices[static_cast<std::size_t>(v)]);
+  if (!part.cover) return {loop};
+  if (part.cover->face_is_internal[face] != 0) return {};
+  std::vector<Loop> pieces = shown(*part.cover, loop, polytope.normals[face]);
+  std::erase_if(pieces, [&](const Loop& piece) {
+    return piece.size() < 3 || area_of(piece) <= part.cover->tolerance * part.cover->tolerance;
+  });
+  return pieces;
+}
+
 bool CoveringPart::contains(const Vec3& x, double tolerance) const {
   if ((x - centre).squaredNorm() > (radius + tolerance) * (radius + tolerance)) return false;
   const auto heights = facets->normals.col(0) * x.x() + facets->normals.col(1) * x.y() +

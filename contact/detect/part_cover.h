@@ -44,6 +44,10 @@ struct PartCover {
   void list_hiding(const Vec3& x, const Vec3& n, std::vector<const CoveringPart*>& out) const;
 };
 
+/// The convex pieces of a part's face, counter-clockwise from outside and in the body's frame, that are surface of the
+/// body: what is inside or against other parts is left out. Of a part that stands alone the face itself.
+std::vector<std::vector<Vec3>> shown_pieces(const Part& part, std::size_t face);
+
 /// Gives each of a body's parts its cover; parts that stand alone get none.
 void cover_each_other(std::vector<Part>& parts);
 
