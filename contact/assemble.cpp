@@ -135,8 +135,8 @@ void Assembly::reserve_contacts(std::size_t count) {
   problem.mu.reserve(count);
   problem.mu_static.reserve(count);
   problem.key.reserve(count);
-  problem.force_limit.assign(count, std::numeric_limits<double>::infinity());
-  problem.compliance.assign(count, 0.0);
+  problem.force_limit.reserve(count);
+  problem.compliance.reserve(count);
   out_.C.reserve(count);
   out_.speed_asked.reserve(count);
 }
@@ -169,7 +169,7 @@ Vec3 Assembly::point_velocity(int body, const Vec3& p) const {
 }
 
 std::optional<double> Assembly::bounce(const ContactPoint& point, double restitution) const {
-  if (!(restitution > 0)) return std::nullopt;
+  if (!(restitution > 0) || point.crushes()) return std::nullopt;
   const double before = point.n.dot(point_velocity(point.b, point.p) - point_velocity(point.a, point.p));
   const bool closes = point.gap <= 0 || before * settings_.h < -point.gap;
   if (!closes || before >= -settings_.restitution_threshold) return std::nullopt;
@@ -210,6 +210,8 @@ void Assembly::add_contact(const ContactPoint& point, FrictionTable& friction) {
   problem.w.segment<3>(3 * static_cast<Eigen::Index>(problem.pairs.size())) = w;
   problem.pairs.push_back({out_.block_of_body[a], out_.block_of_body[b]});
   problem.jacobian_offset.push_back(problem.jacobian_data.size());
+  problem.force_limit.push_back(point.force_limit * settings_.h);
+  problem.compliance.push_back(point.compliance);
   problem.mu.push_back(pair.mu_kinetic);
   problem.mu_static.push_back(pair.mu_static);
   problem.key.push_back(point.key);

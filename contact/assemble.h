@@ -57,10 +57,10 @@ struct AssembledContacts {
 /// that the stabilisation asks for. With restitution e > 0, for a point that is closed or would close within the step
 /// (u_N^- h < -gap) faster than the threshold, e u_N^- instead, u_N^- being the relative normal velocity before the
 /// step: then u_N^+ = -e u_N^-.
-/// Moments against rolling and spinning follow all points, in their order, for pairs that have them and laws with
-/// friction.
-/// All rows: what prescribed motion adds. Friction pairs come from `friction`, which remembers those it lacks.
-/// Throws ContractError for an articulated body without its block and for a point that names no body.
+/// A point's force limit times h limits its impulse; its compliance is that of its row. Points that crush do not
+/// bounce. Moments against rolling and spinning follow all points, in their order, for pairs that have them and laws
+/// with friction. All rows: what prescribed motion adds. Friction pairs come from `friction`, which remembers those it
+/// lacks. Throws ContractError for an articulated body without its block and for a point that names no body.
 AssembledContacts assemble(const Bodies& bodies, const Wrenches& free, const std::vector<ContactPoint>& points,
                            FrictionTable& friction, const AssemblySettings& settings,
                            const std::vector<ArticulatedBlock>& articulated);

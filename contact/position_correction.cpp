@@ -12,8 +12,8 @@ namespace nilas {
 
 namespace {
 
-/// The step's contact graph with what stands still taken out.
-ContactProblem movable_graph(const AssembledContacts& contacts) {
+/// The step's contact graph with what stands still taken out, and the points that crush: there bodies may overlap.
+ContactProblem movable_graph(const AssembledContacts& contacts, const std::vector<ContactPoint>& points) {
   ContactProblem graph;
   graph.block_offset = contacts.problem.block_offset;
   graph.pairs = contacts.problem.pairs;
@@ -22,6 +22,8 @@ ContactProblem movable_graph(const AssembledContacts& contacts) {
     if (pair.a >= contacts.first_articulated_block) pair.a = -1;
     if (pair.b >= contacts.first_articulated_block) pair.b = -1;
   }
+  for (std::size_t c = 0; c < points.size(); ++c)
+    if (points[c].crushes()) graph.pairs[c] = {};
   return graph;
 }
 
@@ -166,7 +168,7 @@ PositionCorrection position_correction(const AssembledContacts& contacts, const 
   NILAS_DEMAND(settings.h > 0 && points.size() == static_cast<std::size_t>(step.num_points()));
   PositionCorrection out;
   out.v = VecX::Zero(step.num_velocities());
-  const ContactProblem graph = movable_graph(contacts);
+  const ContactProblem graph = movable_graph(contacts, points);
   // a speed below the tolerance would be met by standing still
   const double smallest = settings.slop + settings.tolerance * settings.h / settings.erp;
   const auto groups = settings.erp > 0 ? groups_to_correct(graph, points, smallest) : std::vector<std::vector<int>>{};

@@ -33,8 +33,8 @@ struct PositionCorrection {
 ///   u_N >= -gap/h for gap > 0, u_N >= 0 for the other closed points,
 /// so that what is pushed out of one body is not pushed into the next, by projected Gauss-Seidel on the normal rows in
 /// mass-scaled velocities (solvers/pgs_rows.h), or as a frictionless ContactProblem. Groups of bodies (joined by
-/// contact points, not through immovable ones) without a depth beyond slop + tolerance h/erp are left out. `points` are
-/// those that `contacts` was assembled from.
+/// contact points, not through immovable ones nor by points that crush, which take no part) without a depth beyond slop
+/// + tolerance h/erp are left out. `points` are those that `contacts` was assembled from.
 PositionCorrection position_correction(const AssembledContacts& contacts, const std::vector<ContactPoint>& points,
                                        const CorrectionSettings& settings);
 

@@ -1,6 +1,8 @@
 #pragma once
 /// One point of contact between two bodies, as the narrow phase finds it.
+#include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "core/base/math.h"
 
@@ -14,8 +16,13 @@ struct ContactPoint {
   Vec3 p = Vec3::Zero();   ///< midway between the two surfaces, in G [m]
   Vec3 n = Vec3::UnitX();  ///< unit normal from A to B, in G
   double gap = 0;          ///< signed distance along n: > 0 apart, < 0 penetration [m]
+  double force_limit = std::numeric_limits<double>::infinity();  ///< of the normal force, where ice crushes [N]
+  double compliance = 0;  ///< of such a point: u_N + c r_N replaces u_N [m/(s N s)]
   std::uint64_t key =
       0;  ///< from the ids of bodies, parts and touching features: stable while the features stay the same
+
+  /// Ice that crushes: no rebound, and no position correction.
+  bool crushes() const { return std::isfinite(force_limit); }
 };
 
 }  // namespace nilas

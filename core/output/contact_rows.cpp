@@ -28,7 +28,8 @@ ContactStatus contact_status(const SolvedProblem& solved, std::size_t c, const B
   const Vec3 r = solved.solution.r.segment<3>(row), u = solved.solution.u.segment<3>(row);
   const double d = inverse_mass(solved.points[c], bodies);
   if (u.x() >= d * r.x()) return ContactStatus::open;
-  if (r.x() >= solved.problem.force_limit[c]) return ContactStatus::crush;
+  if (r.x() >= solved.problem.force_limit[c] || (solved.problem.compliance[c] > 0 && r.x() > 0))
+    return ContactStatus::crush;
   return std::hypot(u.y(), u.z()) > d * friction_left(solved.problem, c, r) ? ContactStatus::slip
                                                                             : ContactStatus::stick;
 }

@@ -8,8 +8,8 @@
 
 namespace nilas {
 
-/// What a contact does: open carries nothing (found because it could have closed within the step), crush presses at its
-/// force limit.
+/// What a contact does: open carries nothing (found because it could have closed within the step), crush presses as
+/// hard as the ice bears.
 enum class ContactStatus { open, stick, slip, crush };
 
 /// Impulse and couple act on `body`: the vessel where it takes part, else the one with the higher id.

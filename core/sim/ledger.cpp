@@ -59,7 +59,7 @@ void EnergyAccount::velocity_step(const Bodies& bodies, const StepMotion& motion
     const double normal = motion.normal_impulses[i].dot(mean);
     // half of what the speed asked for adds to u_N: the other half is the mean with a velocity before that had none
     const double asked = 0.5 * motion.speed_asked[i] * motion.normal_impulses[i].dot(motion.points[i].n);
-    ledger_.impact -= normal - asked;
+    (motion.points[i].crushes() ? ledger_.crushing : ledger_.impact) -= normal - asked;
     ledger_.stabilisation -= asked;
     ledger_.friction -= motion.impulses[i].dot(mean) - normal;
     if (motion.couples.empty()) continue;

@@ -105,6 +105,25 @@ TEST(Assemble, TwoFloesByHand) {
   EXPECT_LT((contact_velocities(problem, v) - problem.w - frame.transpose() * (v_b - v_a)).norm(), 1e-14);
 }
 
+TEST(Assemble, APointThatCrushesHasItsLimitAndDoesNotBounce) {
+  TwoFloes scene;
+  scene.friction = ice_friction(0.5);
+  scene.settings.stabilisation = {.erp = 0.2};
+  ContactPoint crush = point(1, 2, Vec3(1, 0.2, 0.1), Vec3::UnitX(), 0, 77);
+  crush.force_limit = 300;
+  crush.compliance = 0.002;
+  ContactPoint rigid = crush;
+  rigid.key = 78;
+  rigid.force_limit = std::numeric_limits<double>::infinity();
+  const ContactProblem problem =
+      nilas::assemble(scene.bodies, scene.free, {crush, rigid}, scene.friction, scene.settings, {}).problem;
+  validate(problem);
+  EXPECT_EQ(problem.force_limit[0], 300 * 0.01);
+  EXPECT_EQ(problem.compliance[0], 0.002);
+  EXPECT_EQ(problem.w[0], 0) << "no restitution";
+  EXPECT_LT(problem.w[3], -0.1) << "the rigid point beside it bounces";
+}
+
 TEST(Assemble, PenetrationHasNoBias) {
   TwoFloes scene;
   EXPECT_EQ(scene.assemble(-0.01).problem.w, VecX::Zero(3));

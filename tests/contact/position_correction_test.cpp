@@ -72,6 +72,17 @@ TEST(PositionCorrection, RemovesItsShareOfTheDepthBeyondTheSlop) {
   EXPECT_EQ(result.contacts, 1);
 }
 
+TEST(PositionCorrection, LeavesPointsThatCrushOut) {
+  Row row({0.006, 0.01});
+  row.points[0].force_limit = 5;
+  PositionCorrection result;
+  const auto v = row.speeds(&result);
+  EXPECT_EQ(result.contacts, 1);
+  // the second pair shares its way out, and the first may overlap more
+  EXPECT_NEAR(v[2] - v[1], 0.2 * 0.009 / k_step, 1e-12);
+  EXPECT_NEAR(v[2] + v[1], 0, 1e-12);
+}
+
 TEST(PositionCorrection, IsCappedAtItsLargestSpeed) {
   Row row({0.2});
   EXPECT_NEAR(row.speeds()[1], 1, 1e-12);

@@ -26,6 +26,7 @@ SolvedProblem touching(const std::vector<std::pair<int, int>>& pairs) {
     solved.impulses.emplace_back(0.1, 0.2, 0.3);
     solved.problem.mu.push_back(0.5);
     solved.problem.force_limit.push_back(std::numeric_limits<double>::infinity());
+    solved.problem.compliance.push_back(0);
   }
   return solved;
 }
@@ -67,10 +68,12 @@ TEST(ContactRows, PointsStandInTheFrameOfTheHull) {
 /// Impulses of the floe of 10 kg on the vessel: 1 N s is worth 0.1 m/s.
 TEST(ContactRows, StatusFollowsFromImpulseAndVelocity) {
   const Bodies bodies = test::sample_bodies();
-  const auto status = [&](const Vec3& r, const Vec3& u, Law law = Law::coulomb, double limit = 1e9) {
+  const auto status = [&](const Vec3& r, const Vec3& u, Law law = Law::coulomb, double limit = 1e9,
+                          double compliance = 0) {
     SolvedProblem solved = touching({{0, 2}});
     solved.problem.law = law;
     solved.problem.force_limit[0] = limit;
+    solved.problem.compliance[0] = compliance;
     solved.solution.r = r;
     solved.solution.u = u;
     return contact_status(solved, 0, bodies);
@@ -85,6 +88,8 @@ TEST(ContactRows, StatusFollowsFromImpulseAndVelocity) {
   EXPECT_EQ(status({1, 0.4, 0.4}, {0, 0, 0}, Law::pyramid), ContactStatus::stick) << "within its box";
   EXPECT_EQ(status({1, 0, 0}, {0, 0.1, 0}, Law::frictionless), ContactStatus::slip);
   EXPECT_EQ(status({1, 0.2, 0}, {-0.1, 0, 0}, Law::coulomb, 1), ContactStatus::crush);
+  EXPECT_EQ(status({1, 0.2, 0}, {-0.1, 0, 0}, Law::coulomb, 2, 0.1), ContactStatus::crush) << "u_N + c r_N = 0";
+  EXPECT_EQ(status({0, 0, 0}, {0.1, 0, 0}, Law::coulomb, 2, 0.1), ContactStatus::open);
 }
 
 }  // namespace
