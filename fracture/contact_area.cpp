@@ -92,27 +92,31 @@ HullFace make_hull_face(int part, std::vector<Vec3> loop) {
   return face;
 }
 
+std::optional<FaceInIce> face_in_ice(const HullFace& face, const Placement& hull_in_floe, const ConvexPolytope& piece) {
+  const Vec3 centre = hull_in_floe.point(face.centre);
+  const double reach = face.radius + piece.radius;
+  if ((centre - piece.centre).squaredNorm() > reach * reach) return std::nullopt;
+  Loop loop, room;
+  for (const Vec3& x : face.loop) loop.push_back(hull_in_floe.point(x));
+  const Vec3 normal = hull_in_floe.R * face.normal;
+  clip_by(piece, normal, k_rounding * (reach + centre.norm()), loop, room);
+  if (loop.size() < 3) return std::nullopt;
+  const Moments m = moments(loop, normal);
+  if (m.area <= k_least_area * piece.radius * piece.radius) return std::nullopt;
+  return FaceInIce{0, 0, normal, m.area, m.centroid, m.spread};
+}
+
 std::vector<FaceInIce> faces_in_ice(const std::vector<HullFace>& hull, const Placement& hull_in_floe,
                                     const std::vector<ConvexPolytope>& floe) {
   std::vector<FaceInIce> found;
-  Loop loop, room;
-  for (std::size_t f = 0; f < hull.size(); ++f) {
-    const HullFace& face = hull[f];
-    const Vec3 centre = hull_in_floe.point(face.centre);
+  for (std::size_t f = 0; f < hull.size(); ++f)
     for (std::size_t k = 0; k < floe.size(); ++k) {
-      const ConvexPolytope& piece = floe[k];
-      const double reach = face.radius + piece.radius;
-      if ((centre - piece.centre).squaredNorm() > reach * reach) continue;
-      loop.clear();
-      for (const Vec3& x : face.loop) loop.push_back(hull_in_floe.point(x));
-      const Vec3 normal = hull_in_floe.R * face.normal;
-      clip_by(piece, normal, k_rounding * (reach + centre.norm()), loop, room);
-      if (loop.size() < 3) continue;
-      const Moments m = moments(loop, normal);
-      if (m.area <= k_least_area * piece.radius * piece.radius) continue;
-      found.push_back({static_cast<int>(f), static_cast<int>(k), normal, m.area, m.centroid, m.spread});
+      const std::optional<FaceInIce> one = face_in_ice(hull[f], hull_in_floe, floe[k]);
+      if (!one) continue;
+      found.push_back(*one);
+      found.back().face = static_cast<int>(f);
+      found.back().piece = static_cast<int>(k);
     }
-  }
   return found;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// Where a hull's surface stands inside ice: its faces clipped by a floe, and the volume that both claim.
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "core/base/math.h"
@@ -36,6 +37,9 @@ struct FaceInIce {
   Vec3 centroid = Vec3::Zero();  ///< [m]
   Mat3 spread = Mat3::Zero();    ///< second moment of area about the centroid over the area [m^2]
 };
+
+/// One face clipped by one piece: nothing where no area is left. `face` and `piece` of the result are 0.
+std::optional<FaceInIce> face_in_ice(const HullFace& face, const Placement& hull_in_floe, const ConvexPolytope& piece);
 
 /// The hull's faces clipped by the pieces, in the order of the faces, then of the pieces. The area is exact but for
 /// rounding (a face inclined by beta to the horizontal that is cut over a width w through a thickness h has w h /

@@ -91,7 +91,9 @@ class Run {
     const double wall = wall_seconds();
     if (!ending.message.empty()) logger_->error("{}", ending.message);
     warnings_.summarise();
-    const auto summary = folder_.finish(summary_input(ending, wall), simulation.bodies());
+    SummaryInput input = summary_input(ending, wall);
+    input.crushed_mass = simulation.crushed_mass();
+    const auto summary = folder_.finish(std::move(input), simulation.bodies());
     console.close(closing_account(folder_.statistics(), wall, folder_.path()));
     if (options_.json) std::cout << summary.dump(2) << "\n";
     return ending.exit_code;

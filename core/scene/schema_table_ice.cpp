@@ -240,7 +240,7 @@ static ElementSpec vary() {
       .count = Count::many,
       .doc =
           "Random variation of a property over the floes, once per property. What a field's file states stays. "
-          "Strengths are drawn and written by `nilas field`; they have no effect in a run without <fracture>.",
+          "Strengths are drawn and written by `nilas field`; in a run the compressive strength has an effect with <crushing>.",
       .attributes = {{.name = "property",
                       .type = ValueType::choice,
                       .choices = properties,

@@ -95,8 +95,6 @@ WorldParts build_world(const Scene& scene, int threads, WarningCounts& warnings)
   demand_contact_choices(scene);
   WorldParts parts;
   parts.info.scene_name = scene.name;
-  if (scene.fracture && scene.fracture->crushing)
-    throw InputError(scene.file.string() + ": <fracture><crushing>: not built in this version");
   if (scene.contact.integrator == "reference") demand_reference(scene);
   build_water(scene, parts);
   build_friction(scene, parts);

@@ -101,6 +101,10 @@ void Simulation::World::part_of_step(bool may_cut, StepRecord& record, MomentumB
   if (elapsed == 0) note_penetration(points, record);
   record.detection_fallbacks += detector.counts().fallbacks;
   watch.lap(Phase::detection);
+  if (crushing) {
+    add_crush_points(points);
+    watch.lap(Phase::fracture);
+  }
 
   // one value holds the step's contact problem
   const std::vector<ArticulatedBlock> vessel_block = begin_vessel(free);
@@ -165,6 +169,7 @@ const SolvedProblem& Simulation::last_problem() const { return world_->last(); }
 const std::vector<SolvedProblem>& Simulation::solved_parts() const { return world_->solved; }
 int Simulation::vessel_index() const { return world_->parts.vessel_index; }
 long Simulation::steps() const { return world_->steps; }
+double Simulation::crushed_mass() const { return world_->crushing ? world_->crushing->crushed_mass() : 0; }
 void Simulation::save(StateWriter out) const { world_->save(out); }
 void Simulation::restore(const StateReader& in) { world_->restore(in); }
 

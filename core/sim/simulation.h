@@ -30,8 +30,9 @@ class Simulation {
   const SolvedProblem& last_problem() const;
   /// All parts of the last step, in the order of time.
   const std::vector<SolvedProblem>& solved_parts() const;
-  int vessel_index() const;  ///< in bodies(), -1 without a vessel
-  long steps() const;        ///< done since the start
+  int vessel_index() const;     ///< in bodies(), -1 without a vessel
+  long steps() const;           ///< done since the start
+  double crushed_mass() const;  ///< of ice that the vessel and bodies crushed since the start [kg]
 
   /// All that the next steps depend on, between two steps. What follows from the scene alone is not in it.
   void save(StateWriter out) const;

@@ -148,6 +148,7 @@ void Simulation::World::save(StateWriter out) const {
   if (model.static_friction) model.static_friction->save(out.group("static_friction"));
   warm.save(out.group("warm_start"));
   energy.save(out.group("energy"));
+  if (crushing) crushing->save(out.group("crushing"));
 }
 
 void Simulation::World::restore(const StateReader& in) {
@@ -160,6 +161,7 @@ void Simulation::World::restore(const StateReader& in) {
   if (model.static_friction) model.static_friction->restore(in.group("static_friction"));
   warm.restore(in.group("warm_start"));
   energy.restore(in.group("energy"));
+  if (crushing) crushing->restore(in.group("crushing"));
 }
 
 /// What every record holds at its end, whatever moved the bodies.

@@ -36,13 +36,13 @@ PartNames names(const OfParts& x) {
   return {x.a, x.b, x.part_a, x.part_b};
 }
 
+}  // namespace
+
 void sort_as_detected(std::vector<ContactPoint>& points) {
   std::sort(points.begin(), points.end(), [](const ContactPoint& p, const ContactPoint& q) {
     return std::tuple(names(p), p.key) < std::tuple(names(q), q.key);
   });
 }
-
-}  // namespace
 
 /// Even turns that lead where the bodies will be after `exact` [s], gone on with for `horizon` [s].
 std::vector<BodyMotion> Simulation::World::ways(const Velocities& velocities, const std::vector<FastPair>& pairs,
@@ -69,11 +69,12 @@ std::vector<BodyMotion> Simulation::World::ways(const Velocities& velocities, co
   return motions;
 }
 
-/// Fast pairs, where they would touch with these velocities, or overlap by `depth` of the thinner one.
+/// Fast pairs, where they would touch with these velocities, or overlap by `depth` of the thinner one. Pairs that crush
+/// may overlap, and are none.
 std::vector<SweptPair> Simulation::World::sweep(const Velocities& velocities, double exact, double horizon,
                                                 double depth) {
-  const std::vector<FastPair> pairs =
-      fast_pairs(parts.bodies, {velocities.v, velocities.w, horizon}, width, k_fast_share);
+  std::vector<FastPair> pairs = fast_pairs(parts.bodies, {velocities.v, velocities.w, horizon}, width, k_fast_share);
+  if (crushing) std::erase_if(pairs, [&](const FastPair& pair) { return crushing->crushes(pair.a, pair.b); });
   if (pairs.empty()) return {};
   return detector.sweep(parts.bodies, ways(velocities, pairs, exact, horizon), pairs, depth);
 }
@@ -84,7 +85,8 @@ Velocities Simulation::World::velocities_until_impact() {
   Velocities velocities;
   free_velocities(parts.bodies, free_loads, h, velocities);
   if (fast_pairs(parts.bodies, {velocities.v, velocities.w, h}, width, k_fast_share).empty()) return velocities;
-  const std::vector<ContactPoint> points = find_contacts();
+  std::vector<ContactPoint> points = find_contacts();
+  add_crush_points(points);
   if (points.empty()) return velocities;
   std::vector<ArticulatedBlock> vessel;
   if (parts.vessel && !parts.vessel->fixed()) {

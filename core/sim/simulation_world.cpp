@@ -39,6 +39,10 @@ Simulation::World::World(const Scene& scene, int thread_count, WarningCounts& wa
   weight.resize(size());
   for (std::size_t b = 0; b < size(); ++b) weight[b].force = parts.bodies.mass[b] * gravity;
   energy = EnergyAccount(parts.info.work_names, kinetic_energy(parts.bodies), potential());
+  if (scene.fracture && scene.fracture->crushing && parts.ice_properties) {
+    crushing.emplace(scene, parts.bodies, *parts.ice_properties);
+    parts.info.modules.emplace_back("crushing", crushing->description(parts.bodies));
+  }
   if (scene.contact.integrator == "reference") reference.emplace(scene, thread_count, parts, model);
 }
 
@@ -93,6 +97,7 @@ std::vector<ContactPoint> Simulation::World::find_contacts() {
   std::vector<ContactPoint> points =
       by_margin ? detector.detect(parts.bodies, model.margin)
                 : detector.detect(parts.bodies, own_reach(parts.bodies, free_loads, h, k_reach_share), model.margin);
+  if (crushing) std::erase_if(points, [&](const ContactPoint& c) { return crushing->crushes(c.a, c.b); });
   if (model.detection == Detection::discrete && !by_margin)
     std::erase_if(points, [&](const ContactPoint& c) {
       return c.gap > std::min(width[static_cast<std::size_t>(c.a)], width[static_cast<std::size_t>(c.b)]);
@@ -102,6 +107,14 @@ std::vector<ContactPoint> Simulation::World::find_contacts() {
   if (model.hit_when_met)
     std::erase_if(points, [&](const ContactPoint& c) { return c.gap > 0 && will_bounce_when_met(c); });
   return points;
+}
+
+void Simulation::World::add_crush_points(std::vector<ContactPoint>& points) {
+  if (!crushing) return;
+  const std::vector<ContactPoint> crush = crushing->points(parts.bodies, h, model.theta * h);
+  if (crush.empty()) return;
+  points.insert(points.end(), crush.begin(), crush.end());
+  sort_as_detected(points);
 }
 
 /// As assemble() judges it: slower approach than the threshold ends a series of bounces. What could be half through a

@@ -6,6 +6,7 @@
 #include "contact/assemble.h"
 #include "contact/detect/detector.h"
 #include "core/sim/contact_model.h"
+#include "core/sim/crushing.h"
 #include "core/sim/ledger.h"
 #include "core/sim/reference.h"
 #include "core/sim/simulation.h"
@@ -24,6 +25,9 @@ struct VesselStart {
 /// Solutions of one step, each with the contacts that the one before turned out to miss.
 constexpr int k_most_solutions = 8;
 
+/// In the order that ContactDetector gives points.
+void sort_as_detected(std::vector<ContactPoint>& points);
+
 struct Simulation::World {
   World(const Scene& scene, int thread_count, WarningCounts& warning_counts);
 
@@ -37,6 +41,7 @@ struct Simulation::World {
   const Wrenches& evaluate_loads();
   std::vector<ArticulatedBlock> begin_vessel(const Wrenches& free);
   std::vector<ContactPoint> find_contacts();
+  void add_crush_points(std::vector<ContactPoint>& points);
   bool will_bounce_when_met(const ContactPoint& c);
   std::vector<BodyMotion> ways(const Velocities& velocities, const std::vector<FastPair>& pairs, double exact,
                                double horizon) const;
@@ -93,7 +98,8 @@ struct Simulation::World {
   WarmStart warm;
   Wrenches weight, free_loads;
   std::vector<Wrenches> module_loads;
-  std::vector<double> width;  ///< smallest of each body [m]
+  std::vector<double> width;         ///< smallest of each body [m]
+  std::optional<Crushing> crushing;  ///< of a scene with <crushing> and ice
   EnergyAccount energy;
   VesselStart vessel_start;
   std::vector<SolvedProblem> solved;             ///< of the last step, one for each part that impacts cut it into

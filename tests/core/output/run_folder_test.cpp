@@ -131,6 +131,7 @@ TEST(RunFolder, SummaryTellsTheRun) {
   input.wall_s = 0.005;
   input.seed = 7;
   input.threads = 2;
+  input.crushed_mass = 1.5;
   input.machine = "2 cores";
   input.versions = {{"eigen", "3.4.0"}};
   run.folder.finish(input, run.bodies);
@@ -148,6 +149,7 @@ TEST(RunFolder, SummaryTellsTheRun) {
   EXPECT_EQ(summary["ice"]["mass_kg"], 30);
   EXPECT_EQ(summary["ice"]["mass_end_kg"], 10) << "the fixed floe does not count";
   EXPECT_EQ(summary["ice"]["brash_kg"], 0);
+  EXPECT_EQ(summary["ice"]["crushed_kg"], 1.5);
   EXPECT_EQ(summary["ice"]["concentration"], 0.8);
   EXPECT_EQ(summary["worst"]["law_map_m_s"]["value"], 1e-7);
   EXPECT_EQ(summary["worst"]["law_map_m_s"]["time_s"], 0.01);

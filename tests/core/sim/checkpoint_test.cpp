@@ -34,7 +34,7 @@ class Bits {
     const Ledger& l = record.ledger;
     add(record.t, record.penetration_max, record.penetration_mean, record.momentum_imbalance, record.momentum_scale,
         record.angular_momentum_imbalance, record.angular_momentum_scale, l.kinetic, l.potential, l.friction, l.impact,
-        l.stabilisation, l.integrator, l.imbalance);
+        l.stabilisation, l.crushing, l.integrator, l.imbalance);
     for (const double work : l.works) add(work);
     if (record.vessel) add_vessel(*record.vessel);
   }
@@ -91,6 +91,14 @@ const std::vector<Case> k_cases{
                    "</contact>" NILAS_WATER
                    "<vessel name='ship' position='0.1 0' velocity='1 0 0' angular_velocity='0.02 0.05 0.1'>" NILAS_HULL
                    "<mass draught='0.2'/></vessel>" NILAS_PACKED},
+    {"CrushingBreakableIce",
+     "<contact law='coulomb' solver='auto' tolerance='1e-6' stabilisation='projection'>" NILAS_FRICTION
+     "</contact>" NILAS_WATER "<vessel name='ship' position='0.3 0'>" NILAS_HULL
+     "<mass draught='0.2'/><carriage speed='0.8' free='heave'/></vessel><ice thickness='0.05'>"
+     "<field kind='packed' region='3 -1.5 5.7 1.5' concentration='0.75' breakable='true'>"
+     "<size distribution='lognormal' mean='0.35' sd='0.1' min='0.2' max='0.6'/><shape kind='polygon' vertices='5 8'/>"
+     "</field><vary property='compressive_strength' cov='0.2' correlation_length='0.3'/></ice>"
+     "<fracture compressive_strength='2e3'><crushing model='compliant'/></fracture>"},
     {"PitchingOnACarriage",
      "<contact law='pyramid' solver='pgs' tolerance='0' max_iterations='30' "
      "stabilisation='split-impulse'>" NILAS_FRICTION "</contact>" NILAS_WATER

@@ -1,0 +1,299 @@
+#include "core/sim/crushing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/detect/contact_key.h"
+#include "contact/detect/part.h"
+#include "core/base/error.h"
+#include "core/bodies/mass_properties.h"
+
+namespace nilas {
+
+namespace {
+
+/// An area narrower than this share of the square root of the pair's whole area is one line or point of force [-].
+constexpr double k_point_share = 0.1;
+/// Normal speeds below this share of the relative velocity are rest: the rounding of a face's normal [-].
+constexpr double k_rest_share = 1e-12;
+/// Halvings that find when a face first touches ice: to 1e-9 of the step.
+constexpr int k_touch_halvings = 30;
+/// A cylinder's facets are flat within this share of its radius [-].
+constexpr double k_facet_tolerance = 1e-9;
+
+CrushingLaw law_of(const FractureScene& fracture) {
+  NILAS_DEMAND(fracture.crushing.has_value());
+  const CrushingScene& crushing = *fracture.crushing;
+  CrushingLaw law{CrushingModel::seed_limit, crushing.coefficient, crushing.exponent, fracture.compressive_strength};
+  if (crushing.model == "pressure-area") law.model = CrushingModel::pressure_area;
+  if (crushing.model == "compliant") law.model = CrushingModel::compliant;
+  return law;
+}
+
+/// A body's motion, even over the step.
+struct Moving {
+  Vec3 p, v, w;
+  Mat3 R;
+
+  Moving(const Bodies& bodies, int body)
+      : p(bodies.p_GB[static_cast<std::size_t>(body)]),
+        v(bodies.v_GB[static_cast<std::size_t>(body)]),
+        w(bodies.w_GB[static_cast<std::size_t>(body)]),
+        R(bodies.R_GB[static_cast<std::size_t>(body)]) {
+    if (bodies.motion[static_cast<std::size_t>(body)] != Motion::fixed) return;
+    v.setZero();
+    w.setZero();
+  }
+  Placement after(double t) const {
+    const double angle = t * w.norm();
+    if (angle == 0) return {R, p + t * v};
+    return {Mat3(Eigen::AngleAxisd(angle, w.normalized())) * R, p + t * v};
+  }
+  Vec3 velocity_at(const Vec3& x) const { return v + w.cross(x - p); }
+  Vec3 in_body(const Vec3& x_G) const { return R.transpose() * (x_G - p); }
+};
+
+/// x_b = R x_a + p.
+Placement between(const Placement& a_in_G, const Placement& b_in_G) {
+  return {b_in_G.R.transpose() * a_in_G.R, b_in_G.R.transpose() * (a_in_G.p - b_in_G.p)};
+}
+
+}  // namespace
+
+/// A face with its areas at both ends of the step; one of them may be missing.
+struct Crushing::FaceLoad {
+  const FaceInIce* now = nullptr;
+  const FaceInIce* next = nullptr;
+  double force = 0, growth = 0;  ///< at the step's start, and until its end [N]
+};
+
+struct Crushing::Pair {
+  const HullSurface& hull;
+  const Bodies& bodies;
+  int floe;
+  double h, ahead;
+  Moving of_hull, of_floe;
+  Placement next;    ///< of the hull in the floe at the step's end
+  double least = 0;  ///< radius of gyration of an area that has more than one point [m]
+  std::uint64_t key = 0;
+
+  std::int64_t id(int body) const { return bodies.id[static_cast<std::size_t>(body)]; }
+  const std::vector<ConvexPolytope>& pieces() const { return bodies.shape[static_cast<std::size_t>(floe)]->parts; }
+  CrushedFace name(const FaceInIce& face) const { return {id(hull.body), id(floe), face.face, face.piece}; }
+  Placement hull_in_floe(double t) const { return between(of_hull.after(t), of_floe.after(t)); }
+  Vec3 place(const FaceLoad& load, const Vec3& x) const;
+  double first_touch(const FaceInIce& face) const;
+  ContactPoint point_on(const FaceInIce& face) const;
+};
+
+/// A point of the floe's frame now; where a face will only come to, it is carried back by both bodies.
+Vec3 Crushing::Pair::place(const FaceLoad& load, const Vec3& x) const {
+  const Vec3 with_floe = of_floe.p + of_floe.R * x;
+  if (load.now) return with_floe;
+  return 0.5 * (with_floe + of_hull.p + of_hull.R * (next.R.transpose() * (x - next.p)));
+}
+
+/// When a face that is out of the ice now, and in it at the step's end, comes in [s].
+double Crushing::Pair::first_touch(const FaceInIce& face) const {
+  double out = 0, in = ahead;
+  for (int k = 0; k < k_touch_halvings; ++k) {
+    const double t = 0.5 * (out + in);
+    const bool touches = face_in_ice(hull.faces[static_cast<std::size_t>(face.face)], hull_in_floe(t),
+                                     pieces()[static_cast<std::size_t>(face.piece)])
+                             .has_value();
+    (touches ? in : out) = t;
+  }
+  return in;
+}
+
+/// With its bodies, normal, and the key of the face.
+ContactPoint Crushing::Pair::point_on(const FaceInIce& face) const {
+  const HullFace& surface = hull.faces[static_cast<std::size_t>(face.face)];
+  const Vec3 into_ice = of_hull.R * surface.normal;
+  ContactPoint point;
+  point.a = hull.body;
+  point.b = floe;
+  point.part_a = surface.part;
+  point.part_b = face.piece;
+  point.n = into_ice;
+  point.key = mix(mix(key, static_cast<std::uint64_t>(face.face)), static_cast<std::uint64_t>(face.piece));
+  if (hull.body < floe) return point;
+  std::swap(point.a, point.b);
+  std::swap(point.part_a, point.part_b);
+  point.n = -into_ice;
+  return point;
+}
+
+Crushing::Crushing(const Scene& scene, const Bodies& bodies, const IceProperties& ice)
+    : law_(law_of(scene.fracture.value())), model_(scene.fracture->crushing->model), ice_(ice) {
+  ice_.resize(bodies.id.size());
+  is_hull_.assign(bodies.id.size(), 0);
+  density_.assign(bodies.id.size(), 0);
+  crushed_volume_.assign(bodies.id.size(), 0);
+  for (int body = 0; body < bodies.size(); ++body) learn(bodies, body);
+}
+
+void Crushing::learn(const Bodies& bodies, int body) {
+  const auto b = static_cast<std::size_t>(body);
+  const Shape& shape = *bodies.shape[b];
+  if (ice_.is_breakable(body)) density_[b] = bodies.mass[b] / (polygon_moments(shape.outline).area * shape.thickness);
+  if (bodies.kind[b] != BodyKind::vessel && bodies.kind[b] != BodyKind::rigid) return;
+  HullSurface hull;
+  hull.body = body;
+  if (shape.kind == ShapeKind::cylinder) {
+    hull.parts.push_back(make_polytope(shape.surface, k_facet_tolerance * shape.radius));
+    for (const auto& face : hull.parts.front().faces) {
+      std::vector<Vec3> loop;
+      for (const int v : face) loop.push_back(hull.parts.front().vertices[static_cast<std::size_t>(v)]);
+      hull.faces.push_back(make_hull_face(0, std::move(loop)));
+    }
+  } else {
+    if (shape.parts.empty()) return;
+    hull.parts = shape.parts;
+    for (const Part& part : make_parts(bodies, body))
+      for (std::size_t f = 0; f < part.facets->polytope->faces.size(); ++f)
+        for (auto& loop : shown_pieces(part, f)) hull.faces.push_back(make_hull_face(part.index, std::move(loop)));
+  }
+  is_hull_[b] = 1;
+  hulls_.push_back(std::move(hull));
+}
+
+bool Crushing::crushes(int a, int b) const {
+  const auto hull = [&](int body) { return is_hull_[static_cast<std::size_t>(body)] != 0; };
+  return (hull(a) && ice_.is_breakable(b)) || (hull(b) && ice_.is_breakable(a));
+}
+
+std::vector<ContactPoint> Crushing::points(const Bodies& bodies, double h, double ahead) {
+  std::vector<ContactPoint> points;
+  for (const HullSurface& hull : hulls_) {
+    const auto k = static_cast<std::size_t>(hull.body);
+    for (int floe = 0; floe < bodies.size(); ++floe) {
+      const auto b = static_cast<std::size_t>(floe);
+      if (!ice_.is_breakable(floe)) continue;
+      if (bodies.motion[k] == Motion::fixed && bodies.motion[b] == Motion::fixed) continue;
+      const double way = (bodies.v_GB[k] - bodies.v_GB[b]).norm() * ahead;
+      const double reach = bodies.shape[k]->bounding_radius + bodies.shape[b]->bounding_radius + way;
+      if ((bodies.p_GB[k] - bodies.p_GB[b]).squaredNorm() > reach * reach) continue;
+      add_pair(bodies, hull, floe, h, ahead, points);
+    }
+  }
+  depth_.forget_others();
+  volume_.swap(new_volume_);
+  new_volume_.clear();
+  return points;
+}
+
+double Crushing::force(const Pair& pair, const FaceInIce& face, double total) const {
+  const double strength = ice_.compressive_strength[static_cast<std::size_t>(pair.floe)].at(face.centroid);
+  return law_.pressure(strength, total) * face.area;
+}
+
+void Crushing::add_pair(const Bodies& bodies, const HullSurface& hull, int floe, double h, double ahead,
+                        std::vector<ContactPoint>& points) {
+  Pair pair{hull, bodies, floe, h, ahead, Moving(bodies, hull.body), Moving(bodies, floe), {}, 0, 0};
+  const Placement present = pair.hull_in_floe(0);
+  pair.next = pair.hull_in_floe(ahead);
+  pair.key = mix(mix(0x6372757368ULL, static_cast<std::uint64_t>(pair.id(hull.body))),
+                 static_cast<std::uint64_t>(pair.id(floe)));
+  const std::vector<FaceInIce> now = faces_in_ice(hull.faces, present, pair.pieces());
+  const std::vector<FaceInIce> next =
+      law_.is_implicit() ? faces_in_ice(hull.faces, pair.next, pair.pieces()) : std::vector<FaceInIce>{};
+  if (!now.empty()) note_volume(pair, present);
+  const double area = total_area(now), area_next = total_area(next);
+  pair.least = k_point_share * std::sqrt(std::max(area, area_next));
+  // both lists are in the order of faces and pieces
+  for (auto i = now.begin(), j = next.begin(); i != now.end() || j != next.end();) {
+    const auto place = [](const FaceInIce& face) { return std::pair(face.face, face.piece); };
+    FaceLoad load;
+    if (j == next.end() || (i != now.end() && place(*i) <= place(*j))) load.now = &*i;
+    if (i == now.end() || (j != next.end() && place(*j) <= place(*i))) load.next = &*j;
+    if (load.now) load.force = force(pair, *i++, area);
+    if (load.next) load.growth = force(pair, *j++, area_next) - load.force;
+    add_face(pair, load, points);
+  }
+}
+
+void Crushing::add_face(const Pair& pair, const FaceLoad& load, std::vector<ContactPoint>& points) {
+  const FaceInIce& face = load.now ? *load.now : *load.next;
+  CrushedPlane crushed{face.normal, -std::numeric_limits<double>::infinity()};
+  if (load.now) crushed = depth_.advance(pair.name(face), face.normal, face.centroid);
+  const ContactPoint of_face = pair.point_on(face);
+  const Vec3 centre = pair.place(load, face.centroid);
+  const Vec3 velocity = pair.of_hull.velocity_at(centre) - pair.of_floe.velocity_at(centre);
+  const double rest = k_rest_share * velocity.norm();
+  const auto add = [&](const Vec3& x, double limit, double compliance, int number) {
+    ContactPoint point = of_face;
+    point.p = pair.place(load, x);
+    point.gap = crushed.gap(x) + rest * pair.h;
+    point.force_limit = limit;
+    point.compliance = compliance;
+    point.key = mix(of_face.key, static_cast<std::uint64_t>(number));
+    points.push_back(point);
+  };
+  if (load.force > 0) {
+    const PressurePoints places = pressure_points(face, pair.least);
+    for (int k = 0; k < places.count; ++k)
+      add(places.points[static_cast<std::size_t>(k)], load.force / places.count, 0, 1 + k);
+  }
+  const double closing = (pair.of_hull.R * pair.hull.faces[static_cast<std::size_t>(face.face)].normal).dot(velocity);
+  if (!(load.growth > 0 && closing > rest)) return;
+  // the way until the first touch is a gap, which closes in the same share of the step
+  const double out = load.now ? 0 : pair.first_touch(face) / pair.ahead;
+  add(face.centroid, load.growth, (1 - out) * closing / (load.growth * pair.h), 0);
+  points.back().gap += out * closing * pair.h;
+}
+
+void Crushing::note_volume(const Pair& pair, const Placement& hull_in_floe) {
+  double volume = 0;
+  for (const ConvexPolytope& part : pair.hull.parts)
+    for (const ConvexPolytope& piece : pair.pieces()) volume += overlap_volume(part, piece, hull_in_floe);
+  const std::pair key(pair.id(pair.hull.body), pair.id(pair.floe));
+  const auto known = volume_.find(key);
+  const double before = known == volume_.end() ? 0 : known->second;
+  crushed_volume_[static_cast<std::size_t>(pair.floe)] += std::max(0.0, volume - before);
+  new_volume_[key] = std::max(volume, before);
+}
+
+double Crushing::crushed_mass() const {
+  double sum = 0;
+  for (std::size_t b = 0; b < crushed_volume_.size(); ++b) sum += density_[b] * crushed_volume_[b];
+  return sum;
+}
+
+std::string Crushing::description(const Bodies& bodies) const {
+  std::string text = "<fracture><crushing>: " + model_;
+  for (int body = 0; body < bodies.size(); ++body) {
+    const auto b = static_cast<std::size_t>(body);
+    if (bodies.kind[b] == BodyKind::rigid && is_hull_[b] == 0)
+      text += "; '" + bodies.name[b] + "' has no flat faces and stays rigid";
+  }
+  return text;
+}
+
+void Crushing::save(StateWriter out) const {
+  depth_.save(out.group("depth"));
+  std::vector<std::int64_t> ids;
+  std::vector<double> volumes;
+  for (const auto& [key, volume] : volume_) {
+    ids.insert(ids.end(), {key.first, key.second});
+    volumes.push_back(volume);
+  }
+  out.add("pair", ids);
+  out.add("pair_volume", volumes);
+  out.add("crushed_volume", crushed_volume_);
+}
+
+void Crushing::restore(const StateReader& in) {
+  depth_.restore(in.group("depth"));
+  std::vector<std::int64_t> ids;
+  std::vector<double> volumes;
+  in.get("pair_volume", volumes);
+  in.get("pair", ids);
+  if (ids.size() != 2 * volumes.size()) in.refuse("pair", "it has another length than pair_volume");
+  in.get("crushed_volume", crushed_volume_, density_.size());
+  volume_.clear();
+  for (std::size_t k = 0; k < volumes.size(); ++k) volume_[{ids[2 * k], ids[2 * k + 1]}] = volumes[k];
+}
+
+}  // namespace nilas

@@ -1,0 +1,76 @@
+#pragma once
+/// Crushing of breakable floes by the vessel and by bodies: contact points whose force the ice's strength limits, in
+/// place of those that keep rigid bodies apart. docs/theory_fracture_crushing.md
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "contact/detect/contact_point.h"
+#include "core/base/state.h"
+#include "core/bodies/bodies.h"
+#include "core/bodies/ice_properties.h"
+#include "core/scene/scene.h"
+#include "fracture/contact_area.h"
+#include "fracture/crushed_depth.h"
+#include "fracture/crushing_law.h"
+
+namespace nilas {
+
+class Crushing {
+ public:
+  /// Learns the surfaces of the vessel and of the bodies with flat faces; cylinders crush as their faceted surface,
+  /// spheres and planes stay rigid. Throws ContractError when the scene names no <crushing>.
+  Crushing(const Scene& scene, const Bodies& bodies, const IceProperties& ice);
+
+  /// Whether the contact of two bodies is one of crushing: a breakable floe and the vessel or a body.
+  bool crushes(int a, int b) const;
+
+  /// The points of all such pairs at the present poses, for a step of length h whose motion after the impulses takes
+  /// `ahead` [s]. Each face of a hull inside ice carries its pressure times its area: at most so much while it closes,
+  /// any less at rest, nothing while it leaves. With an implicit law a point at its centroid adds what the area
+  /// grows by: compliant, u_N + c r_N >= 0 with c = c_0 / (dF h), dF being what the force grows by until the step's end
+  /// with the present velocities and c_0 the closing speed there; its force is at most dF. Of a face that comes into
+  /// the ice within the step the way until then is a gap, and c_0 the closing speed less what that takes. A face that
+  /// has backed off in ice it crushed has that as its gap. Remembers how deep the faces are, and the volume that has
+  /// come between hull and floe: calls at the same poses change nothing.
+  std::vector<ContactPoint> points(const Bodies& bodies, double h, double ahead);
+
+  /// Of the ice that hulls have taken the place of since the start [kg].
+  double crushed_mass() const;
+  /// For the list of what was built.
+  std::string description(const Bodies& bodies) const;
+
+  void save(StateWriter out) const;
+  /// Throws InputError when the state is one of other bodies.
+  void restore(const StateReader& in);
+
+ private:
+  struct HullSurface {
+    int body = -1;
+    std::vector<HullFace> faces;
+    std::vector<ConvexPolytope> parts;
+  };
+  struct FaceLoad;
+  struct Pair;
+
+  void learn(const Bodies& bodies, int body);
+  void add_pair(const Bodies& bodies, const HullSurface& hull, int floe, double h, double ahead,
+                std::vector<ContactPoint>& points);
+  void add_face(const Pair& pair, const FaceLoad& load, std::vector<ContactPoint>& points);
+  double force(const Pair& pair, const FaceInIce& face, double total) const;
+  void note_volume(const Pair& pair, const Placement& hull_in_floe);
+
+  CrushingLaw law_;
+  std::string model_;
+  IceProperties ice_;
+  std::vector<HullSurface> hulls_;
+  std::vector<char> is_hull_;    ///< per body
+  std::vector<double> density_;  ///< per body, of breakable floes [kg/m^3]
+  CrushedDepth depth_;
+  std::map<std::pair<std::int64_t, std::int64_t>, double> volume_, new_volume_;  ///< largest overlap, by ids [m^3]
+  std::vector<double> crushed_volume_;                                           ///< per body [m^3]
+};
+
+}  // namespace nilas

@@ -1,0 +1,53 @@
+#include "fracture/crushed_depth.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace nilas {
+
+double CrushedPlane::gap(const Vec3& x) const { return std::max(0.0, offset - normal.dot(x)); }
+
+CrushedPlane CrushedDepth::advance(const CrushedFace& face, const Vec3& normal, const Vec3& centroid) {
+  CrushedPlane plane{normal, normal.dot(centroid)};
+  if (const auto known = known_.find(face); known != known_.end() && known->second.gap(centroid) > 0)
+    plane = known->second;
+  named_[face] = plane;
+  return plane;
+}
+
+void CrushedDepth::forget_others() {
+  known_.swap(named_);
+  named_.clear();
+}
+
+void CrushedDepth::save(StateWriter out) const {
+  std::vector<std::int64_t> faces;
+  std::vector<Vec3> normals;
+  std::vector<double> offsets;
+  for (const auto& [face, plane] : known_) {
+    faces.insert(faces.end(), {face.hull, face.floe, face.face, face.piece});
+    normals.push_back(plane.normal);
+    offsets.push_back(plane.offset);
+  }
+  out.add("face", faces);
+  out.add("normal", normals);
+  out.add("offset", offsets);
+}
+
+void CrushedDepth::restore(const StateReader& in) {
+  std::vector<std::int64_t> faces;
+  std::vector<Vec3> normals;
+  std::vector<double> offsets;
+  in.get("offset", offsets);
+  in.get("normal", normals, offsets.size());
+  constexpr std::size_t k_numbers = 4;
+  in.get("face", faces, k_numbers * offsets.size());
+  known_.clear();
+  named_.clear();
+  for (std::size_t k = 0; k < offsets.size(); ++k) {
+    const std::int64_t* face = faces.data() + k_numbers * k;
+    known_[{face[0], face[1], static_cast<int>(face[2]), static_cast<int>(face[3])}] = {normals[k], offsets[k]};
+  }
+}
+
+}  // namespace nilas
