@@ -65,7 +65,7 @@ struct Case {
   std::string id() const { return family + std::to_string(number); }
 };
 
-/// Families A to G.
+/// Families A to H.
 std::string family_title(char family);
 
 /// All cases by number.

@@ -21,6 +21,8 @@ std::string family_title(char family) {
       return "Floating bodies";
     case 'G':
       return "Invariances";
+    case 'H':
+      return "Crushing";
     default:
       break;
   }
@@ -31,7 +33,7 @@ const std::vector<Case>& catalogue() {
   static const std::vector<Case> all = [] {
     std::vector<Case> cases;
     for (const auto& family :
-         {point_friction(), rolling(), free_bodies(), statics(), impacts(), floating(), invariances()})
+         {point_friction(), rolling(), free_bodies(), statics(), impacts(), floating(), invariances(), crushing()})
       cases.insert(cases.end(), family.begin(), family.end());
     std::sort(cases.begin(), cases.end(), [](const Case& a, const Case& b) { return a.number < b.number; });
     return cases;

@@ -14,6 +14,7 @@ std::vector<Case> statics();
 std::vector<Case> impacts();
 std::vector<Case> floating();
 std::vector<Case> invariances();
+std::vector<Case> crushing();
 
 /// Gathers a family's cases.
 class FamilyOfCases {

@@ -18,7 +18,7 @@ TEST(Verify, EveryRowOfTheDefaultSetHolds) {
   const auto result = run_nilas("verify --quiet --html --out table", folder.path());
   EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
   const std::string page = read_text(folder.path() / "table/verify.html");
-  for (const char family : std::string("ABCDEFG")) {
+  for (const char family : std::string("ABCDEFGH")) {
     EXPECT_NE(page.find(std::string("<h2>") + family + " "), std::string::npos);
     EXPECT_TRUE(std::filesystem::exists(folder.path() / ("table/family-" + std::string(1, family) + ".png")));
   }
