@@ -88,17 +88,17 @@ std::vector<Case> crushing() {
   FamilyOfCases add('H', "crush-impact.xml", "Popov's collision: 1/2 M v^2 = int F d(delta) [Popov 1967, Daley 1999]");
   const Input strength{"strength", 1e5, "Pa"}, thickness{"thickness", 0.25, "m"}, speed{"speed", 1, "m/s"},
       mass{"mass", 5000, "kg"};
-  Case& steady = add(61, "Wedge driven into a sheet", "F = strength x area, whose projection is depth x thickness",
+  Case& steady = add(79, "Wedge driven into a sheet", "F = strength x area, whose projection is depth x thickness",
                      {strength, thickness, {"speed", 0.5, "m/s"}}, "strength", steady_wedge);
   steady.scene = "crush-wedge.xml";
   steady.source = "Metrikin 2014: the normal force is at most strength times area";
-  Case& implicit = add(62, "Wedge hits a sheet, compliant", "m (v - v+) = h strength T (x + h v+)",
+  Case& implicit = add(80, "Wedge hits a sheet, compliant", "m (v - v+) = h strength T (x + h v+)",
                        {strength, thickness, speed, mass}, "strength", wedge_impact);
   implicit.integrators = {"semi-implicit-euler"};
   implicit.solvers = {"auto", "pgs", "nsgs", "eg", "eg-order-free", "apgd", "admm", "ipm", "newton"};
   implicit.note = "Without enumerate: the ten contacts are more than it takes.";
   Case& daley =
-      add(63, "Pyramid hits a sheet, pressure-area",
+      add(81, "Pyramid hits a sheet, pressure-area",
           "depth = ((3 + 2 ex) M v^2/(2 C sqrt(5)^ex))^(1/(3 + 2 ex)), F = C (sqrt(5) depth^2)^ex depth^2",
           {strength, {"thickness", 4, "m"}, speed, mass, {"coefficient", 1e5, "Pa m^0.2"}, {"exponent", -0.1, ""}},
           "coefficient", popov);
