@@ -95,10 +95,12 @@ HullFace make_hull_face(int part, std::vector<Vec3> loop) {
 std::optional<FaceInIce> face_in_ice(const HullFace& face, const Placement& hull_in_floe, const ConvexPolytope& piece) {
   const Vec3 centre = hull_in_floe.point(face.centre);
   const double reach = face.radius + piece.radius;
-  if ((centre - piece.centre).squaredNorm() > reach * reach) return std::nullopt;
+  const Vec3 apart = centre - piece.centre;
+  if (apart.squaredNorm() > reach * reach) return std::nullopt;
+  const Vec3 normal = hull_in_floe.R * face.normal;
+  if (std::abs(normal.dot(apart)) > piece.radius) return std::nullopt;  // its plane passes by
   Loop loop, room;
   for (const Vec3& x : face.loop) loop.push_back(hull_in_floe.point(x));
-  const Vec3 normal = hull_in_floe.R * face.normal;
   clip_by(piece, normal, k_rounding * (reach + centre.norm()), loop, room);
   if (loop.size() < 3) return std::nullopt;
   const Moments m = moments(loop, normal);
@@ -127,30 +129,36 @@ double total_area(const std::vector<FaceInIce>& faces) {
 }
 
 /// By the divergence theorem about a point: the common solid is bounded by what of either surface lies inside the
-/// other, and where both coincide by one of them.
+/// other, and where both coincide by one of them. Only the planes of A that cut the ball around B matter.
 double overlap_volume(const ConvexPolytope& a, const ConvexPolytope& b, const Placement& a_in_b) {
   const Vec3 centre = a_in_b.point(a.centre);
   if ((centre - b.centre).norm() > a.radius + b.radius) return 0;
   const double rounding = k_rounding * (a.radius + b.radius + centre.norm());
-  ConvexPolytope moved;
+  ConvexPolytope near;
+  std::vector<std::size_t> near_faces;
   for (std::size_t f = 0; f < a.normals.size(); ++f) {
-    moved.normals.push_back(a_in_b.R * a.normals[f]);
-    moved.offsets.push_back(a.offsets[f] + moved.normals[f].dot(a_in_b.p));
+    const Vec3 normal = a_in_b.R * a.normals[f];
+    const double offset = a.offsets[f] + normal.dot(a_in_b.p), above = normal.dot(b.centre) - offset;
+    if (above > b.radius) return 0;
+    if (above < -b.radius) continue;
+    near.normals.push_back(normal);
+    near.offsets.push_back(offset);
+    near_faces.push_back(f);
   }
   double thrice = 0;
   Loop loop, room;
   const auto add = [&](const Vec3& normal, double offset) {
     if (loop.size() >= 3) thrice += (offset - normal.dot(b.centre)) * moments(loop, normal).area;
   };
-  for (std::size_t f = 0; f < a.normals.size(); ++f) {
-    loop = face_loop(a, f);
-    for (Vec3& x : loop) x = a_in_b.point(x);
+  for (std::size_t k = 0; k < near_faces.size(); ++k) {
+    loop.clear();
+    for (const int v : a.faces[near_faces[k]]) loop.push_back(a_in_b.point(a.vertices[static_cast<std::size_t>(v)]));
     for (std::size_t g = 0; g < b.normals.size() && loop.size() >= 3; ++g) clip(b.normals[g], b.offsets[g], loop, room);
-    add(moved.normals[f], moved.offsets[f]);
+    add(near.normals[k], near.offsets[k]);
   }
   for (std::size_t g = 0; g < b.normals.size(); ++g) {
     loop = face_loop(b, g);
-    clip_by(moved, b.normals[g], rounding, loop, room);
+    clip_by(near, b.normals[g], rounding, loop, room);
     add(b.normals[g], b.offsets[g]);
   }
   return std::max(0.0, thrice / 3);

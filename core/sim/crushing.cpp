@@ -54,6 +54,15 @@ struct Moving {
   Vec3 in_body(const Vec3& x_G) const { return R.transpose() * (x_G - p); }
 };
 
+/// Whether a ball may reach into one of the convex parts.
+bool reaches(const std::vector<ConvexPolytope>& parts, const Vec3& centre, double radius) {
+  return std::any_of(parts.begin(), parts.end(), [&](const ConvexPolytope& part) {
+    for (std::size_t f = 0; f < part.normals.size(); ++f)
+      if (part.normals[f].dot(centre) - part.offsets[f] > radius) return false;
+    return true;
+  });
+}
+
 /// x_b = R x_a + p.
 Placement between(const Placement& a_in_G, const Placement& b_in_G) {
   return {b_in_G.R.transpose() * a_in_G.R, b_in_G.R.transpose() * (a_in_G.p - b_in_G.p)};
@@ -164,20 +173,28 @@ bool Crushing::crushes(int a, int b) const {
   return (hull(a) && ice_.is_breakable(b)) || (hull(b) && ice_.is_breakable(a));
 }
 
+/// A body's points go no farther than this in a time [m].
+static double way(const Bodies& bodies, std::size_t b, double time) {
+  if (bodies.motion[b] == Motion::fixed) return 0;
+  return time * (bodies.v_GB[b].norm() + bodies.w_GB[b].norm() * bodies.shape[b]->bounding_radius);
+}
+
+/// The floe's ball, with what both go until the step's end, against the hull's ball and its parts.
+bool Crushing::may_meet(const Bodies& bodies, const HullSurface& hull, int floe, double ahead) {
+  const auto k = static_cast<std::size_t>(hull.body), b = static_cast<std::size_t>(floe);
+  if (bodies.motion[k] == Motion::fixed && bodies.motion[b] == Motion::fixed) return false;
+  const double reach = bodies.shape[b]->bounding_radius + way(bodies, k, ahead) + way(bodies, b, ahead);
+  const Vec3 between = bodies.p_GB[b] - bodies.p_GB[k];
+  if (between.norm() > bodies.shape[k]->bounding_radius + reach) return false;
+  return reaches(hull.parts, bodies.R_GB[k].transpose() * between, reach);
+}
+
 std::vector<ContactPoint> Crushing::points(const Bodies& bodies, double h, double ahead) {
   std::vector<ContactPoint> points;
-  for (const HullSurface& hull : hulls_) {
-    const auto k = static_cast<std::size_t>(hull.body);
-    for (int floe = 0; floe < bodies.size(); ++floe) {
-      const auto b = static_cast<std::size_t>(floe);
-      if (!ice_.is_breakable(floe)) continue;
-      if (bodies.motion[k] == Motion::fixed && bodies.motion[b] == Motion::fixed) continue;
-      const double way = (bodies.v_GB[k] - bodies.v_GB[b]).norm() * ahead;
-      const double reach = bodies.shape[k]->bounding_radius + bodies.shape[b]->bounding_radius + way;
-      if ((bodies.p_GB[k] - bodies.p_GB[b]).squaredNorm() > reach * reach) continue;
-      add_pair(bodies, hull, floe, h, ahead, points);
-    }
-  }
+  for (const HullSurface& hull : hulls_)
+    for (int floe = 0; floe < bodies.size(); ++floe)
+      if (ice_.is_breakable(floe) && may_meet(bodies, hull, floe, ahead))
+        add_pair(bodies, hull, floe, h, ahead, points);
   depth_.forget_others();
   volume_.swap(new_volume_);
   new_volume_.clear();

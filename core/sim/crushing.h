@@ -56,6 +56,7 @@ class Crushing {
   struct Pair;
 
   void learn(const Bodies& bodies, int body);
+  static bool may_meet(const Bodies& bodies, const HullSurface& hull, int floe, double ahead);
   void add_pair(const Bodies& bodies, const HullSurface& hull, int floe, double h, double ahead,
                 std::vector<ContactPoint>& points);
   void add_face(const Pair& pair, const FaceLoad& load, std::vector<ContactPoint>& points);
