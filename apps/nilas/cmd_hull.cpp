@@ -16,7 +16,7 @@ struct HullOptions {
   std::string mesh, generate, out = "hull";
   std::map<std::string, double> parameters;
   HullPreparation preparation;
-  bool json = false;
+  bool json = false, force = false;
 };
 
 /// Flag and what it sets; the names are those of <hull generate=...> in a scene, with '-' for '_'.
@@ -61,7 +61,7 @@ void add_origin(nlohmann::ordered_json& description, const HullOptions& options)
 }
 
 /// The folder is worth having without a picture.
-void try_to_draw(const Hull& hull, double level, const std::string& folder) {
+void try_to_draw(const Hull& hull, double level, const std::filesystem::path& folder) {
   try {
     draw_hull(hull, level, folder);
   } catch (const FileError& e) {
@@ -69,15 +69,24 @@ void try_to_draw(const Hull& hull, double level, const std::string& folder) {
   }
 }
 
+/// A mesh among the files that the new hull replaces would be lost where that fails.
+void demand_mesh_stays(const std::filesystem::path& mesh, const NewHullFolder& folder) {
+  std::error_code ignored;
+  if (folder.replaces(mesh) || std::filesystem::equivalent(mesh, folder.path(), ignored))
+    throw InputError(mesh.string() + ": --out " + folder.path().string() + " would replace it; choose another folder");
+}
+
 int hull(const HullOptions& options) {
   if (options.generate.empty() == options.mesh.empty())
     throw InputError("nilas hull: give either MESH or --generate icebreaker|wedge");
+  NewHullFolder folder(options.out, options.force);
   PreparedHull made;
   std::optional<double> draught;
   if (const auto given = options.parameters.find("draught"); given != options.parameters.end()) draught = given->second;
   if (options.generate.empty()) {
     demand_no_form(options);
-    made = prepare_hull(options.mesh, options.preparation, options.out);
+    demand_mesh_stays(options.mesh, folder);
+    made = prepare_hull(options.mesh, options.preparation, folder);
   } else {
     const HullForm form = hull_form(options.generate, options.parameters);
     made.hull = generate_hull(form);
@@ -87,8 +96,9 @@ int hull(const HullOptions& options) {
   const auto result = hull_report(made, *draught);
   nlohmann::ordered_json description = result;
   add_origin(description, options);
-  write_hull(made.hull, options.out, description.dump(2) + "\n");
-  try_to_draw(made.hull, waterline_level(made.hull.fluid, *draught), options.out);
+  write_hull(made.hull, folder.staging(), description.dump(2) + "\n");
+  try_to_draw(made.hull, waterline_level(made.hull.fluid, *draught), folder.staging());
+  folder.publish();
   std::cout << (options.json ? result.dump(2) + "\n" : report_text(result) + "written: " + options.out + "\n");
   return exit_done;
 }
@@ -139,6 +149,7 @@ void add_hull(CLI::App& app, Action& action) {
   command->add_option("mesh", options->mesh, "STL, OBJ, OFF or PLY file of a hull, or a hull folder");
   command->add_option("--generate", options->generate, "form to generate: icebreaker or wedge");
   command->add_option("--out", options->out, "folder to write")->capture_default_str();
+  command->add_flag("--force", options->force, "write into a folder that is not empty; replaces an earlier hull in it");
   add_form_flags(*command, options);
   add_preparation_flags(*command, options->preparation);
   command->add_flag("--json", options->json, "the report as JSON on stdout");

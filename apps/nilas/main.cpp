@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -22,6 +23,9 @@ int run_action(const nilas::Action& action) {
     std::cerr << "error: " << e.what() << "\n";
     return nilas::exit_bad_input;
   } catch (const nilas::FileError& e) {
+    std::cerr << "error: " << e.what() << "\n";
+    return nilas::exit_file;
+  } catch (const std::filesystem::filesystem_error& e) {
     std::cerr << "error: " << e.what() << "\n";
     return nilas::exit_file;
   } catch (const nilas::SimulationError& e) {

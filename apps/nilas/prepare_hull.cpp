@@ -4,6 +4,7 @@
 
 #include "apps/nilas/hull_picture.h"
 #include "core/base/error.h"
+#include "core/base/file_bytes.h"
 
 namespace nilas {
 
@@ -35,7 +36,7 @@ double demand_sensible_size(const PolygonSoup& soup, const fs::path& file) {
   return longest;
 }
 
-[[noreturn]] void refuse(const fs::path& file, const MendedMesh& mesh, const fs::path& faults) {
+[[noreturn]] void refuse(const fs::path& file, const MendedMesh& mesh, NewHullFolder& folder) {
   std::string text = file.string() + ": cannot be mended:";
   constexpr std::size_t k_shown = 8;
   for (const auto& note : mesh.open) {
@@ -46,12 +47,12 @@ double demand_sensible_size(const PolygonSoup& soup, const fs::path& file) {
     if (note.places.size() > k_shown) text += "\n    ...";
   }
   try {
-    fs::create_directories(faults);
-    draw_faults(mesh, faults);
-    text += "\n  marked in " + (faults / "faults.png").string();
-  } catch (const std::exception& e) {
+    draw_faults(mesh, folder.staging());
+    text += "\n  marked in " + (folder.path() / "faults.png").string();
+  } catch (const FileError& e) {
     text += std::string("\n  no picture: ") + e.what();
   }
+  folder.publish();
   throw InputError(text);
 }
 
@@ -68,8 +69,8 @@ PreparedHull from_folder(const fs::path& folder) {
 
 }  // namespace
 
-PreparedHull prepare_hull(const fs::path& mesh, const HullPreparation& how, const fs::path& faults) {
-  if (fs::is_directory(mesh)) return from_folder(mesh);
+PreparedHull prepare_hull(const fs::path& mesh, const HullPreparation& how, NewHullFolder& folder) {
+  if (is_folder(mesh)) return from_folder(mesh);
   const PolygonSoup soup = in_vessel_frame(read_polygons(mesh), how);
   const double longest = demand_sensible_size(soup, mesh);
   MendedMesh mended;
@@ -82,7 +83,7 @@ PreparedHull prepare_hull(const fs::path& mesh, const HullPreparation& how, cons
   } catch (const InputError& e) {
     throw InputError(mesh.string() + ": " + e.what());
   }
-  if (!mended.open.empty()) refuse(mesh, mended, faults);
+  if (!mended.open.empty()) refuse(mesh, mended, folder);
   return {{std::move(mended.mesh), std::move(parts.parts)},
           std::move(mended.done),
           parts.deviation,

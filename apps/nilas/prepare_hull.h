@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "apps/nilas/hull_report.h"
+#include "core/vessel/new_hull_folder.h"
 
 namespace nilas {
 
@@ -17,8 +18,7 @@ struct HullPreparation {
 };
 
 /// Reads, mends, decomposes; a hull folder is taken as it is. Throws InputError naming the file where the mesh cannot
-/// be mended, with the places, after drawing them into `faults`; FileError.
-PreparedHull prepare_hull(const std::filesystem::path& mesh, const HullPreparation& how,
-                          const std::filesystem::path& faults);
+/// be mended, with the places, after publishing a picture of them in `folder`; FileError.
+PreparedHull prepare_hull(const std::filesystem::path& mesh, const HullPreparation& how, NewHullFolder& folder);
 
 }  // namespace nilas

@@ -21,7 +21,8 @@ struct Hull {
 /// Reads a hull folder, or a single STL file that is itself convex (then its own only part).
 /// Throws FileError (missing, unreadable) or InputError (open mesh, part not convex, ...), naming the file.
 Hull read_hull(const std::filesystem::path& path);
-/// Writes the folder. Throws FileError.
+/// Writes its files into a folder that is there; files of an earlier hull are NewHullFolder's to remove. Throws
+/// FileError.
 void write_hull(const Hull& hull, const std::filesystem::path& folder, const std::string& json);
 
 /// Parameters of a generated form. x = 0 at the aft end, x = length at the stem head, y = 0 on the centre plane, z = 0

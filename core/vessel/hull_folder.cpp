@@ -1,12 +1,13 @@
 /// Hull folders and single hull files.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/base/file_bytes.h"
 #include "core/vessel/hull.h"
+#include "core/vessel/hull_parts.h"
 
 namespace nilas {
 
@@ -18,7 +19,6 @@ namespace {
 constexpr double k_convex_tolerance = 1e-5;
 
 TriangleMesh read_sound(const fs::path& file) {
-  if (!fs::exists(file)) throw FileError(file.string() + ": no such file");
   TriangleMesh mesh = read_stl(file);
   const MeshDefects defects = find_defects(mesh);
   if (!defects.sound()) throw InputError(file.string() + ": not a closed outward solid: " + defects.text());
@@ -38,23 +38,11 @@ void demand_convex(const TriangleMesh& mesh, const fs::path& file, const std::st
   }
 }
 
-/// part-NN.stl files of a folder, by name.
-std::vector<fs::path> part_files(const fs::path& folder) {
-  std::vector<fs::path> parts;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (name.rfind("part-", 0) == 0 && entry.path().extension() == ".stl") parts.push_back(entry.path());
-  }
-  std::sort(parts.begin(), parts.end());
-  return parts;
-}
-
 /// A folder that lost a part would float right and touch wrongly; the description knows how many there were.
 void demand_described_parts(const fs::path& description, std::size_t parts) {
-  if (!fs::exists(description)) return;
-  std::ifstream in(description);
-  if (!in) throw FileError(description.string() + ": cannot be read");
-  const nlohmann::json json = nlohmann::json::parse(in, nullptr, false);
+  std::error_code ignored;
+  if (!fs::exists(description, ignored)) return;
+  const nlohmann::json json = nlohmann::json::parse(file_bytes(description), nullptr, false);
   if (!json.is_object()) throw InputError(description.string() + ": not a JSON object, or cut short");
   if (!json.contains("parts")) return;
   if (json["parts"] != parts)
@@ -66,8 +54,7 @@ void demand_described_parts(const fs::path& description, std::size_t parts) {
 
 Hull read_hull(const fs::path& path) {
   Hull hull;
-  if (!fs::exists(path)) throw FileError(path.string() + ": no such hull folder or file");
-  if (!fs::is_directory(path)) {
+  if (!is_folder(path)) {
     hull.fluid = read_sound(path);
     demand_convex(hull.fluid, path, "; `nilas hull` cuts such a file into a hull folder with convex parts");
     hull.parts.push_back(hull.fluid);
@@ -85,14 +72,8 @@ Hull read_hull(const fs::path& path) {
 }
 
 void write_hull(const Hull& hull, const fs::path& folder, const std::string& json) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw FileError(folder.string() + ": cannot be created: " + error.message());
-  // parts of an earlier hull must not be taken for parts of this one
-  for (const auto& file : part_files(folder)) fs::remove(file, error);
   write_stl(hull.fluid, folder / "fluid.stl");
-  for (std::size_t k = 0; k < hull.parts.size(); ++k)
-    write_stl(hull.parts[k], folder / fmt::format("part-{:02}.stl", k + 1));
+  for (std::size_t k = 0; k < hull.parts.size(); ++k) write_stl(hull.parts[k], folder / part_name(k + 1));
   std::ofstream out(folder / "hull.json");
   out << json;
   out.close();

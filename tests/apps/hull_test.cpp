@@ -144,6 +144,45 @@ TEST(HullCommand, AnOpenHullIsRefusedWithItsPlaceAndAPicture) {
   EXPECT_NEAR(prepared(folder, "open.obj --out made --fill-holes 5")["volume_m3"], 4, 1e-6);
 }
 
+TEST(HullCommand, FilesOfTheUserStay) {
+  const ScratchFolder folder;
+  fs::create_directories(folder.path() / "mine");
+  for (const char* name : {"part-bow.stl", "part-01.stl"})
+    nilas::write_stl(nilas::box_mesh({0, 0, 0}, {4, 1, 1}), folder.path() / "mine" / name);
+  const auto names = [&] {
+    return fs::exists(folder / "mine/part-bow.stl") && fs::exists(folder / "mine/part-01.stl");
+  };
+  for (const char* arguments : {"mine/part-bow.stl --out mine", "mine/part-bow.stl --out mine --force",
+                                "mine/part-01.stl --out mine --force", "mine --out mine --force"}) {
+    const auto refused = run_nilas(std::string("hull ") + arguments, folder.path());
+    EXPECT_EQ(refused.exit_code, 2) << arguments << ": " << refused.err;
+    EXPECT_TRUE(names()) << arguments;
+  }
+  fs::remove(folder / "mine/part-bow.stl");
+  const auto taken = run_nilas("hull mine/part-01.stl --out mine --force", folder.path());
+  EXPECT_EQ(taken.exit_code, 2);
+  EXPECT_NE(taken.err.find("would replace it"), std::string::npos) << taken.err;
+  prepared(folder, "mine/part-01.stl --out made");
+  const auto again = run_nilas("hull mine/part-01.stl --out made", folder.path());
+  EXPECT_EQ(again.exit_code, 2);
+  EXPECT_NE(again.err.find("--force"), std::string::npos) << again.err;
+  prepared(folder, "mine/part-01.stl --out made --force");
+}
+
+TEST(HullCommand, PathsThatCannotBeOpenedOrMadeEndWith4) {
+  const ScratchFolder folder;
+  fs::create_symlink("loop", folder.path() / "loop");
+  folder.write("file", "x");
+  const std::string name(300, 'x');
+  for (const std::string& arguments :
+       {name, name + ".stl", std::string("loop"), "--generate wedge --out " + name,
+        std::string("--generate wedge --out loop"), std::string("--generate wedge --out file")}) {
+    const auto refused = run_nilas("hull " + arguments, folder.path());
+    EXPECT_EQ(refused.exit_code, 4) << arguments << ": " << refused.err;
+  }
+  EXPECT_FALSE(fs::exists(folder / "hull"));
+}
+
 TEST(HullCommand, WrongArgumentsAndFilesAreNamed) {
   const ScratchFolder folder;
   write_obj(folder.path() / "box.obj", {nilas::box_mesh({0, 0, 0}, {4, 1, 1})});

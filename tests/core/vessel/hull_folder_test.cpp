@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/vessel/hull.h"
+#include "core/vessel/new_hull_folder.h"
 
 namespace nilas {
 namespace {
@@ -21,6 +22,11 @@ class HullFolder : public testing::Test {
   }
   void TearDown() override { fs::remove_all(folder_); }
 
+  static void replace(const fs::path& folder, const Hull& hull, const std::string& json) {
+    NewHullFolder made(folder, true);
+    write_hull(hull, made.staging(), json);
+    made.publish();
+  }
   static Hull example() { return generate_hull(hull_form("icebreaker", {{"triangles", 1000}})); }
   static std::string refusal(const fs::path& path) {
     try {
@@ -52,7 +58,7 @@ TriangleMesh l_shape() {
 
 TEST_F(HullFolder, RoundTripKeepsEveryBit) {
   const Hull hull = example();
-  write_hull(hull, folder_ / "ship", "{\"parts\": 1}\n");
+  replace(folder_ / "ship", hull, "{\"parts\": 1}\n");
   const Hull read = read_hull(folder_ / "ship");
   EXPECT_EQ(corners(read.fluid), corners(hull.fluid));
   ASSERT_EQ(read.parts.size(), hull.parts.size());
@@ -63,9 +69,66 @@ TEST_F(HullFolder, RoundTripKeepsEveryBit) {
 TEST_F(HullFolder, WritingAgainLeavesNoPartOfTheHullBefore) {
   Hull hull = example();
   hull.parts.push_back(hull.parts[0]);
-  write_hull(hull, folder_, "{}");
+  replace(folder_, hull, "{}");
   hull.parts.pop_back();
+  replace(folder_, hull, "{}");
+  EXPECT_EQ(read_hull(folder_).parts.size(), 1u);
+}
+
+TEST_F(HullFolder, PartsAreOrderedByTheirNumber) {
+  const TriangleMesh box = prism_shape({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 1).surface;
+  Hull hull{box, {}};
+  for (int k = 0; k < 101; ++k) {
+    hull.parts.push_back(box);
+    for (auto& p : hull.parts.back().vertices) p.x() += k;
+  }
   write_hull(hull, folder_, "{}");
+  const Hull read = read_hull(folder_);
+  ASSERT_EQ(read.parts.size(), hull.parts.size());
+  for (std::size_t k = 0; k < hull.parts.size(); ++k) EXPECT_EQ(corners(read.parts[k]), corners(hull.parts[k])) << k;
+}
+
+TEST_F(HullFolder, WhatIsNotTheHullsStaysAndForceIsNeeded) {
+  std::ofstream(folder_ / "notes.txt") << "mine";
+  EXPECT_THROW(NewHullFolder(folder_, false), InputError);
+  replace(folder_, example(), "{}");
+  EXPECT_THROW(NewHullFolder(folder_, false), InputError);
+  replace(folder_, example(), "{}");
+  EXPECT_TRUE(fs::exists(folder_ / "notes.txt"));
+  std::ofstream(folder_ / "part-bow.stl") << "mine";
+  EXPECT_PRED2(names, refusal(folder_), "part-bow.stl");
+  EXPECT_THROW(NewHullFolder(folder_, true), InputError);
+  EXPECT_TRUE(fs::exists(folder_ / "part-bow.stl"));
+}
+
+TEST_F(HullFolder, AHullThatIsNotPublishedLeavesTheOldOneWhole) {
+  replace(folder_, example(), "{\"parts\": 1}");
+  Hull two = example();
+  two.parts.push_back(two.parts[0]);
+  {
+    NewHullFolder made(folder_, true);
+    write_hull(two, made.staging(), "{\"parts\": 2}");
+    EXPECT_EQ(read_hull(folder_).parts.size(), 1u);
+  }
+  EXPECT_EQ(read_hull(folder_).parts.size(), 1u);
+  EXPECT_FALSE(fs::exists(folder_ / ".hull.part"));
+  { const NewHullFolder for_nothing(folder_ / "ship", false); }
+  EXPECT_FALSE(fs::exists(folder_ / "ship"));
+}
+
+TEST_F(HullFolder, ARefusedMeshAndAHullNeverShareTheFolder) {
+  replace(folder_, example(), "{\"parts\": 1}");
+  {
+    NewHullFolder refused(folder_, true);
+    std::ofstream(refused.staging() / "faults.png") << "x";
+    refused.publish();
+  }
+  EXPECT_FALSE(fs::exists(folder_ / "hull.json"));
+  EXPECT_THROW(read_hull(folder_), FileError);
+  NewHullFolder made(folder_, false);  // the picture of a refused mesh is no outcome worth keeping
+  write_hull(example(), made.staging(), "{\"parts\": 1}");
+  made.publish();
+  EXPECT_FALSE(fs::exists(folder_ / "faults.png"));
   EXPECT_EQ(read_hull(folder_).parts.size(), 1u);
 }
 
@@ -91,22 +154,22 @@ TEST_F(HullFolder, ConcaveSurfaceWithConvexPartsIsRead) {
     TriangleMesh mesh = prism_shape({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, 1).surface;
     return mesh;
   };
-  write_hull({l_shape(), {box(0, 0, 2, 1), box(0, 1, 1, 2)}}, folder_, "{\"parts\": 2}");
+  replace(folder_, {l_shape(), {box(0, 0, 2, 1), box(0, 1, 1, 2)}}, "{\"parts\": 2}");
   EXPECT_EQ(read_hull(folder_).parts.size(), 2u);
-  write_hull({l_shape(), {l_shape()}}, folder_, "{\"parts\": 1}");
+  replace(folder_, {l_shape(), {l_shape()}}, "{\"parts\": 1}");
   EXPECT_PRED2(names, refusal(folder_), "part-01.stl: the surface is not convex");
 }
 
 TEST_F(HullFolder, UnsoundMeshesAreNamedWithTheirDefects) {
   Hull open = example();
   open.fluid.triangles.pop_back();
-  write_hull(open, folder_, "{}");
+  replace(folder_, open, "{}");
   EXPECT_PRED2(names, refusal(folder_), "fluid.stl");
   EXPECT_PRED2(names, refusal(folder_), "3 open edges");
 
   Hull inward = example();
   for (auto& t : inward.parts[0].triangles) std::swap(t[1], t[2]);
-  write_hull(inward, folder_, "{}");
+  replace(folder_, inward, "{}");
   EXPECT_PRED2(names, refusal(folder_), "part-01.stl");
   EXPECT_PRED2(names, refusal(folder_), "inwards");
 
@@ -118,17 +181,17 @@ TEST_F(HullFolder, UnsoundMeshesAreNamedWithTheirDefects) {
   needle.fluid.vertices.push_back(middle);
   needle.fluid.triangles.push_back({a, corner, b});
   needle.fluid.triangles.push_back({a, b, corner});
-  write_hull(needle, folder_, "{}");
+  replace(folder_, needle, "{}");
   EXPECT_NE(refusal(folder_), "accepted");
 }
 
 TEST_F(HullFolder, DescriptionMustAgreeWithTheParts) {
-  write_hull(example(), folder_, "{\"parts\": 3}");
+  replace(folder_, example(), "{\"parts\": 3}");
   EXPECT_PRED2(names, refusal(folder_), "hull.json");
   EXPECT_PRED2(names, refusal(folder_), "3");
-  write_hull(example(), folder_, "{\"parts\": ");
+  replace(folder_, example(), "{\"parts\": ");
   EXPECT_PRED2(names, refusal(folder_), "hull.json");
-  write_hull(example(), folder_, "{}");
+  replace(folder_, example(), "{}");
   EXPECT_EQ(refusal(folder_), "accepted");
   fs::remove(folder_ / "hull.json");
   EXPECT_EQ(refusal(folder_), "accepted");
@@ -137,11 +200,15 @@ TEST_F(HullFolder, DescriptionMustAgreeWithTheParts) {
 TEST_F(HullFolder, MissingFilesAreFileErrors) {
   EXPECT_THROW(read_hull(folder_ / "none"), FileError);
   EXPECT_THROW(read_hull(folder_ / "none.stl"), FileError);
+  EXPECT_THROW(read_hull(folder_ / std::string(300, 'x')), FileError);
+  fs::create_symlink("loop", folder_ / "loop");
+  EXPECT_THROW(read_hull(folder_ / "loop"), FileError);
   EXPECT_THROW(read_hull(folder_), FileError);  // a folder without fluid.stl
   write_stl(example().fluid, folder_ / "fluid.stl");
   EXPECT_PRED2(names, refusal(folder_), "part-NN.stl");
   std::ofstream(folder_ / "file") << "x";
-  EXPECT_THROW(write_hull(example(), folder_ / "file" / "ship", "{}"), FileError);
+  EXPECT_THROW(NewHullFolder(folder_ / "file" / "ship", false), FileError);
+  EXPECT_THROW(NewHullFolder(folder_ / "file", false), FileError);
 }
 
 }  // namespace
