@@ -25,17 +25,37 @@ std::string printable(std::string_view found) {
 
 }  // namespace
 
+MeshWords::MeshWords(std::string_view text, const std::string& file, const WordRules& rules)
+    : text_(text), file_(file), rules_(rules), line_(rules.first_line) {
+  constexpr std::string_view k_mark = "\xEF\xBB\xBF";  // Windows programs put it before UTF-8
+  if (line_ == 1 && text_.starts_with(k_mark)) place_ = k_mark.size();
+}
+
+std::size_t MeshWords::joint() const {
+  if (!rules_.joined || text_[place_] != '\\') return 0;
+  const std::string_view rest = text_.substr(place_ + 1);
+  return rest.starts_with('\n') ? 2 : rest.starts_with("\r\n") ? 3 : 0;
+}
+
 void MeshWords::skip_blanks(bool within_line) {
   while (place_ < text_.size()) {
-    if (comment_ != 0 && text_[place_] == comment_) skip_line();
-    if (place_ >= text_.size() || !blank(text_[place_]) || (within_line && text_[place_] == '\n')) return;
-    line_ += text_[place_++] == '\n';
+    if (rules_.comment != 0 && text_[place_] == rules_.comment) skip_line();
+    if (place_ >= text_.size()) return;
+    if (const std::size_t bytes = joint(); bytes > 0) {
+      place_ += bytes;
+      ++line_;
+    } else if (!blank(text_[place_]) || (within_line && text_[place_] == '\n')) {
+      return;
+    } else {
+      line_ += text_[place_++] == '\n';
+    }
   }
 }
 
 std::string_view MeshWords::word() {
   const std::size_t start = place_;
-  while (place_ < text_.size() && !blank(text_[place_]) && (comment_ == 0 || text_[place_] != comment_)) ++place_;
+  const auto goes_on = [&](char c) { return !blank(c) && (rules_.comment == 0 || c != rules_.comment); };
+  while (place_ < text_.size() && goes_on(text_[place_]) && joint() == 0) ++place_;
   return text_.substr(start, place_ - start);
 }
 
@@ -78,6 +98,11 @@ long long MeshWords::integer(std::string_view text) const {
 }
 
 void MeshWords::skip_line() { place_ = std::min(text_.find('\n', place_), text_.size()); }
+
+void MeshWords::skip_joined_lines() {
+  while (!next_on_line().empty()) {
+  }
+}
 
 void MeshWords::fail(const std::string& expected, std::string_view found) const {
   throw InputError(file_ + ":" + std::to_string(line_) + ": expected " + expected + ", found " +

@@ -1,4 +1,5 @@
-/// Wavefront OBJ: vertices and polygon faces; groups, materials, normals, texture and lines are passed over.
+/// Wavefront OBJ: vertices and polygon faces; groups, materials, normals, texture, lines and whatever else are passed
+/// over.
 #include <algorithm>
 #include <array>
 
@@ -9,8 +10,25 @@ namespace nilas {
 
 namespace {
 
-constexpr std::array<std::string_view, 13> k_passed_over{"vn", "vt", "vp",     "g",      "o",   "s",     "mg",
-                                                         "l",  "p",  "usemtl", "mtllib", "lod", "usemap"};
+/// Statements with free text, in which a backslash means itself.
+constexpr std::array<std::string_view, 8> k_named{"g", "o", "usemtl", "mtllib", "usemap", "maplib", "call", "csh"};
+
+bool is_keyword(std::string_view word) {
+  return std::all_of(word.begin(), word.end(),
+                     [](char c) {
+                       return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+                     }) &&
+         !(word.front() >= '0' && word.front() <= '9');
+}
+
+/// Other statements say nothing about polygons, and no list of them is complete.
+void pass_over(MeshWords& words, std::string_view keyword) {
+  if (!is_keyword(keyword)) words.fail("a statement such as v or f", keyword);
+  if (std::find(k_named.begin(), k_named.end(), keyword) != k_named.end())
+    words.skip_line();
+  else
+    words.skip_joined_lines();
+}
 
 /// A corner such as 7, 7/1, 7//3 or -1 (the newest vertex). Counts from 1.
 int corner(const MeshWords& words, std::string_view text, std::size_t points) {
@@ -20,17 +38,6 @@ int corner(const MeshWords& words, std::string_view text, std::size_t points) {
   if (index == 0 || place < 0 || place >= count)
     words.fail("the number of one of the " + std::to_string(count) + " vertices so far", text);
   return static_cast<int>(place);
-}
-
-/// The backslash at the end of a line joins it to the next; lines keep their count as the break becomes a blank.
-std::string with_joined_lines(std::string text) {
-  for (std::size_t at = text.find('\\'); at != std::string::npos; at = text.find('\\', at + 1)) {
-    const std::size_t next = at + 1 < text.size() && text[at + 1] == '\r' ? at + 2 : at + 1;
-    if (next < text.size() && text[next] == '\n')
-      std::fill(text.begin() + static_cast<std::ptrdiff_t>(at), text.begin() + static_cast<std::ptrdiff_t>(next) + 1,
-                ' ');
-  }
-  return text;
 }
 
 void read_face(MeshWords& words, PolygonSoup& soup) {
@@ -44,20 +51,17 @@ void read_face(MeshWords& words, PolygonSoup& soup) {
 
 PolygonSoup parse_obj(const std::string& text, const std::string& file) {
   PolygonSoup soup;
-  const std::string joined = with_joined_lines(text);
-  MeshWords words(joined, file, '#');
+  MeshWords words(text, file, {.comment = '#', .joined = true});
   for (auto word = words.next(); !word.empty(); word = words.next()) {
     if (word == "v") {
       Vec3 p;
       for (double& x : p) x = words.number(words.next_on_line());
       soup.points.push_back(p);
-      words.skip_line();  // a weight or a colour may follow
+      words.skip_joined_lines();  // a weight or a colour may follow
     } else if (word == "f" || word == "fo") {
       read_face(words, soup);
-    } else if (std::find(k_passed_over.begin(), k_passed_over.end(), word) != k_passed_over.end()) {
-      words.skip_line();
     } else {
-      words.fail("a statement of a polygon mesh (v, f, vn, vt, g, o, s, l, p, usemtl, mtllib)", word);
+      pass_over(words, word);
     }
   }
   return soup;

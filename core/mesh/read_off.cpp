@@ -9,19 +9,23 @@ namespace nilas {
 namespace {
 
 /// Counts are only promises: each element takes at least two bytes, so a file cannot hold more than its size.
-std::size_t count(MeshWords& words, const std::string& text) {
-  const auto word = words.next();
+std::size_t count(const MeshWords& words, std::string_view word, const std::string& text) {
   const long long n = words.integer(word);
   if (n < 0 || static_cast<unsigned long long>(n) > text.size())
     words.fail("a count that a file of " + std::to_string(text.size()) + " bytes can hold", word);
   return static_cast<std::size_t>(n);
 }
 
-void demand_header(MeshWords& words) {
-  const std::string word(words.next());
+/// The word after the keyword, which may be left out.
+std::string_view after_header(MeshWords& words) {
+  const std::string_view word = words.next();
+  if (!word.empty() && word.find_first_not_of("0123456789") == std::string_view::npos) return word;
   // coordinates come first whatever follows them
   constexpr std::string_view k_known[] = {"OFF", "COFF", "NOFF", "CNOFF", "STOFF", "STCOFF", "STNOFF", "STCNOFF"};
   if (std::find(std::begin(k_known), std::end(k_known), word) == std::end(k_known)) words.fail("OFF", word);
+  const std::string_view first = words.next();
+  if (first == "BINARY") words.fail("the text form of OFF", first);
+  return first;
 }
 
 void read_face(MeshWords& words, PolygonSoup& soup) {
@@ -43,9 +47,8 @@ void read_face(MeshWords& words, PolygonSoup& soup) {
 
 PolygonSoup parse_off(const std::string& text, const std::string& file) {
   PolygonSoup soup;
-  MeshWords words(text, file, '#');
-  demand_header(words);
-  const std::size_t vertices = count(words, text), faces = count(words, text);
+  MeshWords words(text, file, {.comment = '#'});
+  const std::size_t vertices = count(words, after_header(words), text), faces = count(words, words.next(), text);
   words.integer();  // edges, which nobody needs
   for (std::size_t v = 0; v < vertices; ++v) {
     Vec3 p;

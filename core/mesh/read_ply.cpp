@@ -82,9 +82,11 @@ Header read_header(const std::string& text, const std::string& file) {
   Header header;
   MeshWords words(text, file);
   if (const auto magic = words.next(); magic != "ply") words.fail("ply", magic);
+  bool has_format = false;
   for (auto word = words.next(); !word.empty(); word = words.next()) {
     if (word == "format") {
       read_format(words, header);
+      has_format = true;
     } else if (word == "element") {
       Element e{std::string(words.next_on_line()), words.integer(words.next_on_line()), {}};
       if (e.count < 0) words.fail("a count of at least 0", std::to_string(e.count));
@@ -96,6 +98,7 @@ Header read_header(const std::string& text, const std::string& file) {
     }
     words.skip_line();
   }
+  if (!has_format) words.fail("format", "none before end_header");
   demand_places(header, words);
   return header;
 }
@@ -103,7 +106,9 @@ Header read_header(const std::string& text, const std::string& file) {
 /// Data as text.
 class TextData {
  public:
-  TextData(std::string_view text, const std::string& file, int first_line) : words_(text, file, 0, first_line) {}
+  TextData(std::string_view text, const std::string& file, int first_line)
+      : words_(text, file, {.first_line = first_line}) {}
+  void enter(const Element&, long long) {}
   double value(Number) {
     word_ = words_.next();
     return words_.number(word_);
@@ -120,6 +125,12 @@ class BinaryData {
  public:
   BinaryData(std::string_view bytes, std::size_t start, bool swapped, const std::string& file)
       : bytes_(bytes), start_(start), swapped_(swapped), file_(file) {}
+
+  /// What is read next: faults name it.
+  void enter(const Element& element, long long number) {
+    element_ = &element;
+    number_ = number;
+  }
 
   double value(Number type) {
     switch (type) {
@@ -143,7 +154,8 @@ class BinaryData {
     return take<double>();
   }
   [[noreturn]] void fail(const std::string& what) const {
-    throw InputError(file_ + ": byte " + std::to_string(start_ + place_) + ": expected " + what);
+    throw InputError(file_ + ": " + element_->name + " " + std::to_string(number_) + " (from 0), byte " +
+                     std::to_string(start_ + place_) + ": expected " + what);
   }
 
  private:
@@ -162,6 +174,8 @@ class BinaryData {
   bool swapped_;
   const std::string& file_;
   std::size_t place_ = 0;
+  const Element* element_ = nullptr;
+  long long number_ = 0;
 };
 
 template <class Data>
@@ -222,16 +236,27 @@ PolygonSoup read_data(Data data, const Header& header) {
   PolygonSoup soup;
   for (const auto& element : header.elements)
     // an element without properties takes no bytes, however many the header promises
-    for (long long k = 0; k < element.count && !element.properties.empty(); ++k)
+    for (long long k = 0; k < element.count && !element.properties.empty(); ++k) {
+      data.enter(element, k);
       element.name == "vertex" ? read_vertex(data, element, soup) : read_other(data, element, soup);
+    }
   return soup;
+}
+
+/// Where the line end_header begins: comments may hold the word.
+std::size_t end_of_header(const std::string& bytes) {
+  constexpr std::string_view k_line = "\nend_header";
+  std::size_t at = bytes.find(k_line);
+  while (at != std::string::npos && at + k_line.size() < bytes.size() &&
+         std::string_view(" \t\r\n").find(bytes[at + k_line.size()]) == std::string_view::npos)
+    at = bytes.find(k_line, at + 1);
+  return at == std::string::npos ? at : at + 1;
 }
 
 }  // namespace
 
 PolygonSoup parse_ply(const std::string& bytes, const std::string& file) {
-  constexpr std::string_view k_end = "end_header";
-  const std::size_t end = bytes.find(k_end);
+  const std::size_t end = end_of_header(bytes);
   if (end == std::string::npos) throw InputError(file + ": not a PLY file, or cut short: it has no end_header");
   const std::size_t line_end = bytes.find('\n', end);
   const std::size_t start = line_end == std::string::npos ? bytes.size() : line_end + 1;

@@ -149,6 +149,49 @@ TEST(ReadPolygons, FacesOfManyCornersAndObjsOwnWays) {
   EXPECT_EQ(soup.polygons[1], (std::vector<int>{0, 1, 2}));
 }
 
+TEST(ReadPolygons, BackslashesJoinStatementsOnly) {
+  const ScratchFolder folder;
+  const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (const char* line :
+       {"# C:\\models\\\n", "g C:\\models\\\n", "usemtl steel\\\n", "l 1 2 \\\n 3\n", "vn 0\\\r\n0 1\n"})
+    EXPECT_EQ(read_polygons(folder.write("q.obj", corners + line + "f 1 2 3\nf 3 2 \\\n1\n")).polygons.size(), 2u)
+        << line;
+  const std::string text = refusal(folder, "line.obj", corners + "f 1 2 \\\n3\nf 1 2 9\n");
+  EXPECT_NE(text.find("line.obj:6: "), std::string::npos) << text;
+}
+
+TEST(ReadPolygons, WhatOtherProgramsWriteIsTaken) {
+  const ScratchFolder folder;
+  const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n", face = "f 1 2 3\n";
+  const std::string ply =
+      "element vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+      "property list uchar int vertex_index\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  const std::string off = "3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", mark = "\xEF\xBB\xBF";
+  for (const auto& [name, bytes] : std::vector<Sample>{
+           {"mark.obj", mark + corners + face},
+           {"mark.off", mark + "OFF\n" + off},
+           {"more.obj", "maplib x\nbevel on\nc_interp off\nparm u 0 1 \\\n 2 3\n" + corners + face},
+           {"none.off", off},
+           {"comment.ply", "ply\nformat ascii 1.0\ncomment end_header is below\nobj_info\nend_headers\n" + ply}}) {
+    if (name == "comment.ply") {
+      EXPECT_NE(refusal(folder, name, bytes).find("comment.ply:5: "), std::string::npos);
+      EXPECT_EQ(refusal(folder, name, std::string(bytes).erase(bytes.find("end_headers\n"), 12)), "");
+    } else {
+      EXPECT_EQ(refusal(folder, name, bytes), "");
+    }
+  }
+  EXPECT_NE(refusal(folder, "form.ply", "ply\n" + ply).find("expected format"), std::string::npos);
+  EXPECT_NE(refusal(folder, "form.off", "OFF BINARY\n" + off).find("the text form of OFF"), std::string::npos);
+}
+
+TEST(ReadPolygons, FaultsOfBinaryFilesNameTheElement) {
+  const ScratchFolder folder;
+  std::string bytes = ply_binary(soup_of({moonpool_mesh()}), false);
+  const std::string cut = refusal(folder, "cut.ply", bytes.substr(0, bytes.size() - 1));
+  const std::size_t last = moonpool_mesh().triangles.size() - 1;
+  EXPECT_NE(cut.find(fmt::format("face {} (from 0), byte ", last)), std::string::npos) << cut;
+}
+
 TEST(ReadPolygons, FaultsAreNamedWithTheirLine) {
   const ScratchFolder folder;
   const auto expect = [&](const std::string& name, const std::string& bytes, const std::string& part) {
