@@ -7,6 +7,7 @@
 #include "apps/nilas/hull_picture.h"
 #include "apps/nilas/prepare_hull.h"
 #include "core/base/error.h"
+#include "core/bodies/mesh_box.h"
 
 namespace nilas {
 
@@ -41,12 +42,6 @@ constexpr FormFlag k_form_flags[] = {
 void demand_no_form(const HullOptions& options) {
   for (const auto& [name, value] : options.parameters)
     if (name != "draught") throw InputError("nilas hull: " + name + " belongs to --generate, found beside MESH");
-}
-
-double half_height(const TriangleMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const auto& p : mesh.vertices) box.extend(p);
-  return 0.5 * box.sizes().z();
 }
 
 void add_origin(nlohmann::ordered_json& description, const HullOptions& options) {
@@ -92,7 +87,7 @@ int hull(const HullOptions& options) {
     made.hull = generate_hull(form);
     draught = form.draught;
   }
-  if (!draught) draught = half_height(made.hull.fluid);
+  if (!draught) draught = 0.5 * box_of(made.hull.fluid).sizes().z();
   const auto result = hull_report(made, *draught);
   nlohmann::ordered_json description = result;
   add_origin(description, options);

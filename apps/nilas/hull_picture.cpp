@@ -4,8 +4,10 @@
 
 #include <array>
 #include <fstream>
+#include <map>
 
 #include "core/base/error.h"
+#include "core/bodies/mesh_box.h"
 #include "core/output/plot.h"
 
 namespace nilas {
@@ -36,13 +38,15 @@ int shaded(const Colour& colour, const Vec3& normal, double from_below) {
 }
 
 /// A triangle as gnuplot's pm3d takes it: a grid of two by two points with a colour. Cut where it is longer than
-/// `longest`, because what lies in front is decided by whole triangles.
+/// `longest`, because what lies in front is decided by whole triangles; not where it is so thin that this cannot be
+/// seen.
 void write_face(std::ofstream& out, const std::array<Vec3, 3>& p, int rgb, double longest) {
   std::size_t k = 0;
   for (std::size_t i = 1; i < p.size(); ++i)
     if ((p[(i + 1) % 3] - p[i]).norm() > (p[(k + 1) % 3] - p[k]).norm()) k = i;
   const Vec3 &a = p[k], &b = p[(k + 1) % 3], &c = p[(k + 2) % 3], m = 0.5 * (a + b);
-  if ((b - a).norm() > longest) {
+  constexpr double k_seen = 0.05;  // area over that of the square of `longest`
+  if ((b - a).norm() > longest && 0.5 * (b - a).cross(c - a).norm() > k_seen * longest * longest) {
     write_face(out, {a, m, c}, rgb, longest);
     write_face(out, {m, b, c}, rgb, longest);
     return;
@@ -64,11 +68,47 @@ void write_faces(std::ofstream& out, const TriangleMesh& mesh, const Colour& col
   }
 }
 
-Eigen::AlignedBox3d box_of(const TriangleMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const auto& p : mesh.vertices) box.extend(p);
-  return box;
+/// The mesh with the vertices of each cube of a grid made one, and the triangles that this leaves.
+TriangleMesh coarsened(const TriangleMesh& mesh, double cell) {
+  std::map<std::array<double, 3>, int> first;
+  TriangleMesh coarse{mesh.vertices, {}};
+  std::vector<int> stand_in(mesh.vertices.size());
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    const Vec3 cube = (mesh.vertices[v] / cell).array().floor();
+    stand_in[v] = first.try_emplace({cube.x(), cube.y(), cube.z()}, static_cast<int>(v)).first->second;
+  }
+  for (auto t : mesh.triangles) {
+    for (int& v : t) v = stand_in[static_cast<std::size_t>(v)];
+    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) coarse.triangles.push_back(t);
+  }
+  return coarse;
 }
+
+/// What gnuplot draws in seconds and in a gigabyte: finer triangles than a pixel show nothing.
+TriangleMesh drawable(const TriangleMesh& mesh) {
+  constexpr std::size_t k_most = 50000;
+  constexpr double k_finest = 1.0 / 512, k_coarser = 1.5;  // of the longest side
+  TriangleMesh drawn = mesh;
+  for (double cell = k_finest * box_of(mesh).sizes().maxCoeff(); drawn.triangles.size() > k_most; cell *= k_coarser)
+    drawn = coarsened(mesh, cell);
+  return drawn;
+}
+
+/// Files that gnuplot reads, removed whatever happens.
+class DataFiles {
+ public:
+  DataFiles(fs::path folder, std::vector<const char*> names) : folder_(std::move(folder)), names_(std::move(names)) {}
+  ~DataFiles() {
+    std::error_code ignored;
+    for (const char* name : names_) fs::remove(folder_ / name, ignored);
+  }
+  DataFiles(const DataFiles&) = delete;
+  DataFiles& operator=(const DataFiles&) = delete;
+
+ private:
+  fs::path folder_;
+  std::vector<const char*> names_;
+};
 
 /// Longest edge drawn whole.
 double longest_drawn(const TriangleMesh& mesh) {
@@ -122,8 +162,10 @@ std::string panel(const View& view, const Eigen::AlignedBox3d& box, std::size_t 
 std::string script(const std::string& picture, const TriangleMesh& mesh, const std::vector<View>& views,
                    const std::string& marks) {
   Eigen::AlignedBox3d box = box_of(mesh);
-  constexpr double k_spare = 1e-3;  // rounded coordinates stay within
-  const Vec3 spare = k_spare * box.sizes();
+  constexpr double k_spare = 1e-3;      // rounded coordinates stay within
+  constexpr double k_thinnest = 0.025;  // of the longest side: gnuplot refuses a range without extent
+  const Vec3 spare =
+      (k_spare * box.sizes().array()).max(k_thinnest * box.sizes().maxCoeff() - 0.5 * box.sizes().array());
   box = {box.min() - spare, box.max() + spare};
   std::string text = fmt::format(
       "set terminal pngcairo size {},{} font ',11'\nset output '{}'\nset multiplot\n"
@@ -141,12 +183,14 @@ std::string script(const std::string& picture, const TriangleMesh& mesh, const s
 
 void draw_hull(const Hull& hull, double level, const fs::path& folder) {
   const double longest = longest_drawn(hull.fluid);
+  const DataFiles removed(folder, {".above.dat", ".below.dat", ".parts.dat", ".water.dat"});
+  const TriangleMesh drawn = drawable(hull.fluid);
   {
     std::ofstream above(folder / ".above.dat"), below(folder / ".below.dat"), parts(folder / ".parts.dat");
-    write_faces(above, hull.fluid, k_steel, 1, longest);
-    write_faces(below, hull.fluid, k_steel, -1, longest);
+    write_faces(above, drawn, k_steel, 1, longest);
+    write_faces(below, drawn, k_steel, -1, longest);
     for (std::size_t k = 0; k < hull.parts.size(); ++k)
-      write_faces(parts, hull.parts[k], k_colours[k % k_colours.size()], -1, longest);
+      write_faces(parts, drawable(hull.parts[k]), k_colours[k % k_colours.size()], -1, longest);
     if (!above || !below || !parts) throw FileError((folder / "hull.png").string() + ": cannot be written");
   }
   write_waterline(folder / ".water.dat", hull.fluid, level);
@@ -156,14 +200,14 @@ void draw_hull(const Hull& hull, double level, const fs::path& folder) {
                        {"mesh from below", ".below.dat", 115, 30},
                        {parts_title.c_str(), ".parts.dat", 115, 30}},
                       "'.water.dat' with lines lw 2 lc rgb '#0040ff' notitle"));
-  for (const char* name : {".above.dat", ".below.dat", ".parts.dat", ".water.dat"}) fs::remove(folder / name);
 }
 
 void draw_faults(const MendedMesh& mesh, const fs::path& folder) {
   const double longest = longest_drawn(mesh.mesh);
+  const DataFiles removed(folder, {".faces.dat", ".marks.dat"});
   {
     std::ofstream faces(folder / ".faces.dat"), marks(folder / ".marks.dat");
-    write_faces(faces, mesh.mesh, k_steel, 1, longest);
+    write_faces(faces, drawable(mesh.mesh), k_steel, 1, longest);
     for (const auto& note : mesh.open)
       for (const auto& p : note.places) marks << fmt::format("{:.6g} {:.6g} {:.6g}\n", p.x(), p.y(), p.z());
     if (!faces || !marks) throw FileError((folder / "faults.png").string() + ": cannot be written");
@@ -173,7 +217,6 @@ void draw_faults(const MendedMesh& mesh, const fs::path& folder) {
                        {"from below", ".faces.dat", 115, 30},
                        {"from the other side", ".faces.dat", 60, 210}},
                       "'.marks.dat' with points pt 6 ps 2 lw 2 lc rgb '#e00000' notitle"));
-  for (const char* name : {".faces.dat", ".marks.dat"}) fs::remove(folder / name);
 }
 
 }  // namespace nilas

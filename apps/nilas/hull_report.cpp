@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/bodies/mass_properties.h"
+#include "core/bodies/mesh_box.h"
 #include "hydro/wetted.h"
 
 namespace nilas {
@@ -14,12 +15,6 @@ using Json = nlohmann::ordered_json;
 
 /// Images of vertices this near to the surface, as a share of the longest side, are on it.
 constexpr double k_symmetric_share = 1e-5;
-
-Eigen::AlignedBox3d box_of(const TriangleMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const auto& p : mesh.vertices) box.extend(p);
-  return box;
-}
 
 double wetted_area(const TriangleMesh& mesh, double level) {
   std::vector<WettedFace> faces;

@@ -5,6 +5,7 @@
 #include "apps/nilas/hull_picture.h"
 #include "core/base/error.h"
 #include "core/base/file_bytes.h"
+#include "core/bodies/mesh_box.h"
 
 namespace nilas {
 
@@ -59,11 +60,9 @@ double demand_sensible_size(const PolygonSoup& soup, const fs::path& file) {
 PreparedHull from_folder(const fs::path& folder) {
   PreparedHull prepared;
   prepared.hull = read_hull(folder);
-  Eigen::AlignedBox3d box;
-  for (const auto& p : prepared.hull.fluid.vertices) box.extend(p);
   constexpr double k_precision = 0.05;  // of the tolerance
-  prepared.deviation =
-      deviation_of(prepared.hull.parts, prepared.hull.fluid, k_precision * k_tolerance_share * box.sizes().maxCoeff());
+  prepared.deviation = deviation_of(prepared.hull.parts, prepared.hull.fluid,
+                                    k_precision * k_tolerance_share * box_of(prepared.hull.fluid).sizes().maxCoeff());
   return prepared;
 }
 

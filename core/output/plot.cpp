@@ -1,5 +1,7 @@
 #include "core/output/plot.h"
 
+#include <sys/wait.h>
+
 #include <cstdlib>
 #include <fstream>
 
@@ -28,11 +30,13 @@ void plot(const std::filesystem::path& folder, const std::string& script) {
   std::ifstream log(folder / ".plot.log");
   const std::string said((std::istreambuf_iterator<char>(log)), std::istreambuf_iterator<char>());
   log.close();
-  std::filesystem::remove(file);
-  std::filesystem::remove(folder / ".plot.log");
-  if (status != 0)
-    throw FileError("the pictures need gnuplot (Debian package gnuplot-nox), which ended with: " +
-                    (said.empty() ? "status " + std::to_string(status) : said));
+  std::error_code ignored;
+  std::filesystem::remove(file, ignored);
+  std::filesystem::remove(folder / ".plot.log", ignored);
+  constexpr int k_not_found = 127;  // of the shell
+  if (WIFEXITED(status) && WEXITSTATUS(status) == k_not_found)
+    throw FileError("the pictures need gnuplot (Debian package gnuplot-nox), which is not there");
+  if (status != 0) throw FileError("gnuplot failed: " + (said.empty() ? "status " + std::to_string(status) : said));
 }
 
 }  // namespace nilas

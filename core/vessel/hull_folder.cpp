@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/file_bytes.h"
+#include "core/bodies/mesh_box.h"
 #include "core/vessel/hull.h"
 #include "core/vessel/hull_parts.h"
 
@@ -26,13 +27,8 @@ TriangleMesh read_sound(const fs::path& file) {
 }
 
 void demand_convex(const TriangleMesh& mesh, const fs::path& file, const std::string& advice) {
-  Vec3 low = mesh.vertices.front(), high = low;
-  for (const auto& p : mesh.vertices) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
   try {
-    make_polytope(mesh, k_convex_tolerance * 0.5 * (high - low).maxCoeff());
+    make_polytope(mesh, k_convex_tolerance * 0.5 * box_of(mesh).sizes().maxCoeff());
   } catch (const InputError& e) {
     throw InputError(file.string() + ": " + e.what() + advice);
   }

@@ -183,6 +183,67 @@ TEST(HullCommand, PathsThatCannotBeOpenedOrMadeEndWith4) {
   EXPECT_FALSE(fs::exists(folder / "hull"));
 }
 
+/// Runs the program with another PATH.
+ProgramResult run_with_path(const std::string& path, const std::string& arguments, const ScratchFolder& folder) {
+  const std::string before = std::getenv("PATH");
+  ::setenv("PATH", path.c_str(), 1);
+  const auto result = run_nilas(arguments, folder.path());
+  ::setenv("PATH", before.c_str(), 1);
+  return result;
+}
+
+/// A PATH with a gnuplot that is this script.
+std::string with_gnuplot(const std::string& script, const ScratchFolder& folder) {
+  fs::permissions(folder.write("bin/gnuplot", "#!/bin/sh\n" + script), fs::perms::owner_all);
+  return (folder / "bin").string() + ":" + std::getenv("PATH");
+}
+
+TEST(HullCommand, AFlatMeshIsDrawn) {
+  const ScratchFolder folder;
+  folder.write("sheet.obj", "v 0 0 0\nv 4 0 0\nv 4 1 0\nv 0 1 0\nf 1 2 3 4\n");
+  const auto refused = run_nilas("hull sheet.obj --out made", folder.path());
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("marked in made/faults.png"), std::string::npos) << refused.err;
+  EXPECT_GT(fs::file_size(folder / "made/faults.png"), 10000u);
+}
+
+TEST(HullCommand, WithoutItsPictureAHullIsWrittenAllTheSame) {
+  const ScratchFolder folder;
+  write_obj(folder / "box.obj", {nilas::box_mesh({0, 0, 0}, {4, 1, 1})});
+  const auto failed = run_with_path(with_gnuplot("exit 3\n", folder), "hull box.obj --out failed", folder);
+  const auto absent = run_with_path("/nowhere", "hull box.obj --out absent", folder);
+  EXPECT_NE(failed.err.find("gnuplot failed"), std::string::npos) << failed.err;
+  EXPECT_NE(absent.err.find("need gnuplot"), std::string::npos) << absent.err;
+  for (const char* made : {"failed", "absent"}) {
+    EXPECT_TRUE(fs::exists(folder / made / "hull.json")) << made;
+    for (const auto& entry : fs::directory_iterator(folder / made))
+      EXPECT_NE(entry.path().filename().string().front(), '.') << entry.path();
+  }
+}
+
+TEST(HullCommand, SliversAreNotDrawnInPieces) {
+  const ScratchFolder folder;
+  constexpr int k_sides = 1000;
+  std::string corners, lower, upper, sides;
+  for (int k = 0; k < k_sides; ++k) {
+    const double turn = 2 * nilas::k_pi * k / k_sides;
+    const std::string yz = std::to_string(0.1 * std::cos(turn)) + " " + std::to_string(0.1 * std::sin(turn)) + "\n";
+    corners += "v 0 " + yz + "v 4 " + yz;
+    const int next = (k + 1) % k_sides;
+    for (const int v : {2 * k + 1, 2 * next + 1, 2 * next + 2, 2 * k + 2})
+      sides += (v == 2 * k + 1 ? "f " : " ") + std::to_string(v);
+    sides += "\n";
+    upper += " " + std::to_string(2 * k + 2);
+    lower = " " + std::to_string(2 * k + 1) + lower;
+  }
+  folder.write("prism.obj", corners + sides + "f" + upper + "\nf" + lower + "\n");
+  const auto made =
+      run_with_path(with_gnuplot("echo bytes $(wc -c < .parts.dat) >&2; exit 3\n", folder), "hull prism.obj", folder);
+  const auto at = made.err.find("bytes ");
+  ASSERT_NE(at, std::string::npos) << made.err;
+  EXPECT_LT(std::stol(made.err.substr(at + 6)), 2000000) << "of 4000 triangles";
+}
+
 TEST(HullCommand, WrongArgumentsAndFilesAreNamed) {
   const ScratchFolder folder;
   write_obj(folder.path() / "box.obj", {nilas::box_mesh({0, 0, 0}, {4, 1, 1})});
