@@ -89,6 +89,8 @@ int hull(const HullOptions& options) {
   }
   if (!draught) draught = 0.5 * box_of(made.hull.fluid).sizes().z();
   const auto result = hull_report(made, *draught);
+  if (const std::string missed = missed_tolerance(made, options.preparation.most_parts); !missed.empty())
+    std::cerr << "warning: " << missed << "\n";
   nlohmann::ordered_json description = result;
   add_origin(description, options);
   write_hull(made.hull, folder.staging(), description.dump(2) + "\n");

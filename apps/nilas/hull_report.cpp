@@ -70,7 +70,26 @@ std::string list_text(const Json& notes) {
   return text;
 }
 
+bool within_tolerance(const PreparedHull& prepared) {
+  return !prepared.tolerance || prepared.deviation.largest <= *prepared.tolerance;
+}
+
 }  // namespace
+
+std::string missed_tolerance(const PreparedHull& prepared, std::size_t most) {
+  if (within_tolerance(prepared)) return "";
+  const std::size_t parts = prepared.hull.parts.size();
+  const Vec3& p = prepared.deviation.place;
+  return fmt::format(
+             "the convex parts stand up to {:.4g} m off the mesh, at ({:.6g}, {:.6g}, {:.6g}) m; asked: {:.4g} m. ",
+             prepared.deviation.largest, p.x(), p.y(), p.z(), *prepared.tolerance) +
+         // parts of a symmetric mesh come in pairs
+         (parts + 2 > most
+              ? fmt::format("--parts allows {}: give more, or a larger --tolerance", most)
+              : fmt::format("no cut was found that would make the {} parts better: what is left is a hollow "
+                            "too narrow; give a larger --tolerance",
+                            parts));
+}
 
 double waterline_level(const TriangleMesh& mesh, double draught) {
   const auto box = box_of(mesh);
@@ -96,6 +115,10 @@ Json hull_report(const PreparedHull& prepared, double draught) {
               {"deviation_m", prepared.deviation.largest},
               {"deviation_precision_m", prepared.deviation.unmeasured},
               {"deviation_place_m", point(prepared.deviation.place)}};
+  if (prepared.tolerance) {
+    report["tolerance_m"] = *prepared.tolerance;
+    report["within_tolerance"] = within_tolerance(prepared);
+  }
   add_hydrostatics(report, mesh, draught, unit.com.z());
   report["symmetric"] = off <= symmetric_within;
   report["asymmetry_m"] = off;

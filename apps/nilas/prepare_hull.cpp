@@ -22,8 +22,14 @@ PolygonSoup in_vessel_frame(PolygonSoup soup, const HullPreparation& how) {
   return soup;
 }
 
-/// Longest side. Throws InputError where it is no ship's or platform's.
-double demand_sensible_size(const PolygonSoup& soup, const fs::path& file) {
+/// How far the coordinates reach.
+struct Reach {
+  double longest = 0;   ///< side of the box around them [m]
+  double furthest = 0;  ///< coordinate [m]
+};
+
+/// Throws InputError where it is no ship's or platform's.
+Reach demand_sensible_size(const PolygonSoup& soup, const fs::path& file) {
   Eigen::AlignedBox3d box;
   for (const auto& loop : soup.polygons)
     for (const int v : loop) box.extend(soup.points[static_cast<std::size_t>(v)]);
@@ -34,7 +40,38 @@ double demand_sensible_size(const PolygonSoup& soup, const fs::path& file) {
         fmt::format("{}: the mesh is {:.4g} m long and reaches {:.4g} m from the origin; allowed: {} m to "
                     "{} m long, within {} m (--scale 0.001 takes a file in millimetres)",
                     file.string(), longest, furthest, k_shortest, k_longest, k_far));
-  return longest;
+  return {longest, furthest};
+}
+
+MendSettings mend_settings(const HullPreparation& how, double longest) {
+  return {how.gap.value_or(k_gap_share * longest), how.largest_hole.value_or(k_hole_share * longest)};
+}
+
+double tolerance_of(const HullPreparation& how, double longest) {
+  return how.tolerance.value_or(k_tolerance_share * longest);
+}
+
+/// Throws InputError for a tolerance near what rounding moves: the search for it would not end.
+void demand_tolerance(double tolerance, double longest) {
+  constexpr double k_least = 1e-6;  // of the longest side
+  if (tolerance < k_least * longest)
+    throw InputError(fmt::format("--tolerance: found {:.4g} m; allowed: at least {:.4g} m, a millionth of the length",
+                                 tolerance, k_least * longest));
+}
+
+/// Throws InputError where the distance from the origin leaves too few digits to float32, as STL stores coordinates.
+void demand_digits(const Reach& reach, const HullPreparation& how, const fs::path& file) {
+  constexpr double k_rounding = 1.0 / (1 << 24), k_part = 0.1;  // of a coordinate, and of the tolerance
+  const double moved = k_rounding * reach.furthest, tolerance = tolerance_of(how, reach.longest);
+  // a gap below the default asks for thinner edges, not for finer coordinates
+  const double gap = std::max(mend_settings(how, reach.longest).gap, k_gap_share * reach.longest);
+  const double allowed = std::min(gap, k_part * tolerance);
+  if (moved <= allowed) return;
+  throw InputError(
+      fmt::format("{}: coordinates reach {:.4g} m from the origin, where STL files round them by {:.2g} m; allowed: "
+                  "{:.2g} m (the gap, a tenth of the tolerance). Move the mesh within {:.4g} m of the origin{}",
+                  file.string(), reach.furthest, moved, allowed, allowed / k_rounding,
+                  k_part * tolerance < gap ? ", or give a larger --tolerance" : ", or give a larger --gap"));
 }
 
 [[noreturn]] void refuse(const fs::path& file, const MendedMesh& mesh, NewHullFolder& folder) {
@@ -71,14 +108,17 @@ PreparedHull from_folder(const fs::path& folder) {
 PreparedHull prepare_hull(const fs::path& mesh, const HullPreparation& how, NewHullFolder& folder) {
   if (is_folder(mesh)) return from_folder(mesh);
   const PolygonSoup soup = in_vessel_frame(read_polygons(mesh), how);
-  const double longest = demand_sensible_size(soup, mesh);
+  const Reach reach = demand_sensible_size(soup, mesh);
+  const double longest = reach.longest, tolerance = tolerance_of(how, longest);
+  demand_tolerance(tolerance, longest);
+  demand_digits(reach, how, mesh);
   MendedMesh mended;
   ConvexParts parts;
   try {
-    mended = mend(soup, {how.gap.value_or(k_gap_share * longest), how.largest_hole.value_or(k_hole_share * longest)});
+    mended = mend(soup, mend_settings(how, longest));
     if (mended.open.empty())
-      parts = decompose(mended.mesh, {how.tolerance.value_or(k_tolerance_share * longest), how.most_parts,
-                                      asymmetry(mended.mesh) <= k_symmetric_share * longest});
+      parts =
+          decompose(mended.mesh, {tolerance, how.most_parts, asymmetry(mended.mesh) <= k_symmetric_share * longest});
   } catch (const InputError& e) {
     throw InputError(mesh.string() + ": " + e.what());
   }
@@ -86,7 +126,8 @@ PreparedHull prepare_hull(const fs::path& mesh, const HullPreparation& how, NewH
   return {{std::move(mended.mesh), std::move(parts.parts)},
           std::move(mended.done),
           parts.deviation,
-          std::move(parts.table)};
+          std::move(parts.table),
+          tolerance};
 }
 
 }  // namespace nilas

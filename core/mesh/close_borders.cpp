@@ -7,6 +7,8 @@
 #include <CGAL/property_map.h>
 #include <fmt/format.h>
 
+#include <set>
+
 #include "core/mesh/surface_mesh.h"
 
 namespace nilas {
@@ -24,13 +26,25 @@ std::vector<Vec3> border_places(const SurfaceMesh& mesh) {
   return places;
 }
 
+/// Whether every walk along halfedges ends.
+bool well_linked(const SurfaceMesh& mesh) {
+  const auto all = mesh.halfedges();
+  return std::all_of(all.begin(), all.end(), [&](const Halfedge h) { return mesh.prev(mesh.next(h)) == h; });
+}
+
 /// Shells one by one first: where two of them share an edge, four borders meet there.
-std::size_t stitch(SurfaceMesh& mesh) {
-  return PMP::stitch_borders(mesh, CGAL::parameters::apply_per_connected_component(true)) + PMP::stitch_borders(mesh);
+void stitch(SurfaceMesh& mesh) {
+  for (const bool one_by_one : {true, false}) {
+    SurfaceMesh tried = mesh;
+    PMP::stitch_borders(tried, CGAL::parameters::apply_per_connected_component(one_by_one));
+    // where a border meets itself CGAL may leave walks that never return
+    if (well_linked(tried)) mesh = std::move(tried);
+  }
 }
 
 /// A corner on a neighbour's edge cuts that edge, and so the neighbour. What then meets may still be wound differently.
-void join_borders(SurfaceMesh& mesh, double gap, std::vector<MeshNote>& done) {
+void join_borders(WeldedSoup& welded, double gap, std::vector<MeshNote>& done) {
+  SurfaceMesh& mesh = welded.mesh;
   if (CGAL::is_closed(mesh)) return;
   stitch(mesh);
   const auto before = border_places(mesh);
@@ -41,10 +55,10 @@ void join_borders(SurfaceMesh& mesh, double gap, std::vector<MeshNote>& done) {
   const TriangleMesh loose = triangles_of(mesh);
   PolygonSoup soup{loose.vertices, {}};
   for (const auto& t : loose.triangles) soup.polygons.push_back({t[0], t[1], t[2]});
-  std::vector<MeshNote> again;
-  mesh = mesh_of_soup(soup, gap, false, again);
+  MendedMesh again;
+  welded = mesh_of_soup(soup, gap, false, again);
   stitch(mesh);
-  for (const auto& note : again)
+  for (const auto& note : again.done)
     if (note.what.find("turned") != std::string::npos) done.push_back(note);
   const std::size_t left = border_places(mesh).size();
   if (left < before.size())
@@ -52,18 +66,28 @@ void join_borders(SurfaceMesh& mesh, double gap, std::vector<MeshNote>& done) {
              before.size() - left, before);
 }
 
+using PlaceSet = std::set<std::array<double, 3>>;
+
+PlaceSet set_of(const std::vector<Vec3>& places) {
+  PlaceSet set;
+  for (const auto& p : places) set.insert({p.x(), p.y(), p.z()});
+  return set;
+}
+
 struct Hole {
   Halfedge start;
   std::size_t edges = 0;
   double across = 0;  ///< diagonal of its bounding box [m]
   Vec3 centre = Vec3::Zero();
+  std::vector<Vec3> crowded;  ///< middles of those edges that more than two faces share
 };
 
-Hole measured(const SurfaceMesh& mesh, Halfedge start) {
-  Hole hole{start, 0, 0, Vec3::Zero()};
+Hole measured(const SurfaceMesh& mesh, Halfedge start, const PlaceSet& crowded) {
+  Hole hole{start, 0, 0, Vec3::Zero(), {}};
   Vec3 low = to_vec(mesh.point(mesh.target(start))), high = low;
   for (const auto h : mesh.halfedges_around_face(start)) {
-    const Vec3 p = to_vec(mesh.point(mesh.target(h)));
+    const Vec3 p = to_vec(mesh.point(mesh.target(h))), m = 0.5 * (p + to_vec(mesh.point(mesh.source(h))));
+    if (crowded.contains({m.x(), m.y(), m.z()})) hole.crowded.push_back(m);
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
     ++hole.edges;
@@ -73,11 +97,11 @@ Hole measured(const SurfaceMesh& mesh, Halfedge start) {
   return hole;
 }
 
-std::vector<Hole> holes(const SurfaceMesh& mesh) {
+std::vector<Hole> holes(const SurfaceMesh& mesh, const PlaceSet& crowded) {
   std::vector<Halfedge> starts;
   PMP::extract_boundary_cycles(mesh, std::back_inserter(starts));
   std::vector<Hole> found;
-  for (const auto h : starts) found.push_back(measured(mesh, h));
+  for (const auto h : starts) found.push_back(measured(mesh, h, crowded));
   return found;
 }
 
@@ -89,14 +113,24 @@ bool fill(SurfaceMesh& mesh, const Hole& hole) {
   return !faces.empty();
 }
 
-void fill_holes(SurfaceMesh& mesh, double largest, MendedMesh& notes) {
+void fill_holes(WeldedSoup& welded, double largest, MendedMesh& notes) {
   std::vector<Vec3> filled, left;
+  PlaceSet walls;  // each of their edges bounds several holes
   double widest = 0;
-  for (const auto& hole : holes(mesh)) {
-    const bool small = hole.across <= largest && fill(mesh, hole);
-    (small ? filled : left).push_back(hole.centre);
-    if (!small) widest = std::max(widest, hole.across);
+  for (const auto& hole : holes(welded.mesh, set_of(welded.crowded))) {
+    if (hole.across <= largest && fill(welded.mesh, hole)) {
+      filled.push_back(hole.centre);
+    } else if (!hole.crowded.empty()) {
+      walls.merge(set_of(hole.crowded));
+    } else {
+      left.push_back(hole.centre);
+      widest = std::max(widest, hole.across);
+    }
   }
+  std::vector<Vec3> shared;
+  for (const auto& p : walls) shared.emplace_back(p[0], p[1], p[2]);
+  add_note(notes.open, "edges that more than two faces share (an inner wall or deck: leave it out, or close it)",
+           shared.size(), shared);
   add_note(notes.done, "holes filled", filled.size(), filled);
   add_note(notes.open,
            fmt::format("holes left open (the widest {:.4g} m across; --fill-holes allows {:.4g} m)", widest, largest),
@@ -116,11 +150,11 @@ void remove_flat_faces(SurfaceMesh& mesh, std::vector<MeshNote>& done) {
 
 }  // namespace
 
-void close_borders(SurfaceMesh& mesh, const MendSettings& settings, MendedMesh& notes) {
-  join_borders(mesh, settings.gap, notes.done);
-  remove_flat_faces(mesh, notes.done);
-  if (!CGAL::is_closed(mesh)) fill_holes(mesh, settings.largest_hole, notes);
-  mesh.collect_garbage();
+void close_borders(WeldedSoup& welded, const MendSettings& settings, MendedMesh& notes) {
+  join_borders(welded, settings.gap, notes.done);
+  remove_flat_faces(welded.mesh, notes.done);
+  if (!CGAL::is_closed(welded.mesh)) fill_holes(welded, settings.largest_hole, notes);
+  welded.mesh.collect_garbage();
 }
 
 }  // namespace nilas

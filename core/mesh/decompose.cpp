@@ -1,5 +1,7 @@
 #include "core/mesh/decompose.h"
 
+#include <fmt/format.h>
+
 #include "core/base/error.h"
 #include "core/mesh/pieces.h"
 #include "core/mesh/surface_distance.h"
@@ -55,6 +57,7 @@ class Decomposition {
     Eigen::AlignedBox3d box;
     for (const auto& p : mesh.vertices) box.extend(p);
     skin_ = k_skin * box.sizes().maxCoeff();
+    diagonal_ = box.diagonal().norm();
     target_ = settings.tolerance / (1 + k_slack + k_precision);
     pieces_.push_back(made(surface_of(mesh), {}));
   }
@@ -92,8 +95,19 @@ class Decomposition {
   ConvexParts result() const {
     constexpr double k_more = 1.5;
     double allowed = std::max(worst(), target_);
-    std::vector<Part> parts = joined(allowed);
-    while (parts.size() > settings_.most) parts = joined(allowed *= k_more);
+    // neighbours alone will not do where more groups lie apart than parts are allowed
+    const bool apart = groups() > settings_.most;
+    const auto joined_within = [&] {
+      return joined(allowed, apart ? std::max(allowed, settings_.tolerance) : settings_.tolerance);
+    };
+    std::vector<Part> parts = joined_within();
+    // no hull stands further out than the mesh is wide: then all are one
+    while (parts.size() > settings_.most && allowed < diagonal_) {
+      allowed *= k_more;
+      parts = joined_within();
+    }
+    if (parts.size() > settings_.most)
+      throw InputError(fmt::format("{} convex parts could not be joined; allowed: {}", parts.size(), settings_.most));
     return {hulls_of(std::move(parts)), {}, table_};
   }
 
@@ -199,18 +213,18 @@ class Decomposition {
     return both;
   }
 
-  /// Neighbours joined, the least deviating pair first, while their hull stays within `allowed`; then both halves.
-  std::vector<Part> joined(double allowed) const {
+  /// Pairs within `reach` joined, the least deviating first, while their hull stays within `allowed`; then both halves.
+  std::vector<Part> joined(double allowed, double reach) const {
     std::vector<Part> parts;
     for (const auto& piece : pieces_)
       if (!piece.hull.triangles.empty()) parts.push_back(piece);
-    join_pairs(parts, allowed);
+    join_pairs(parts, allowed, reach);
     if (!port_only_) return parts;
     std::vector<Part> both;
     for (auto& part : parts) {
       Part image = mirrored(part);
       Part across;
-      if (touch(part, image)) across = common_hull(part, image, allowed);
+      if (near(part, image, reach)) across = common_hull(part, image, allowed);
       if (!across.hull.triangles.empty() && across.deviation <= allowed) {
         both.push_back(std::move(across));
       } else {
@@ -221,11 +235,32 @@ class Decomposition {
     return both;
   }
 
-  bool touch(const Part& a, const Part& b) const {
+  /// Groups of pieces and images that touch.
+  std::size_t groups() const {
+    std::vector<std::vector<Part>> found;
+    const auto add = [&](const Part& part) {
+      std::vector<Part> group{part};
+      std::erase_if(found, [&](std::vector<Part>& other) {
+        const bool touches =
+            std::any_of(other.begin(), other.end(), [&](const Part& p) { return near(p, part, settings_.tolerance); });
+        if (touches) group.insert(group.end(), other.begin(), other.end());
+        return touches;
+      });
+      found.push_back(std::move(group));
+    };
+    for (const auto& piece : pieces_) {
+      if (piece.hull.triangles.empty()) continue;
+      add(piece);
+      if (port_only_) add(mirrored(piece));
+    }
+    return found.size();
+  }
+
+  static bool near(const Part& a, const Part& b, double reach) {
     Eigen::AlignedBox3d box_a, box_b;
     for (const auto& p : a.hull.vertices) box_a.extend(p);
     for (const auto& p : b.hull.vertices) box_b.extend(p);
-    return box_a.exteriorDistance(box_b) <= settings_.tolerance;
+    return box_a.exteriorDistance(box_b) <= reach;
   }
 
   struct Pair {
@@ -233,12 +268,12 @@ class Decomposition {
     Part part;
   };
 
-  void join_pairs(std::vector<Part>& parts, double allowed) const {
+  void join_pairs(std::vector<Part>& parts, double allowed, double reach) const {
     std::vector<bool> gone(parts.size(), false);
     std::vector<Pair> pairs;
     const auto add_pairs = [&](std::size_t b) {
       for (std::size_t a = 0; a < b; ++a) {
-        if (gone[a] || !touch(parts[a], parts[b])) continue;
+        if (gone[a] || !near(parts[a], parts[b], reach)) continue;
         Part part = common_hull(parts[a], parts[b], allowed);
         if (part.deviation <= allowed) pairs.push_back({a, b, std::move(part)});
       }
@@ -261,19 +296,20 @@ class Decomposition {
   PartSettings settings_;
   SurfaceDistance mesh_;
   double skin_ = 0;
-  double target_ = 0;  ///< what is found to deviate no more is within the tolerance [m]
+  double diagonal_ = 0;  ///< of the box around the mesh [m]
+  double target_ = 0;    ///< what is found to deviate no more is within the tolerance [m]
   std::vector<Piece> pieces_;
   std::vector<PartCount> table_;
   bool port_only_ = false;
 };
 
-}  // namespace
-
 constexpr double k_measured = 0.05;  // of the tolerance: how exactly the result is measured
+
+}  // namespace
 
 ConvexParts decompose(const TriangleMesh& mesh, const PartSettings& settings) {
   NILAS_DEMAND(settings.tolerance > 0 && settings.most > 0);
-  try {
+  return by_cgal("the mesh could not be cut into convex parts", [&] {
     Decomposition decomposition(mesh, settings);
     ConvexParts best;
     // while cutting, only what stands outside the mesh is looked at: a narrow hollow may lie deeper below the parts
@@ -288,9 +324,7 @@ ConvexParts decompose(const TriangleMesh& mesh, const PartSettings& settings) {
     }
     add_count({best.parts.size(), best.deviation.largest}, best.table);
     return best;
-  } catch (const CGAL::Failure_exception& e) {
-    throw InputError(std::string("the mesh could not be cut into convex parts: ") + e.what());
-  }
+  });
 }
 
 }  // namespace nilas

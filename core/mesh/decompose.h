@@ -37,7 +37,7 @@ ConvexParts decompose(const TriangleMesh& mesh, const PartSettings& settings);
 /// parts closer than 1e-6 of the size to another part's inside count as covered.
 Deviation deviation_of(const std::vector<TriangleMesh>& parts, const TriangleMesh& mesh, double precision);
 
-/// Largest distance from the mesh of the image in y = 0 of its vertices [m].
+/// Largest distance from the mesh of its image in y = 0, within 2 % and three millionths of its size [m].
 double asymmetry(const TriangleMesh& mesh);
 
 }  // namespace nilas

@@ -18,14 +18,6 @@ namespace {
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 
-std::vector<Vec3> crossings(const SurfaceMesh& mesh) {
-  std::vector<std::pair<SurfaceMesh::Face_index, SurfaceMesh::Face_index>> pairs;
-  PMP::self_intersections(mesh, std::back_inserter(pairs));
-  std::vector<Vec3> places;
-  for (const auto& [a, b] : pairs) places.push_back(0.5 * (middle(mesh, a) + middle(mesh, b)));
-  return places;
-}
-
 bool clean(const SurfaceMesh& mesh) { return !mesh.is_empty() && CGAL::is_closed(mesh) && !crosses_itself(mesh); }
 
 double volume(const SurfaceMesh& mesh) { return std::abs(PMP::volume(mesh)); }
@@ -43,7 +35,7 @@ bool uncross(SurfaceMesh& shell) {
         PMP::experimental::remove_self_intersections(tried, CGAL::parameters::preserve_genus(false));
       else
         PMP::experimental::autorefine_and_remove_self_intersections(tried);
-    } catch (const CGAL::Failure_exception&) {
+    } catch (const std::exception&) {
       continue;
     }
     tried.collect_garbage();
@@ -145,9 +137,18 @@ std::vector<SurfaceMesh> mended_shells(const SurfaceMesh& mesh, MendedMesh& note
 
 bool crosses_itself(const SurfaceMesh& mesh) { return PMP::does_self_intersect(mesh); }
 
+std::vector<Vec3> crossings(const SurfaceMesh& mesh) {
+  std::vector<std::pair<SurfaceMesh::Face_index, SurfaceMesh::Face_index>> pairs;
+  PMP::self_intersections(mesh, std::back_inserter(pairs));
+  std::vector<Vec3> places;
+  for (const auto& [a, b] : pairs) places.push_back(0.5 * (middle(mesh, a) + middle(mesh, b)));
+  return places;
+}
+
 void resolve_shells(SurfaceMesh& mesh, MendedMesh& notes) {
   std::vector<SurfaceMesh> shells = mended_shells(mesh, notes);
   std::erase_if(shells, [](const SurfaceMesh& shell) { return !(volume(shell) > 0); });
+  if (shells.empty() && notes.open.empty()) throw InputError(k_nothing_left);
   if (notes.open.empty() && shells.size() > 1) {
     Shells result = united(std::move(shells));
     add_note(notes.done, "overlapping shells united", result.united.size(), result.united);

@@ -170,20 +170,34 @@ Deviation SurfaceDistance::largest(const std::vector<Corners>& triangles, const 
     if (bound > enough()) open.push({bound, t, nearest});
   };
   for (const auto& t : triangles) consider(t, nullptr);
-  while (!open.empty() && open.top().bound > enough() && found.largest <= search.ceiling) {
+  constexpr int k_most_cuts = 4'000'000;  // some seconds; what is then still open is told as unmeasured
+  int cuts = 0;
+  while (!open.empty() && open.top().bound > enough() && found.largest <= search.ceiling && cuts++ < k_most_cuts) {
     const Open worst = open.top();
     open.pop();
     for (const auto& half : halves(worst.triangle)) consider(half, &worst.nearest);
   }
   found.unmeasured = search.precision + search.slack * found.largest;
+  if (cuts > k_most_cuts) found.unmeasured = std::max(found.unmeasured, open.top().bound - found.largest);
   return found;
 }
 
 double asymmetry(const TriangleMesh& mesh) {
-  const SurfaceDistance surface(corners_of(mesh));
-  double largest = 0;
-  for (const auto& p : mesh.vertices) largest = std::max(largest, surface.at({p.x(), -p.y(), p.z()}));
-  return largest;
+  constexpr double k_skin = 1e-6, k_precision = 2e-6, k_slack = 0.02;  // of the size, twice, and of what is found
+  Eigen::AlignedBox3d box;
+  for (const auto& p : mesh.vertices) box.extend(p);
+  const double size = box.sizes().maxCoeff();
+  std::vector<Corners> images = corners_of(mesh);
+  const SurfaceDistance surface(images);
+  double corners = 0;
+  for (auto& t : images)
+    for (auto& p : t) {
+      p.y() = -p.y();
+      corners = std::max(corners, surface.at(p));
+    }
+  // corners may lie on the surface where the faces between them do not: sides cut along other diagonals
+  const DistanceSearch search{.precision = k_precision * size, .floor = corners, .slack = k_slack};
+  return std::max(corners, surface.largest(surface.without_shared_faces(images, k_skin * size), search).largest);
 }
 
 }  // namespace nilas

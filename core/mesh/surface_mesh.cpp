@@ -1,8 +1,12 @@
 #include "core/mesh/surface_mesh.h"
 
-#include "core/base/error.h"
+#include <map>
 
 namespace nilas {
+
+void silence_cgal() {
+  CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
+}
 
 TriangleMesh triangles_of(const SurfaceMesh& mesh) {
   TriangleMesh out;
@@ -18,6 +22,23 @@ TriangleMesh triangles_of(const SurfaceMesh& mesh) {
     out.triangles.push_back(t);
   }
   return out;
+}
+
+std::vector<Vec3> pinched_vertices(const TriangleMesh& mesh) {
+  std::vector<std::map<int, int>> around(mesh.vertices.size());  // from each neighbour to the next
+  for (const auto& t : mesh.triangles)
+    for (std::size_t k = 0; k < 3; ++k) around[static_cast<std::size_t>(t[k])][t[(k + 1) % 3]] = t[(k + 2) % 3];
+  std::vector<Vec3> pinched;
+  for (std::size_t v = 0; v < around.size(); ++v) {
+    if (around[v].empty()) continue;
+    std::size_t walked = 0;
+    for (auto next = around[v].begin(); next != around[v].end(); next = around[v].find(next->second)) {
+      ++walked;
+      if (next->second == around[v].begin()->first) break;
+    }
+    if (walked < around[v].size()) pinched.push_back(mesh.vertices[v]);
+  }
+  return pinched;
 }
 
 SurfaceMesh surface_of(const TriangleMesh& mesh) {

@@ -114,8 +114,9 @@ Deviation deviation_of(const std::vector<TriangleMesh>& parts, const TriangleMes
   const Deviation outwards = from_mesh.largest(from_mesh.without_shared_faces(united, skin), {.precision = precision});
   Deviation back = from_union.largest(from_union.without_shared_faces(whole, skin),
                                       {.precision = precision, .floor = outwards.largest});
+  const double unmeasured = std::max(outwards.unmeasured, back.unmeasured);
   if (outwards.largest >= back.largest) back = outwards;
-  back.unmeasured = precision + 4 * skin;
+  back.unmeasured = unmeasured + 4 * skin;
   return back;
 }
 

@@ -79,21 +79,42 @@ std::vector<std::size_t> equal_points(const std::vector<Vec3>& points) {
   return found;
 }
 
-/// A loop without repeated neighbours; fewer than three corners are left of a polygon without area.
-void drop_collapsed(const Points& points, Polygons& polygons, std::vector<MeshNote>& done) {
-  std::vector<bool> collapsed;
-  for (auto& loop : polygons) {
-    auto distinct = loop;
-    distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
-    while (distinct.size() > 1 && distinct.front() == distinct.back()) distinct.pop_back();
-    collapsed.push_back(distinct.size() < 3);
-    if (!collapsed.back()) loop = std::move(distinct);
+/// The loops between visits to the same corner that have an area; `on_way` is all false before and after.
+Polygons simple_loops(const std::vector<std::size_t>& loop, std::vector<bool>& on_way) {
+  Polygons simple;
+  std::vector<std::size_t> way;
+  const auto cut_off = [&](std::size_t start) {
+    if (way.size() - start >= 3) simple.emplace_back(way.begin() + static_cast<std::ptrdiff_t>(start), way.end());
+    for (std::size_t k = start; k < way.size(); ++k) on_way[way[k]] = false;
+    way.resize(start);
+  };
+  for (const std::size_t v : loop) {
+    if (on_way[v]) {
+      std::size_t start = way.size() - 1;
+      while (way[start] != v) --start;
+      cut_off(start);
+    }
+    way.push_back(v);
+    on_way[v] = true;
   }
-  const auto places = places_of(points, polygons, collapsed);
-  add_note(done, "faces without area dropped", places.size(), places);
+  cut_off(0);
+  return simple;
+}
+
+/// Loops that visit no corner twice; CGAL's stitching does not end on others.
+void make_simple(const Points& points, Polygons& polygons, std::vector<MeshNote>& done) {
+  std::vector<bool> on_way(points.size(), false), collapsed, split;
   Polygons kept;
-  for (std::size_t f = 0; f < polygons.size(); ++f)
-    if (!collapsed[f]) kept.push_back(std::move(polygons[f]));
+  for (const auto& loop : polygons) {
+    Polygons simple = simple_loops(loop, on_way);
+    collapsed.push_back(simple.empty());
+    split.push_back(simple.size() > 1);
+    for (auto& part : simple) kept.push_back(std::move(part));
+  }
+  auto places = places_of(points, polygons, collapsed);
+  add_note(done, "faces without area dropped", places.size(), places);
+  places = places_of(points, polygons, split);
+  add_note(done, "faces that visit a corner more than once split there", places.size(), places);
   polygons = std::move(kept);
 }
 
@@ -168,26 +189,66 @@ void wind_alike(Points& points, Polygons& polygons, std::vector<MeshNote>& done)
   add_note(done, "faces turned to the winding of their neighbours", places.size(), places);
 }
 
+/// Middles of the edges that more than two polygons share.
+std::vector<Vec3> crowded_edges(const Points& points, const Polygons& polygons) {
+  std::map<std::pair<std::size_t, std::size_t>, int> uses;
+  for (const auto& loop : polygons)
+    for (std::size_t k = 0; k < loop.size(); ++k) ++uses[std::minmax(loop[k], loop[(k + 1) % loop.size()])];
+  std::vector<Vec3> crowded;
+  for (const auto& [edge, count] : uses)
+    if (count > 2) crowded.emplace_back(0.5 * (to_vec(points[edge.first]) + to_vec(points[edge.second])));
+  return crowded;
+}
+
+bool can_be_cut_alone(const SurfaceMesh& mesh, SurfaceMesh::Face_index face) {
+  SurfaceMesh alone;
+  std::vector<SurfaceMesh::Vertex_index> corners;
+  for (const auto v : mesh.vertices_around_face(mesh.halfedge(face)))
+    corners.push_back(alone.add_vertex(mesh.point(v)));
+  alone.add_face(corners);
+  return PMP::triangulate_faces(alone);
+}
+
+/// Cuts faces into triangles; those that cannot be cut go, with a note of what is open.
+void make_triangles(SurfaceMesh& mesh, std::vector<MeshNote>& open) {
+  SurfaceMesh cut = mesh;  // a face that could not be cut is left with links that lead nowhere
+  if (PMP::triangulate_faces(cut)) {
+    mesh = std::move(cut);
+    return;
+  }
+  std::vector<Vec3> places;
+  for (const auto f : mesh.faces()) {
+    if (can_be_cut_alone(mesh, f)) continue;
+    places.push_back(middle(mesh, f));
+    CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
+  }
+  mesh.collect_garbage();
+  NILAS_DEMAND(PMP::triangulate_faces(mesh));
+  add_note(open, "faces that cross themselves could not be cut into triangles", places.size(), places);
+}
+
 }  // namespace
 
-SurfaceMesh mesh_of_soup(const PolygonSoup& soup, double gap, bool backs_are_copies, std::vector<MeshNote>& done) {
+WeldedSoup mesh_of_soup(const PolygonSoup& soup, double gap, bool backs_are_copies, MendedMesh& notes) {
+  auto& done = notes.done;
   Points points;
   Polygons polygons;
   for (const auto& p : soup.points) points.push_back(to_point(p));
   for (const auto& loop : soup.polygons) polygons.emplace_back(loop.begin(), loop.end());
   rename(polygons, equal_points(soup.points));
+  make_simple(points, polygons, done);
   drop_copies(points, polygons, backs_are_copies, done);
   weld(soup.points, gap, polygons, done);
-  drop_collapsed(points, polygons, done);
+  make_simple(points, polygons, done);
   drop_folds(points, polygons, done);
   PMP::repair_polygon_soup(points, polygons);
-  if (polygons.empty()) throw InputError("no face with an area is left");
+  if (polygons.empty()) throw InputError(k_nothing_left);
+  WeldedSoup welded{{}, crowded_edges(points, polygons)};
   wind_alike(points, polygons, done);
-  SurfaceMesh mesh;
-  if (!PMP::is_polygon_soup_a_polygon_mesh(polygons)) throw InputError("the faces do not make a surface");
-  PMP::polygon_soup_to_polygon_mesh(points, polygons, mesh);
-  if (!PMP::triangulate_faces(mesh)) throw InputError("a face with many corners could not be cut into triangles");
-  return mesh;
+  NILAS_DEMAND(PMP::is_polygon_soup_a_polygon_mesh(polygons));
+  PMP::polygon_soup_to_polygon_mesh(points, polygons, welded.mesh);
+  make_triangles(welded.mesh, notes.open);
+  return welded;
 }
 
 }  // namespace nilas

@@ -244,6 +244,32 @@ TEST(HullCommand, SliversAreNotDrawnInPieces) {
   EXPECT_LT(std::stol(made.err.substr(at + 6)), 2000000) << "of 4000 triangles";
 }
 
+TEST(HullCommand, AMissedToleranceIsSaid) {
+  const ScratchFolder folder;
+  write_obj(folder.path() / "pool.obj", {nilas::moonpool_mesh()});
+  const auto run = run_nilas("hull pool.obj --parts 2 --json --out two", folder.path());
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  for (const char* word : {"warning", "asked: 0.004 m", "--parts"})
+    EXPECT_NE(run.err.find(word), std::string::npos) << word << " in " << run.err;
+  const auto report = nlohmann::json::parse(run.out, nullptr, false);
+  EXPECT_NEAR(report["tolerance_m"], 0.004, 1e-9);
+  EXPECT_EQ(report["within_tolerance"], false);
+  const auto enough = run_nilas("hull pool.obj --json --out enough", folder.path());
+  EXPECT_EQ(enough.err.find("warning"), std::string::npos) << enough.err;
+  EXPECT_EQ(nlohmann::json::parse(enough.out, nullptr, false)["within_tolerance"], true);
+}
+
+TEST(HullCommand, CoordinatesTooFarOffForTheirSizeAreRefused) {
+  const ScratchFolder folder;
+  write_obj(folder.path() / "far.obj", {nilas::box_mesh({9e4, 0, 0}, {9e4 + 4, 1, 1})});
+  write_obj(folder.path() / "near.obj", {nilas::box_mesh({500, 0, 0}, {504, 1, 1})});
+  const auto refused = run_nilas("hull far.obj --out made", folder.path());
+  EXPECT_EQ(refused.exit_code, 2);
+  for (const char* word : {"far.obj", "from the origin", "Move the mesh within"})
+    EXPECT_NE(refused.err.find(word), std::string::npos) << word << " in " << refused.err;
+  EXPECT_NEAR(prepared(folder, "near.obj --out made")["volume_m3"], 4, 1e-3);
+}
+
 TEST(HullCommand, WrongArgumentsAndFilesAreNamed) {
   const ScratchFolder folder;
   write_obj(folder.path() / "box.obj", {nilas::box_mesh({0, 0, 0}, {4, 1, 1})});
@@ -262,6 +288,7 @@ TEST(HullCommand, WrongArgumentsAndFilesAreNamed) {
                                          {"box.obj --scale 1e6", 2, "--scale 0.001"},
                                          {"box.obj --tolerance nan", 2, "--tolerance"},
                                          {"box.obj --parts 0", 2, "--parts"},
+                                         {"box.obj --tolerance 1e-300", 2, "allowed: at least 4e-06 m"},
                                          {"cut.off", 2, "cut.off:4"},
                                          {"hull.step", 2, "allowed: .stl, .obj, .off, .ply"},
                                          {"absent.stl", 4, "absent.stl"},

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/mesh/mend.h"
+#include "core/mesh/surface_distance.h"
 #include "core/vessel/hull.h"
 #include "tests/core/mesh/hull_shapes.h"
 #include "tests/support/scratch_folder.h"
@@ -70,6 +71,51 @@ TEST(Decompose, AShipWithHollowFlareHoldsItsToleranceSymmetrically) {
   EXPECT_EQ(port, starboard);
   for (std::size_t k = 1; k < parts.table.size(); ++k)
     EXPECT_LT(parts.table[k].deviation, parts.table.front().deviation);
+}
+
+TEST(Decompose, ShellsThatLieApartAreJoinedWhereFewerPartsAreAllowed) {
+  const auto apart = [](const std::vector<TriangleMesh>& shells) {
+    SolidBuilder b;
+    for (const auto& shell : shells)
+      for (const auto& c : corners_of(shell)) b.triangle(c[0], c[1], c[2]);
+    return b.take();
+  };
+  const TriangleMesh port = box_mesh({0, 1, 0}, {4, 2, 1}), starboard = box_mesh({0, -2, 0}, {4, -1, 1}),
+                     wide = box_mesh({0, -2.5, 0}, {4, -1, 1}), middle = box_mesh({0, -0.5, 0}, {4, 0.5, 1});
+  for (const auto& [mesh, symmetric, most] :
+       {std::tuple{apart({port, starboard}), true, 1u}, std::tuple{apart({port, wide}), false, 1u},
+        std::tuple{apart({port, starboard, middle}), true, 2u}}) {
+    const ConvexParts parts = decompose(mesh, {0.004, most, symmetric});
+    EXPECT_LE(parts.parts.size(), most);
+    EXPECT_GT(parts.deviation.largest, 0.2);  // what bridges the water between them
+  }
+}
+
+TEST(Decompose, TheMirroredSurfaceDecidesOnSymmetry) {
+  // sides that twist, cut along diagonals that are no images of each other: all corners have theirs on the surface
+  const std::array<Vec3, 4> port{Vec3(0, 0.5, 0), Vec3(4, 0.8, 0), Vec3(4, 0.5, 1), Vec3(0, 0.8, 1)};
+  std::array<Vec3, 4> starboard = port;
+  for (auto& p : starboard) p.y() = -p.y();
+  const auto twisted = [&](std::size_t first) {
+    SolidBuilder b;
+    const auto &p = port, &s = starboard;
+    b.quad(p[first], p[(first + 3) % 4], p[(first + 2) % 4], p[(first + 1) % 4]);
+    b.quad(s[1], s[2], s[3], s[0]);
+    b.quad(p[0], p[1], s[1], s[0]);
+    b.quad(p[3], s[3], s[2], p[2]);
+    b.quad(p[0], s[0], s[3], p[3]);
+    b.quad(p[1], p[2], s[2], s[1]);
+    return b.take();
+  };
+  ASSERT_TRUE(find_defects(twisted(0)).sound());
+  // middles of the diagonals: 0.5 and 0.8 off the centre plane, on faces that lean
+  EXPECT_GT(asymmetry(twisted(0)), 0.25);
+  EXPECT_LT(asymmetry(twisted(0)), 0.31);
+  EXPECT_LT(asymmetry(twisted(1)), 1e-12);
+  EXPECT_LT(asymmetry(ship_mesh(30, 6)), 1e-12);
+  // flat sides cut along other diagonals are the same surface
+  EXPECT_LT(asymmetry(box_mesh({0, -1, 0}, {4, 1, 1})), 1e-5);
+  EXPECT_NEAR(asymmetry(box_mesh({0, -1, 0}, {4, 1.1, 1})), 0.1, 0.003);
 }
 
 TEST(Decompose, FewerPartsDeviateMore) {
