@@ -34,6 +34,7 @@ bool well_linked(const SurfaceMesh& mesh) {
 
 /// Shells one by one first: where two of them share an edge, four borders meet there.
 void stitch(SurfaceMesh& mesh) {
+  NILAS_DEMAND(well_linked(mesh));
   for (const bool one_by_one : {true, false}) {
     SurfaceMesh tried = mesh;
     PMP::stitch_borders(tried, CGAL::parameters::apply_per_connected_component(one_by_one));

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <random>
 
 #include "core/base/error.h"
 #include "tests/core/mesh/hull_shapes.h"
@@ -230,6 +231,72 @@ TEST(Mend, UnusedPointsMayLieAnywhereAndGapsMayBeTiny) {
   soup.points.emplace_back(1e300, 0, 0);
   expect_sound(mend(soup, settings(4)), 4, 1e-9);
   expect_sound(mend(soup, {1e-300, 1}), 4, 1e-9);
+}
+
+/// A shape of a few faces with something wrong.
+class Damage {
+ public:
+  explicit Damage(std::uint64_t seed) : random_(seed) {}
+  PolygonSoup soup() {
+    PolygonSoup made = below(4) == 0 ? loose() : soup_of({box_mesh({0, -0.5, 0}, {4, 0.5, 1})});
+    if (below(3) == 0) made = soup_of({box_mesh({0, -0.5, 0}, {4, 0.5, 1}), cone_mesh(0.3 + part(), 1 + part(), 5)});
+    for (std::size_t k = below(6); k > 0; --k) hurt(made);
+    return made;
+  }
+  std::size_t below(std::size_t n) { return static_cast<std::size_t>(random_()) % n; }
+
+ private:
+  double part() { return static_cast<double>(below(1000)) / 1000; }
+  /// Points of a coarse grid, so that many are equal or in one plane.
+  Vec3 point() {
+    return {static_cast<double>(below(5)), static_cast<double>(below(3)) / 2, static_cast<double>(below(3)) / 2};
+  }
+  std::vector<int> loop(std::size_t points) {
+    std::vector<int> corners(3 + below(6));
+    for (int& v : corners) v = static_cast<int>(below(points));
+    return corners;
+  }
+  PolygonSoup loose() {
+    PolygonSoup made;
+    for (int k = 0; k < 8; ++k) made.points.push_back(point());
+    for (int k = 0; k < 8; ++k) made.polygons.push_back(loop(made.points.size()));
+    return made;
+  }
+  void hurt(PolygonSoup& soup) {
+    auto& points = soup.points;
+    auto& polygons = soup.polygons;
+    const std::size_t v = below(points.size()), f = below(polygons.size());
+    switch (below(6)) {
+      case 0:
+        points[v] = point();
+        break;
+      case 1:
+        points[v] += 1e-6 * (1 + 100 * part()) * Vec3(1, 1, -1);
+        break;
+      case 2:
+        points[v] = points[below(points.size())];
+        break;
+      case 3:
+        polygons.push_back(below(2) == 0 ? polygons[f] : loop(points.size()));
+        break;
+      case 4:
+        std::reverse(polygons[f].begin(), polygons[f].end());
+        break;
+      default:
+        if (polygons.size() > 1) polygons.erase(polygons.begin() + static_cast<std::ptrdiff_t>(f));
+    }
+  }
+  std::mt19937_64 random_;
+};
+
+TEST(Mend, DamagedShapesAreAnswered) {
+  constexpr std::uint64_t k_shapes = 300;
+  for (std::uint64_t seed = 1; seed <= k_shapes; ++seed) {
+    SCOPED_TRACE(seed);
+    Damage damage(seed);
+    const PolygonSoup soup = damage.soup();
+    expect_answer(soup, {damage.below(2) == 0 ? 4e-5 : 1e-2, damage.below(2) == 0 ? 0.2 : 10});
+  }
 }
 
 TEST(Mend, FacesThatCrossAreCutApartOrNamed) {
