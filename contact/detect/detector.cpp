@@ -38,7 +38,7 @@ struct alignas(64) Stretch {
 struct FoundPoints {
   int stretch = 0, count = 0;
   std::ptrdiff_t first = 0;
-  bool left_to_others = false;
+  double left_depth = 0;  ///< see PairContacts
 };
 
 /// Whether the parts have the features that made the axis.
@@ -91,6 +91,7 @@ struct ContactDetector::Implementation {
   std::vector<std::int64_t> ids;  ///< bodies whose parts are known
   std::vector<std::shared_ptr<const Shape>> shapes;
   std::vector<Part> parts;
+  std::vector<double> thickness;  ///< per body: of the widest of the balls inside its parts [m]
   std::vector<double> touching;  ///< per part: others of its body nearer than this touch it [m]; 0 where there are none
   BroadPhase broad;
   FclShapes fcl;
@@ -103,6 +104,8 @@ struct ContactDetector::Implementation {
   DetectorCounts counts;
 
   void forget_all();
+  void forget_gone(const Bodies& bodies);
+  std::vector<int> keep_parts(const std::vector<char>& gone);
   void learn_bodies(const Bodies& bodies);
   void index_last_pairs();
   /// What the pair had at the last call, if it was there.
@@ -110,6 +113,7 @@ struct ContactDetector::Implementation {
   void list_pairs(const Bodies& bodies, double margin);
   void search_pairs(const Bodies& bodies, const std::vector<double>& margins);
   void add_up_counts();
+  bool is_deep(std::size_t i) const;
   void find_deep(const Bodies& bodies, std::size_t first, std::size_t last, double margin,
                  std::vector<ContactPoint>& points);
   std::vector<ContactPoint> collect(const Bodies& bodies, const std::vector<double>& margins);
@@ -124,16 +128,60 @@ void ContactDetector::Implementation::forget_all() {
   threads = kept;
 }
 
+/// Parts of bodies that are not gone; returns each part's new place, -1: gone.
+std::vector<int> ContactDetector::Implementation::keep_parts(const std::vector<char>& gone) {
+  std::vector<int> new_body, new_part;
+  int bodies_kept = 0, parts_kept = 0;
+  for (const char body : gone) new_body.push_back(body ? -1 : bodies_kept++);
+  std::vector<char> gone_parts;
+  for (Part& part : parts) {
+    gone_parts.push_back(gone[part.body]);
+    new_part.push_back(gone[part.body] ? -1 : parts_kept++);
+    part.body = new_body[part.body];
+  }
+  remove_marked(gone_parts, parts);
+  remove_marked(gone_parts, touching);
+  remove_marked(gone, ids);
+  remove_marked(gone, shapes);
+  remove_marked(gone, thickness);
+  return new_part;
+}
+
+/// The tree is made anew, as it is for the new bodies.
+void ContactDetector::Implementation::forget_gone(const Bodies& bodies) {
+  std::vector<char> gone;
+  std::size_t kept = 0;
+  for (std::size_t b = 0; b < ids.size(); ++b) {
+    const bool is_there = kept < bodies.id.size() && bodies.id[kept] == ids[b] && bodies.shape[kept] == shapes[b];
+    gone.push_back(is_there ? 0 : 1);
+    kept += is_there ? 1 : 0;
+  }
+  if (kept == ids.size()) return;
+  const std::vector<int> new_part = keep_parts(gone);
+  broad = BroadPhase();
+  fcl = FclShapes();
+  std::vector<PartPair> pairs_kept;
+  std::vector<PairMemory> memory_kept;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const int a = new_part[pairs[i].part_a], b = new_part[pairs[i].part_b];
+    if (a < 0 || b < 0) continue;
+    pairs_kept.push_back({parts[a].body, parts[b].body, a, b});
+    memory_kept.push_back(memory[i]);
+  }
+  pairs.swap(pairs_kept);
+  memory.swap(memory_kept);
+}
+
 void ContactDetector::Implementation::learn_bodies(const Bodies& bodies) {
   demand_finite(bodies);
-  const bool same_start = ids.size() <= bodies.id.size() && std::equal(ids.begin(), ids.end(), bodies.id.begin()) &&
-                          std::equal(shapes.begin(), shapes.end(), bodies.shape.begin());
-  if (!same_start) forget_all();
+  forget_gone(bodies);
   for (std::size_t b = ids.size(); b < bodies.id.size(); ++b) {
     ids.push_back(bodies.id[b]);
     shapes.push_back(bodies.shape[b]);
+    thickness.push_back(0);
     for (Part& part : make_parts(bodies, static_cast<int>(b))) {
       touching.push_back(part.cover ? part.cover->tolerance : 0);
+      thickness.back() = std::max(thickness.back(), 2 * part.inner_radius);
       parts.push_back(std::move(part));
     }
   }
@@ -176,7 +224,7 @@ void ContactDetector::Implementation::search_pairs(const Bodies& bodies, const s
       const auto first = static_cast<std::ptrdiff_t>(stretch.points.size());
       const PairContacts contacts = find_pair_contacts(bodies, parts[pairs[i].part_a], parts[pairs[i].part_b],
                                                        margins[i], fcl, stretch.room, memory[i], stretch.points);
-      found[i] = {static_cast<int>(s), contacts.count, first, contacts.left_to_others};
+      found[i] = {static_cast<int>(s), contacts.count, first, contacts.left_depth};
       stretch.count(contacts);
     }
   });
@@ -193,6 +241,13 @@ void ContactDetector::Implementation::add_up_counts() {
   }
 }
 
+/// Whether the parts of a pair, whose contact is for other parts, are so far in each other that those may not have it
+/// either. Near the end of a seam parts overlap a little along it without being in each other's way.
+bool ContactDetector::Implementation::is_deep(std::size_t i) const {
+  constexpr double k_deep_share = 0.25;  // of the thinner body
+  return found[i].left_depth > k_deep_share * std::min(thickness[pairs[i].body_a], thickness[pairs[i].body_b]);
+}
+
 /// Of two bodies so deep in each other that each of their pairs of parts, [first, last), leaves the contact to another:
 /// the shallowest way out of one pair, and what the others have along it.
 void ContactDetector::Implementation::find_deep(const Bodies& bodies, std::size_t first, std::size_t last,
@@ -201,7 +256,7 @@ void ContactDetector::Implementation::find_deep(const Bodies& bodies, std::size_
   std::vector<ContactPoint> deep;
   for (std::size_t i = first; i < last; ++i) {
     PairMemory none;
-    if (found[i].left_to_others)
+    if (is_deep(i))
       find_pair_contacts(bodies, parts[pairs[i].part_a], parts[pairs[i].part_b], margin, fcl, room, none, deep, true);
   }
   double shallowest = -std::numeric_limits<double>::infinity();
@@ -240,7 +295,7 @@ std::vector<ContactPoint> ContactDetector::Implementation::collect(const Bodies&
       first_pair = i;
       left = false;
     }
-    left = left || pair.left_to_others;
+    left = left || is_deep(i);
     touches = std::max({touches, touching[pairs[i].part_a], touching[pairs[i].part_b]});
     const auto first = stretches[pair.stretch].points.begin() + pair.first;
     points.insert(points.end(), first, first + pair.count);
@@ -392,6 +447,8 @@ std::vector<SweptPair> ContactDetector::sweep(const Bodies& bodies, const std::v
   }
   return swept;
 }
+
+void ContactDetector::follow(const Bodies& bodies) { implementation_->learn_bodies(bodies); }
 
 const DetectorCounts& ContactDetector::counts() const { return implementation_->counts; }
 

@@ -39,8 +39,8 @@ class ContactDetector {
   ContactDetector(ContactDetector&&) noexcept;
   ContactDetector& operator=(ContactDetector&&) noexcept;
 
-  /// All points with gap < margin [m]. Pairs of two bodies that cannot move are left out. Bodies appended since the
-  /// last call are picked up; a body whose shape changed must be re-added under a new id.
+  /// All points with gap < margin [m]. Pairs of two bodies that cannot move are left out. Bodies that came or went
+  /// since the last call are noticed; a body whose shape changed must be re-added under a new id.
   std::vector<ContactPoint> detect(const Bodies& bodies, double margin);
   /// The points whose gap the bodies' own reach (contact/detect/reach.h, one length per body [m]) may close.
   /// All points with gap < margin enter beside them.
@@ -51,6 +51,9 @@ class ContactDetector {
   /// (a, b, part_a, part_b).
   std::vector<SweptPair> sweep(const Bodies& bodies, const std::vector<BodyMotion>& motions,
                                const std::vector<FastPair>& pairs, double depth = 0);
+  /// Takes notice of bodies that came or went, as the calls above do; what is remembered of pairs of others stays.
+  /// Needed before save() alone.
+  void follow(const Bodies& bodies);
   const DetectorCounts& counts() const;  ///< of the last detect() and of the sweeps since then
 
   /// The coherence caches: the boxes of the broad phase, and what each pair remembers.

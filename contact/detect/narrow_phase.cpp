@@ -85,10 +85,10 @@ void primitive_pair(const Bodies& bodies, const Part& a, const Part& b, double m
   }
 }
 
-/// False where the parts overlap and their contact is left to others.
-bool polytope_or_cylinder_pair(const Bodies& bodies, const Part& a, const Part& b, double margin, FclShapes& fcl,
-                               AxisSearchRoom& room, PairMemory& memory, AxisSearchCounts& counts, Points& points,
-                               bool alone) {
+/// Depth by which the parts overlap where their contact is left to others, else 0.
+double polytope_or_cylinder_pair(const Bodies& bodies, const Part& a, const Part& b, double margin, FclShapes& fcl,
+                                 AxisSearchRoom& room, PairMemory& memory, AxisSearchCounts& counts, Points& points,
+                                 bool alone) {
   const PairView pair = view_pair(a, b, pose_of_b_in_a(bodies, a.body, b.body), margin);
   const bool both_faceted = a.facets && b.facets;
   Axis axis = both_faceted ? find_axis(pair, memory.contact_axis, fcl, room, counts)
@@ -98,10 +98,10 @@ bool polytope_or_cylinder_pair(const Bodies& bodies, const Part& a, const Part& 
   memory = {};
   if (axis.s > margin) {
     memory.separating = R * axis.n;
-    return true;
+    return 0;
   }
-  const bool overlap = axis.s < -pair.tolerance;
-  if ((a.cover || b.cover) && !find_way_out(pair, room, axis, alone)) return !overlap;
+  const double depth = axis.s < -pair.tolerance ? -axis.s : 0;
+  if ((a.cover || b.cover) && !find_way_out(pair, room, axis, alone)) return depth;
   const Vec3 n_G = R * axis.n;
   if (axis.proven) memory.contact_axis = {axis.kind, axis.feature_a, axis.feature_b};
   select_points(pair, axis, before.last(), room.facing);
@@ -123,7 +123,7 @@ bool polytope_or_cylinder_pair(const Bodies& bodies, const Part& a, const Part& 
     }
     point.key = contact_key(key, p.feature);
   }
-  return true;
+  return 0;
 }
 
 }  // namespace
@@ -142,7 +142,7 @@ PairContacts find_pair_contacts(const Bodies& bodies, const Part& a, const Part&
     out.separated_by_memory = true;
     return out;
   } else {
-    out.left_to_others = !polytope_or_cylinder_pair(bodies, a, b, margin, fcl, room, memory, out.search, points, alone);
+    out.left_depth = polytope_or_cylinder_pair(bodies, a, b, margin, fcl, room, memory, out.search, points, alone);
   }
   out.count = static_cast<int>(points.size() - before);
   order_by_key(std::span(points).subspan(before));

@@ -24,7 +24,7 @@ struct PairMemory {
 struct PairContacts {
   int count = 0;  ///< points added
   bool separated_by_memory = false;
-  bool left_to_others = false;  ///< the parts overlap, but their contact is for other parts of the two bodies
+  double left_depth = 0;  ///< of the overlap of parts whose contact is for other parts of the two bodies, else 0 [m]
   AxisSearchCounts search;
 };
 

@@ -1,5 +1,6 @@
 #include "core/bodies/bodies.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/error.h"
@@ -13,7 +14,7 @@ int Bodies::add(const BodySpec& spec) {
   const bool moves = spec.motion != Motion::fixed;
   NILAS_DEMAND(std::isfinite(spec.mass) && (!moves || spec.mass > 0));
   NILAS_DEMAND(spec.inertia_B.allFinite() && (!moves || physically_valid_inertia(spec.inertia_B)));
-  id.push_back(id.empty() ? 1 : id.back() + 1);
+  id.push_back(next_id++);
   name.push_back(spec.name);
   kind.push_back(spec.kind);
   motion.push_back(spec.motion);
@@ -29,6 +30,18 @@ int Bodies::add(const BodySpec& spec) {
   w_GB.push_back(spec.w);
   set_pose(size() - 1, spec.pose.p, spec.pose.q);
   return size() - 1;
+}
+
+std::size_t Bodies::index_of(std::int64_t body_id) const {
+  const auto found = std::lower_bound(id.begin(), id.end(), body_id);
+  NILAS_DEMAND(found != id.end() && *found == body_id);
+  return static_cast<std::size_t>(found - id.begin());
+}
+
+void Bodies::remove(const std::vector<char>& gone) {
+  NILAS_DEMAND(gone.size() == id.size());
+  const auto drop = [&](auto&... lists) { (remove_marked(gone, lists), ...); };
+  drop(id, name, kind, motion, material, shape, mass, inertia_B, inertia_inverse_B, p_GB, q_GB, R_GB, v_GB, w_GB);
 }
 
 void Bodies::set_pose(int b, const Vec3& p, const Quat& q) {
@@ -55,6 +68,7 @@ Vec3 Bodies::velocity_at(int b, const Vec3& point_G) const {
 
 void Bodies::save(StateWriter out) const {
   out.add("id", id);
+  out.add("next_id", next_id);
   out.add("p_GB", p_GB);
   out.add("q_GB", q_GB);
   out.add("R_GB", R_GB);
@@ -66,6 +80,7 @@ void Bodies::restore(const StateReader& in) {
   std::vector<std::int64_t> saved;
   in.get("id", saved);
   if (saved != id) in.refuse("id", "these are not the bodies of this scene");
+  in.get("next_id", next_id);
   const std::size_t count = id.size();
   in.get("p_GB", p_GB, count);
   in.get("q_GB", q_GB, count);

@@ -46,22 +46,34 @@ struct Bodies {
   std::vector<Mat3> R_GB;               ///< rotation matrix of q_GB, kept in step by set_pose
   std::vector<Vec3> v_GB;               ///< of the centre of mass [m/s]
   std::vector<Vec3> w_GB;               ///< in G [rad/s]
+  std::int64_t next_id = 1;             ///< of the next body that is added
 
   int size() const { return static_cast<int>(id.size()); }
   bool is_free(int b) const { return motion[static_cast<std::size_t>(b)] == Motion::free; }
-  /// Appends a body, returns its index; the id is the next unused one, from 1. Throws ContractError when the shape is
-  /// missing, a number is not finite, or a body that moves has no positive mass and physically valid inertia.
+  /// Appends a body, returns its index; the id is `next_id`, which goes up by one. Throws ContractError when the shape
+  /// is missing, a number is not finite, or a body that moves has no positive mass and physically valid inertia.
   int add(const BodySpec& spec);
+  /// Of the body with this id. Throws ContractError where there is none.
+  std::size_t index_of(std::int64_t body_id) const;
+  /// Takes bodies out; the others keep their order. One entry per body: true for those that go.
+  void remove(const std::vector<char>& gone);
   /// Sets pose and the rotation matrix that belongs to it; q need not be exactly unit, it is normalised.
   void set_pose(int b, const Vec3& p, const Quat& q);
   Mat3 inertia_G(int b) const;                         ///< R I R^T
   Mat3 inertia_inverse_G(int b) const;                 ///< R I^-1 R^T
   Vec3 velocity_at(int b, const Vec3& point_G) const;  ///< of the body point now at point_G [m/s]
 
-  /// Poses and velocities.
+  /// Ids, poses and velocities.
   void save(StateWriter out) const;
   /// Throws InputError when the state is one of other bodies.
   void restore(const StateReader& in);
 };
+
+/// Takes the entries that are marked out of a list beside the bodies; the others keep their order.
+template <class T>
+void remove_marked(const std::vector<char>& gone, std::vector<T>& list) {
+  std::size_t k = 0;
+  std::erase_if(list, [&](const T&) { return gone[k++] != 0; });
+}
 
 }  // namespace nilas

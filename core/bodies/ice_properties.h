@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "core/base/math.h"
+#include "core/bodies/bodies.h"
 
 namespace nilas {
 
@@ -22,6 +22,11 @@ struct IceProperties {
 
   bool is_breakable(int b) const {
     return static_cast<std::size_t>(b) < breakable.size() && breakable[static_cast<std::size_t>(b)] != 0;
+  }
+  /// Takes the entries that are marked out.
+  void remove(const std::vector<char>& gone) {
+    const auto drop = [&](auto&... lists) { (remove_marked(gone, lists), ...); };
+    drop(breakable, flexural_strength, compressive_strength, fracture_toughness);
   }
   /// Gives entries to all bodies up to `count`.
   void resize(std::size_t count) {

@@ -252,6 +252,70 @@ TEST(Detector, AnotherListOfBodiesStartsAfresh) {
   EXPECT_TRUE(detector.detect(others, 0.01).empty());
 }
 
+/// As when ice breaks: what pairs of the others remember stays, so their points are those of a detector that lost none.
+TEST(Detector, BodiesThatGoTakeNoMemoryOfOthers) {
+  const auto floes = crowd(120, 9);
+  Bodies all = bodies_of(floes, in_order(floes.size()));
+  ContactDetector of_all, of_some;
+  for (int step = 0; step < 20; ++step) {
+    drift(all, step);
+    of_all.detect(all, 0.02);
+    of_some.detect(all, 0.02);
+  }
+  Bodies some = all;
+  std::vector<char> gone(floes.size(), 0);
+  for (const std::size_t b : {0u, 17u, 18u, 63u, 119u}) gone[b] = 1;
+  some.remove(gone);
+  const int added = add_body(some, floes[17].shape, some.p_GB[30] + Vec3(0.3, 0.2, 0));
+  const std::int64_t new_id = some.id[static_cast<std::size_t>(added)];
+  for (int step = 0; step < 3; ++step) {
+    const auto stays = [&](const Bodies& bodies, const ContactPoint& c) {
+      const auto is_old = [&](int b) {
+        const std::int64_t id = bodies.id[static_cast<std::size_t>(b)];
+        return id != new_id && gone[static_cast<std::size_t>(id - 1)] == 0;
+      };
+      return is_old(c.a) && is_old(c.b);
+    };
+    auto expected = of_all.detect(all, 0.02), found = of_some.detect(some, 0.02);
+    std::erase_if(expected, [&](const ContactPoint& c) { return !stays(all, c); });
+    std::erase_if(found, [&](const ContactPoint& c) { return !stays(some, c); });
+    ASSERT_GT(expected.size(), 200u);
+    expect_same_bits(expected, found);
+    drift(all, step);
+    for (int b = 0; b < some.size(); ++b)
+      if (some.id[static_cast<std::size_t>(b)] != new_id) {
+        const std::size_t k = all.index_of(some.id[static_cast<std::size_t>(b)]);
+        some.p_GB[static_cast<std::size_t>(b)] = all.p_GB[k];
+        some.q_GB[static_cast<std::size_t>(b)] = all.q_GB[k];
+        some.R_GB[static_cast<std::size_t>(b)] = all.R_GB[k];
+      }
+  }
+}
+
+/// A cut leaves pieces that touch along it; near the end of a seam within the larger one their parts overlap by
+/// rounding, which is no way through its whole length.
+TEST(Detector, PiecesThatTouchBesideASeamAreNotDeep) {
+  Bodies bodies;
+  std::vector<Vec2> notched{{0, -3}, {13, -3}, {13, 3}, {0, 3}, {0, 0.3}, {0.2, 0.1}, {0.2, -0.1}, {0, -0.3}};
+  const Vec2 centre = polygon_moments(notched).centroid;
+  add_body(bodies, floe_shape(notched, 0.04), {centre.x(), centre.y(), 0}, Quat::Identity(), Motion::fixed);
+  const std::vector<Vec2> plug{{0, -0.3}, {0.2, -0.1}, {0.2, 0.1}, {0, 0.3}};
+  const Vec2 middle = polygon_moments(plug).centroid;
+  ASSERT_GT(bodies.shape[0]->parts.size(), 2u);
+  RandomStream random(3, "plug");
+  for (int k = 0; k < 200; ++k) {
+    Bodies pair = bodies;
+    const double off = k < 50 ? 1e-15 : 1e-4;
+    const auto any = [&] { return random.uniform(-off, off); };
+    const Vec3 moved{any(), any(), any()}, turned{any(), any(), any()};
+    add_body(pair, floe_shape(plug, 0.04), Vec3(middle.x(), middle.y(), 0) + moved,
+             Quat(Eigen::AngleAxisd(turned.norm(), turned.normalized())));
+    const auto points = ContactDetector().detect(pair, 0.01);
+    EXPECT_GE(points.size(), 6u);
+    for (const ContactPoint& c : points) EXPECT_GT(c.gap, -4 * off - 1e-14) << k;
+  }
+}
+
 TEST(Detector, PartsOfOneConcaveFloeDoNotPair) {
   const std::vector<Vec2> corner{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
   Bodies bodies;

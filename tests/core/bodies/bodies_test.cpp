@@ -29,6 +29,25 @@ TEST(Bodies, IdsGrowFromOneWithTheIndex) {
   EXPECT_TRUE(bodies.is_free(4));
 }
 
+TEST(Bodies, ThoseThatStayKeepTheirOrderAndIdsAreNotUsedAgain) {
+  Bodies bodies;
+  for (int k = 0; k < 4; ++k) {
+    BodySpec spec = floe(std::to_string(k));
+    spec.pose.p.x() = k;
+    bodies.add(spec);
+  }
+  bodies.remove({0, 1, 0, 1});
+  EXPECT_EQ(bodies.id, (std::vector<std::int64_t>{1, 3}));
+  EXPECT_EQ(bodies.name, (std::vector<std::string>{"0", "2"}));
+  EXPECT_EQ(bodies.p_GB[1].x(), 2);
+  EXPECT_EQ(bodies.inertia_inverse_B.size(), 2u);
+  EXPECT_EQ(bodies.add(floe("new")), 2);
+  EXPECT_EQ(bodies.id.back(), 5);
+  EXPECT_EQ(bodies.index_of(5), 2u);
+  EXPECT_THROW(bodies.index_of(4), ContractError);
+  EXPECT_THROW(bodies.remove({1}), ContractError);
+}
+
 TEST(Bodies, PoseIsNormalisedAndTheMatrixFollows) {
   Bodies bodies;
   BodySpec spec = floe("turned");
