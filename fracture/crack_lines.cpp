@@ -53,13 +53,10 @@ int chords_per_wedge(const WedgeFan& fan) {
   return static_cast<int>(std::ceil(fan.wedge_angle / largest));
 }
 
-/// On edge `edge` from vertex `edge` on, that vertex included.
-struct EdgePlace {
-  std::size_t edge = 0;
-  Vec2 point = Vec2::Zero();
-};
+}  // namespace
 
-EdgePlace nearest_place(const std::vector<Vec2>& outline, const Vec2& point) {
+EdgePlace nearest_edge_place(const std::vector<Vec2>& outline, const Vec2& point) {
+  NILAS_DEMAND(outline.size() >= 3);
   EdgePlace best{0, outline.front()};
   const std::size_t n = outline.size();
   for (std::size_t i = 0; i < n; ++i) {
@@ -69,14 +66,14 @@ EdgePlace nearest_place(const std::vector<Vec2>& outline, const Vec2& point) {
     const Vec2 foot = share <= 0 ? a : share >= 1 ? b : Vec2(a + share * along);
     if ((foot - point).squaredNorm() < (best.point - point).squaredNorm()) best = {foot == b ? (i + 1) % n : i, foot};
   }
+  const bool corner = best.point == outline[best.edge];
+  const Vec2 onward = outline[(best.edge + 1) % n] - best.point;
+  const Vec2 back = outline[corner ? (best.edge + n - 1) % n : best.edge] - best.point;
+  best.inside = k_pi;
+  if (corner) best.inside = std::atan2(onward.x() * back.y() - onward.y() * back.x(), onward.dot(back));
+  if (best.inside <= 0) best.inside += 2 * k_pi;
+  best.inward = direction_of(std::atan2(onward.y(), onward.x()) + 0.5 * best.inside);
   return best;
-}
-
-}  // namespace
-
-Vec2 nearest_edge_point(const std::vector<Vec2>& outline, const Vec2& point) {
-  NILAS_DEMAND(!outline.empty());
-  return nearest_place(outline, point).point;
 }
 
 std::vector<Chord> chords(const std::vector<Vec2>& outline, const Vec2& point, double angle) {
@@ -131,18 +128,11 @@ Split split_along(const std::vector<Vec2>& outline, const Vec2& breaking_point, 
 
 WedgeFan fan_across(const std::vector<Vec2>& outline, const Vec2& point, double wedge_angle, double radius,
                     double arc_tolerance) {
-  NILAS_DEMAND(outline.size() >= 3 && wedge_angle > 0);
-  const EdgePlace place = nearest_place(outline, point);
-  const std::size_t n = outline.size(), i = place.edge;
-  const bool corner = place.point == outline[i];
-  const Vec2 onward = outline[(i + 1) % n] - place.point;
-  const Vec2 back = outline[corner ? (i + n - 1) % n : i] - place.point;
-  double inside = std::atan2(onward.x() * back.y() - onward.y() * back.x(), onward.dot(back));
-  if (!corner) inside = k_pi;
-  if (inside <= 0) inside += 2 * k_pi;
-  const int wedges = std::max(1, static_cast<int>(std::lround(inside / wedge_angle)));
-  const double first = std::atan2(onward.y(), onward.x());
-  return {place.point, first + inside / 2, wedges, inside / wedges, radius, arc_tolerance};
+  NILAS_DEMAND(wedge_angle > 0);
+  const EdgePlace place = nearest_edge_place(outline, point);
+  const int wedges = std::max(1, static_cast<int>(std::lround(place.inside / wedge_angle)));
+  return {place.point,  std::atan2(place.inward.y(), place.inward.x()), wedges, place.inside / wedges, radius,
+          arc_tolerance};
 }
 
 std::vector<std::vector<Vec2>> wedge_cracks(const WedgeFan& fan) {

@@ -15,8 +15,16 @@ struct Chord {
   double length() const { return (end - start).norm(); }
 };
 
-/// Nearest point on the outline's edge. At least one vertex.
-Vec2 nearest_edge_point(const std::vector<Vec2>& outline, const Vec2& point);
+/// A point of an outline's edge.
+struct EdgePlace {
+  std::size_t edge = 0;         ///< from vertex `edge` on, that vertex included
+  Vec2 point = Vec2::Zero();    ///< [m]
+  Vec2 inward = Vec2::UnitX();  ///< into the polygon, unit: the edge's normal, at a vertex the middle of its angle
+  double inside = 0;            ///< angle of the polygon there, pi along an edge [rad]
+};
+
+/// Nearest place on the edge of a counter-clockwise outline. Throws ContractError below three vertices.
+EdgePlace nearest_edge_place(const std::vector<Vec2>& outline, const Vec2& point);
 
 /// Parts inside the outline of the line from `point` along `angle` [rad, from x], in order: all that lie ahead of the
 /// point, and the one it lies in with its part behind, so that a point some way inside the edge serves as well. A line

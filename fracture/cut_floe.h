@@ -9,22 +9,15 @@
 
 namespace nilas {
 
-/// Of the ice, inherited by every piece.
-struct IceStrengths {
-  double flexural = 0, compressive = 0;  ///< [Pa]
-  double fracture_toughness = 0;         ///< [Pa sqrt(m)]
-};
-
 /// A floe of uniform thickness and density.
 struct FloeState {
   std::vector<Vec2> outline;      ///< in B, counter-clockwise about its centroid [m]
   double thickness = 0;           ///< [m]
   double mass = 0;                ///< [kg]
   Mat3 inertia_B = Mat3::Zero();  ///< about the centre of mass [kg m^2]
-  IceStrengths strengths;
-  Pose pose;                 ///< of the centre of mass in G
-  Vec3 v_GB = Vec3::Zero();  ///< of the centre of mass [m/s]
-  Vec3 w_GB = Vec3::Zero();  ///< in G [rad/s]
+  Pose pose;                      ///< of the centre of mass in G
+  Vec3 v_GB = Vec3::Zero();       ///< of the centre of mass [m/s]
+  Vec3 w_GB = Vec3::Zero();       ///< in G [rad/s]
 };
 
 /// What breaking must not change, in G.

@@ -63,8 +63,8 @@ TEST(Chords, CutTheFloeThatTheyCross) {
 }
 
 TEST(NearestEdgePoint, IsTheFootOrACorner) {
-  EXPECT_EQ(nearest_edge_point(k_square, {0.3, 0.1}), Vec2(0.3, 0));
-  EXPECT_EQ(nearest_edge_point(k_square, {2, 3}), Vec2(1, 1));
+  EXPECT_EQ(nearest_edge_place(k_square, {0.3, 0.1}).point, Vec2(0.3, 0));
+  EXPECT_EQ(nearest_edge_place(k_square, {2, 3}).point, Vec2(1, 1));
 }
 
 TEST(Split, ComparesTheChordWithTheBendingRadius) {

@@ -20,7 +20,6 @@ FloeState plate(double length, double width) {
   const MassProperties m = prism_properties(floe.outline, floe.thickness, 900);
   floe.mass = m.mass;
   floe.inertia_B = m.inertia;
-  floe.strengths = {5e5, 2e6, 1e5};
   return floe;
 }
 
@@ -48,9 +47,6 @@ TEST(CutFloe, PiecesInheritWhatTheIceIs) {
   const FloeState floe = plate(4, 2);
   for (const FloePiece& piece : cut_floe(floe, {{{-5, 0.3}, {5, 0.1}}, {{1, -2}, {0, 2}}}, {}).pieces) {
     EXPECT_EQ(piece.state.thickness, floe.thickness);
-    EXPECT_EQ(piece.state.strengths.flexural, floe.strengths.flexural);
-    EXPECT_EQ(piece.state.strengths.compressive, floe.strengths.compressive);
-    EXPECT_EQ(piece.state.strengths.fracture_toughness, floe.strengths.fracture_toughness);
     EXPECT_NEAR(piece.state.mass / (piece.area * floe.thickness), 900, 900 * 1e-14);
     EXPECT_NEAR(polygon_moments(piece.state.outline).centroid.norm(), 0, 1e-15);
     EXPECT_NEAR(prism_shape(piece.state.outline, floe.thickness).thickness, 0.5, 0);

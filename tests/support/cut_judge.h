@@ -65,7 +65,6 @@ inline FloeState random_floe(Outline outline, RandomStream& random) {
   const MassProperties plate = prism_properties(outline, floe.thickness, 900);
   floe.mass = plate.mass;
   floe.inertia_B = plate.inertia;
-  floe.strengths = {4e4, 1e5, 3e3};
   floe.pose.q = Quat(random.normal(), random.normal(), random.normal(), random.normal()).normalized();
   floe.pose.p = vector(10 * size_of_floe);
   floe.v_GB = vector(1);

@@ -1,0 +1,92 @@
+#include "fracture/edge_contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/error.h"
+#include "fracture/crack_lines.h"
+
+namespace nilas {
+
+namespace {
+
+using Group = std::vector<PointLoad>;
+
+/// Loads in the plane's plan below this share of the whole give no direction to a crack [-].
+constexpr double k_least_level = 1e-6;
+
+/// The strongest load that is in no group yet, with all others within `link` of it.
+std::vector<Group> linked(const std::vector<PointLoad>& loads, double link) {
+  std::vector<std::size_t> order;
+  for (std::size_t k = 0; k < loads.size(); ++k)
+    if (!loads[k].force.isZero(0)) order.push_back(k);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t k) {
+    return loads[i].force.squaredNorm() > loads[k].force.squaredNorm();
+  });
+  std::vector<Group> groups;
+  while (!order.empty()) {
+    const PointLoad& strongest = loads[order.front()];
+    Group group;
+    std::erase_if(order, [&](std::size_t k) {
+      if ((loads[k].x - strongest.x).head<2>().norm() > link) return false;
+      group.push_back(loads[k]);
+      return true;
+    });
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+/// Length of an even load along a direction.
+double extent(const Group& group, const Vec2& along, double whole) {
+  const bool of_areas = std::all_of(group.begin(), group.end(), [](const PointLoad& p) { return p.of_area; });
+  double low = std::numeric_limits<double>::infinity(), high = -low, mean = 0, square = 0;
+  for (const PointLoad& p : group) {
+    const double s = along.dot(p.x.head<2>());
+    low = std::min(low, s);
+    high = std::max(high, s);
+    mean += p.force.norm() / whole * s;
+  }
+  if (!of_areas) return high - low;
+  for (const PointLoad& p : group) square += p.force.norm() / whole * std::pow(along.dot(p.x.head<2>()) - mean, 2);
+  return std::sqrt(12 * square);
+}
+
+EdgeContact contact_of(const std::vector<Vec2>& outline, const Group& group) {
+  EdgeContact contact;
+  double whole = 0;
+  Vec2 middle = Vec2::Zero();
+  for (const PointLoad& p : group) {
+    const double amount = p.force.norm();
+    whole += amount;
+    middle += amount * p.x.head<2>();
+    contact.force += p.force;
+    contact.speed += amount * p.speed;
+  }
+  contact.speed /= whole;
+  const EdgePlace place = nearest_edge_place(outline, middle / whole);
+  contact.edge_point = place.point;
+  contact.inward = place.inward;
+  const Vec2 along(-contact.inward.y(), contact.inward.x());
+  contact.width = extent(group, along, whole);
+  contact.depth = extent(group, contact.inward, whole);
+  const Vec2 level = contact.force.head<2>();
+  if (level.norm() <= k_least_level * whole) return contact;
+  contact.crack = level.normalized();
+  const Vec2 across(-contact.crack.y(), contact.crack.x());
+  for (const PointLoad& p : group) contact.opening += 0.5 * std::abs(across.dot(p.force.head<2>()));
+  return contact;
+}
+
+}  // namespace
+
+std::vector<EdgeContact> edge_contacts(const std::vector<Vec2>& outline, const std::vector<PointLoad>& loads,
+                                       double link) {
+  NILAS_DEMAND(outline.size() >= 3 && link >= 0);
+  std::vector<EdgeContact> contacts;
+  for (const Group& group : linked(loads, link)) contacts.push_back(contact_of(outline, group));
+  return contacts;
+}
+
+}  // namespace nilas

@@ -1,0 +1,37 @@
+#pragma once
+/// Where, how wide and how hard structures press on the edge of a floe.
+#include <vector>
+
+#include "core/base/math.h"
+
+namespace nilas {
+
+/// Force of one contact point on a floe, in its frame B.
+struct PointLoad {
+  Vec3 x = Vec3::Zero();      ///< [m]
+  Vec3 force = Vec3::Zero();  ///< [N]
+  double speed = 0;           ///< at which the structure closes in along the contact's normal, times how far that is
+                              ///< from level: the speed at which it pushes the ice down or up [m/s]
+  bool of_area = false;       ///< stands, with others, for an area: by its second moments
+};
+
+/// Points that press together, in the frame B of the floe.
+struct EdgeContact {
+  Vec2 edge_point = Vec2::Zero();  ///< of the outline, nearest to the middle of the load [m]
+  Vec2 inward = Vec2::UnitX();     ///< normal of the edge there, into the ice
+  Vec3 force = Vec3::Zero();       ///< [N]
+  double width = 0;                ///< 2 b: along the edge [m]
+  double depth = 0;                ///< a: across it [m]
+  double opening = 0;              ///< F_Y: half the sum of the forces' amounts across the crack, see `crack` [N]
+  Vec2 crack = Vec2::Zero();       ///< direction of the load in the plane: that of a splitting crack; 0: there is none
+  double speed = 0;                ///< mean over the load [m/s]
+};
+
+/// Groups of points: the strongest with all within `link` [m] of it in the plane, then of what is left again. Width and
+/// depth are those of an even pressure with the same second moments, sqrt(12) times the force's radius of gyration;
+/// where points do not stand for areas, the distance between the outermost. `outline` counter-clockwise. Points without
+/// force count for nothing.
+std::vector<EdgeContact> edge_contacts(const std::vector<Vec2>& outline, const std::vector<PointLoad>& loads,
+                                       double link);
+
+}  // namespace nilas

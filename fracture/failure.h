@@ -1,0 +1,101 @@
+#pragma once
+/// Whether a floe breaks under what presses on its edge, and along which cracks. docs/theory_fracture.md
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fracture/crack_lines.h"
+#include "fracture/edge_contact.h"
+#include "fracture/edge_load.h"
+#include "fracture/plate.h"
+#include "fracture/splitting_lefm.h"
+#include "fracture/wedge.h"
+
+namespace nilas {
+
+enum class SplittingModel { none, seed_geometric, lefm };
+
+struct FailureSettings {
+  double youngs_modulus = 5e9;  ///< [Pa]
+  double poisson = 0.3;
+  double water_density = 1025;  ///< [kg/m^3]
+  double gravity = 9.81;        ///< [m/s^2]
+  bool bending = false;
+  double wedge_angle = k_pi / 4;  ///< alpha_wedge [rad]
+  SpeedRule speed;                ///< of the breaking length
+  SplittingModel splitting = SplittingModel::none;
+  double multiplier = 2.5;  ///< S_k of seed_geometric
+  double min_area = 0;      ///< of a piece that splitting leaves [m^2]
+  double max_aspect = 8;    ///< R_size, of seed_geometric
+};
+
+/// What a floe bears near a contact.
+struct IceAtContact {
+  double thickness = 0;           ///< [m]
+  double flexural_strength = 0;   ///< [Pa]
+  double fracture_toughness = 0;  ///< [Pa sqrt(m)]
+};
+
+enum class FailureKind { bending, splitting };
+std::string name_of(FailureKind kind);
+
+/// A way to break.
+struct Failure {
+  FailureKind kind = FailureKind::bending;
+  double ratio = 0;                       ///< load over what the ice bears; it breaks from 1 on
+  Vec2 point = Vec2::Zero();              ///< of the edge where it starts, in B [m]
+  double radius = 0;                      ///< of the circumferential crack, R_bending [m]; 0 of splitting by lefm
+  std::vector<std::vector<Vec2>> cracks;  ///< for cut_floe
+};
+
+/// Stresses at an edge under a load, over what the ice bears.
+struct BendingState {
+  double radial = 0;  ///< largest stress of the whole sheet over the flexural strength: radial cracks from 1 on
+  double wedges = 0;  ///< of the wedges between radial cracks: the circumferential crack from 1 on
+  double radius = 0;  ///< R_bending [m]
+  WedgeFan fan;
+};
+
+/// Tables of the models that are asked for, built once; then pure.
+class FailureRules {
+ public:
+  explicit FailureRules(const FailureSettings& settings);
+
+  /// Two stages [Nevel; the order of Metrikin 2014]: the floe's edge as that of a half-infinite plate under the
+  /// vertical load P, spread over the contact's width, cracks radially at its flexural strength (EdgeLoad); then the
+  /// wedges between those cracks, as many as span the ice from edge to edge in angles nearest to `wedge_angle`, share P
+  /// over the contact's depth and break at x_max (WedgeTable, bending_radius). Half the width, and the depth, are
+  /// Westergaard's equivalent lengths of loads narrower than 1.724 h, sqrt(1.6 x^2 + h^2) - 0.675 h.
+  BendingState bending_state(const std::vector<Vec2>& outline, const EdgeContact& contact,
+                             const IceAtContact& ice) const;
+  /// F_Y over the largest force that a floe with the crack's length and the width across it bears (splitting_force of a
+  /// short starter crack), and the crack. None where no line leads through the ice.
+  struct SplittingState {
+    double ratio = 0;
+    Chord chord;
+  };
+  std::optional<SplittingState> splitting_state(const std::vector<Vec2>& outline, const EdgeContact& contact,
+                                                const IceAtContact& ice) const;
+
+  /// Loads on the edge this near to each other act as one: half of the wedges' characteristic length [m].
+  double link(const IceAtContact& ice) const;
+  /// Ways to break of a ratio of 1 or more, the largest ratio first.
+  ///   bending: both stages at their strength, where the ice is longer than R_bending ahead of the contact;
+  ///   seed-geometric: radial cracks, and a chord along the load's direction that split_along takes; then it splits,
+  ///     else it may bend;
+  ///   lefm: F_Y at what the floe bears. It competes with bending by the ratios: small floes split first.
+  std::vector<Failure> failures(const std::vector<Vec2>& outline, const EdgeContact& contact,
+                                const IceAtContact& ice) const;
+
+ private:
+  IcePlate plate(const IceAtContact& ice) const;
+  std::optional<Failure> seed_split(const std::vector<Vec2>& outline, const EdgeContact& contact,
+                                    const BendingState& state) const;
+
+  FailureSettings settings_;
+  EdgeLoad edge_;
+  WedgeTable wedge_;
+  std::optional<SplittingTable> splitting_;
+};
+
+}  // namespace nilas

@@ -1,0 +1,166 @@
+#include "fracture/failure.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "fracture/cut_outline.h"
+
+namespace nilas {
+namespace {
+
+constexpr double k_E = 5e9, k_water = 1025;
+
+/// A sheet of 200 m, its edge y = 0, with its middle in x = 0.
+const std::vector<Vec2> k_sheet{{-100, 0}, {100, 0}, {100, 200}, {-100, 200}};
+
+FailureSettings bending() {
+  FailureSettings settings;
+  settings.youngs_modulus = k_E;
+  settings.water_density = k_water;
+  settings.bending = true;
+  return settings;
+}
+
+EdgeContact load(double P, double width = 4, double depth = 3) {
+  EdgeContact contact;
+  contact.inward = Vec2::UnitY();
+  contact.force = {0, P, -P};
+  contact.width = width;
+  contact.depth = depth;
+  contact.crack = Vec2::UnitY();
+  return contact;
+}
+
+IceAtContact ice(double thickness = 1, double strength = 5e5, double toughness = 1.15e5) {
+  return {thickness, strength, toughness};
+}
+
+TEST(Failure, BendingStatesAreThoseOfTheOracles) {
+  const FailureRules rules(bending());
+  const IcePlate plate{1, k_E, 0.3, k_water, 9.81};
+  const double l = characteristic_length(plate), l_beam = beam_characteristic_length(plate);
+  EXPECT_NEAR(l, 14.608, 5e-4);
+  const BendingState state = rules.bending_state(k_sheet, load(1e5, 0.2 * 2 * l, 0.2 * l_beam), ice());
+  EXPECT_NEAR(state.radial, 3.380 * 1e5 / 5e5, 1e-3 * state.radial) << "sigma h^2 / P at b/l = 0.2";
+  ASSERT_EQ(state.fan.wedges, 4);
+  const double b0 = 2 * std::tan(k_pi / 8);
+  const WedgeResponse exact = solve_wedge(TipLoad::pressure, 0.2);
+  EXPECT_NEAR(1 / exact.curvature, 1.469, 0.0125 * 1.469) << "the finite elements of Nevel's wedge";
+  EXPECT_NEAR(1e5 / state.wedges, 4 * b0 * 5e5 / 6 / exact.curvature, 1e-5 * 1e5 / state.wedges);
+  EXPECT_NEAR(state.radius, exact.x_max * l_beam, 1e-5 * state.radius);
+  EXPECT_NEAR(exact.x_max, 0.681, 0.005 * 0.681);
+}
+
+/// Each constant's power, with the contact in fixed proportion to the characteristic length where that changes.
+TEST(Failure, LoadsFollowTheirPowers) {
+  const FailureRules rules(bending());
+  const BendingState once = rules.bending_state(k_sheet, load(1e5, 8, 6), ice());
+  const BendingState stronger = rules.bending_state(k_sheet, load(1e5, 8, 6), ice(1, 1e6));
+  EXPECT_NEAR(stronger.radial / once.radial, 0.5, 1e-12);
+  EXPECT_NEAR(stronger.wedges / once.wedges, 0.5, 1e-12);
+  EXPECT_EQ(stronger.radius, once.radius);
+  const double longer = std::pow(2, 0.75);
+  const BendingState thicker = rules.bending_state(k_sheet, load(1e5, 8 * longer, 6 * longer), ice(2));
+  EXPECT_NEAR(thicker.radial / once.radial, 0.25, 1e-9) << "P ~ h^2";
+  EXPECT_NEAR(thicker.wedges / once.wedges, 0.25, 1e-9);
+  EXPECT_NEAR(thicker.radius / once.radius, longer, 1e-9) << "R ~ h^(3/4)";
+  FailureSettings stiff = bending();
+  stiff.youngs_modulus = 16 * k_E;
+  const BendingState stiffer = FailureRules(stiff).bending_state(k_sheet, load(1e5, 16, 12), ice());
+  EXPECT_NEAR(stiffer.radial / once.radial, 1, 1e-9) << "P at fixed b/l does not know E";
+  EXPECT_NEAR(stiffer.radius / once.radius, 2, 1e-9) << "R ~ E^(1/4)";
+}
+
+TEST(Failure, NarrowLoadsCountAsWestergaardsEquivalent) {
+  const FailureRules rules(bending());
+  const double equivalent = 1 - 0.675;  // of a point on ice of 1 m
+  const BendingState point = rules.bending_state(k_sheet, load(1e5, 0, 0), ice());
+  const BendingState narrow = rules.bending_state(k_sheet, load(1e5, 2 * 1.724 * 0.999999, 1.724 * 0.999999), ice());
+  const BendingState wide = rules.bending_state(k_sheet, load(1e5, 2 * 1.724 * 1.000001, 1.724 * 1.000001), ice());
+  EXPECT_GT(point.radius, 0);
+  const IcePlate plate{1, k_E, 0.3, k_water, 9.81};
+  const EdgeLoad edge(0.3);
+  EXPECT_NEAR(point.radial, 1e5 / radial_crack_load(edge, equivalent, characteristic_length(plate), 1, 5e5), 1e-12);
+  EXPECT_NEAR(narrow.radial, wide.radial, 2e-3 * wide.radial) << "the formula joins within its own rounding";
+}
+
+TEST(Failure, BendsOnlyWhereBothStagesFailAndTheIceIsLongEnough) {
+  const FailureRules rules(bending());
+  const BendingState at_one = rules.bending_state(k_sheet, load(1), ice());
+  const double bears = 1 / std::min(at_one.radial, at_one.wedges);
+  EXPECT_TRUE(rules.failures(k_sheet, load(0.999 * bears), ice()).empty());
+  const auto found = rules.failures(k_sheet, load(1.001 * bears), ice());
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].kind, FailureKind::bending);
+  EXPECT_NEAR(found[0].ratio, 1.001, 1e-9);
+  EXPECT_TRUE(rules.failures(k_sheet, load(-1.001 * bears), ice()).size() == 1) << "lifted ice bends as well";
+  const double R = at_one.radius;
+  for (const double length : {0.99 * R, 1.01 * R}) {
+    const std::vector<Vec2> strip{{-100, 0}, {100, 0}, {100, length}, {-100, length}};
+    EXPECT_EQ(rules.failures(strip, load(2 * bears), ice()).size(), length > R ? 1u : 0u);
+  }
+  const CutResult cut = cut_outline(k_sheet, found[0].cracks);
+  ASSERT_EQ(cut.status, CutStatus::cut);
+  EXPECT_EQ(cut.pieces.size(), 5u) << "four wedges and the rest";
+}
+
+TEST(Failure, WedgesBreakShorterUnderASpeedThatShortensThem) {
+  FailureSettings settings = bending();
+  settings.speed.slope = -0.14;
+  EdgeContact fast = load(1e5);
+  fast.speed = 2;
+  const double still = FailureRules(bending()).bending_state(k_sheet, fast, ice()).radius;
+  EXPECT_NEAR(FailureRules(settings).bending_state(k_sheet, fast, ice()).radius, (1 - 0.28) * still, 1e-12);
+  fast.speed = 100;
+  EXPECT_NEAR(FailureRules(settings).bending_state(k_sheet, fast, ice()).radius, 0.25 * still, 1e-12);
+}
+
+TEST(Failure, SeedRuleSplitsByTheChord) {
+  FailureSettings settings = bending();
+  settings.splitting = SplittingModel::seed_geometric;
+  const FailureRules rules(settings);
+  const BendingState at_one = rules.bending_state(k_sheet, load(1), ice());
+  const double R = at_one.radius, P = 1.001 / at_one.radial;  // radial cracks alone
+  const auto floe = [](double length) { return std::vector<Vec2>{{-9, 0}, {9, 0}, {9, length}, {-9, length}}; };
+  EXPECT_TRUE(rules.failures(floe(0.99 * R), load(P), ice()).empty());
+  for (const double share : {1.01, 2.49}) {
+    const auto found = rules.failures(floe(share * R), load(P), ice());
+    ASSERT_EQ(found.size(), 1u) << share;
+    EXPECT_EQ(found[0].kind, FailureKind::splitting);
+    ASSERT_EQ(found[0].cracks.size(), 1u);
+    EXPECT_NEAR((found[0].cracks[0].back() - found[0].cracks[0].front()).norm(), share * R, 1e-9);
+  }
+  EXPECT_TRUE(rules.failures(floe(2.51 * R), load(P), ice()).empty()) << "bending wins, but the wedges hold";
+  const auto bends = rules.failures(floe(2.51 * R), load(1.001 / at_one.wedges), ice());
+  ASSERT_EQ(bends.size(), 1u);
+  EXPECT_EQ(bends[0].kind, FailureKind::bending);
+}
+
+/// F_Y = 0.187 K h sqrt(L) of the square floe; in competition small floes split and large ones bend.
+TEST(Failure, LefmSplitsAtWhatTheFloeBears) {
+  FailureSettings settings = bending();
+  settings.splitting = SplittingModel::lefm;
+  const FailureRules rules(settings);
+  const auto square = [](double L) { return std::vector<Vec2>{{-L / 2, 0}, {L / 2, 0}, {L / 2, L}, {-L / 2, L}}; };
+  const auto opened = [](double F_Y, double P) {
+    EdgeContact contact = load(P);
+    contact.opening = F_Y;
+    return contact;
+  };
+  const double F = 0.187 * 1.15e5 * std::sqrt(100);
+  EXPECT_NEAR(F, 215e3, 1e3);
+  const auto state = rules.splitting_state(square(100), opened(F, 0), ice());
+  ASSERT_TRUE(state.has_value());
+  EXPECT_NEAR(state->ratio, 1, 2e-3);
+  EXPECT_NEAR(rules.splitting_state(square(100), opened(F, 0), ice(1, 5e5, 2.3e5))->ratio, 0.5, 1e-3) << "F ~ K";
+  EXPECT_NEAR(rules.splitting_state(square(100), opened(F, 0), ice(2))->ratio, 0.5, 1e-3) << "F ~ h";
+  EXPECT_NEAR(rules.splitting_state(square(400), opened(F, 0), ice())->ratio, 0.5, 1e-3) << "F ~ sqrt(L)";
+  const double P = 1.2 / rules.bending_state(k_sheet, load(1), ice()).wedges;
+  EXPECT_EQ(rules.failures(square(60), opened(2e5, P), ice())[0].kind, FailureKind::splitting);
+  EXPECT_EQ(rules.failures(square(2000), opened(2e5, P), ice())[0].kind, FailureKind::bending);
+  EXPECT_FALSE(rules.splitting_state(square(100), EdgeContact{}, ice()).has_value()) << "no direction, no crack";
+}
+
+}  // namespace
+}  // namespace nilas
