@@ -92,6 +92,7 @@ class Run {
     if (!ending.message.empty()) logger_->error("{}", ending.message);
     warnings_.summarise();
     SummaryInput input = summary_input(ending, wall);
+    input.brash_mass = simulation.brash_mass();
     input.crushed_mass = simulation.crushed_mass();
     const auto summary = folder_.finish(std::move(input), simulation.bodies());
     console.close(closing_account(folder_.statistics(), wall, folder_.path()));
@@ -125,7 +126,7 @@ class Run {
   void go_on(Simulation& simulation, Console& console) {
     const StateReader in(*checkpoint_);
     simulation.restore(in.group("simulation"));
-    folder_.resume(scene_, simulation.info(), warnings_, simulation.bodies(), in.group("outputs"));
+    folder_.resume(scene_, simulation.info(), warnings_, in.group("outputs"));
     warnings_.restore(in.group("warnings"));
     in.get("wall_s", wall_before_);
     steps_saved_ = simulation.steps();

@@ -6,13 +6,8 @@
 namespace nilas {
 
 /// Velocity that a unit impulse between the two gives, leverage left out [1/kg].
-static double inverse_mass(const ContactPoint& c, const Bodies& bodies) {
-  double sum = 0;
-  for (const int body : {c.a, c.b}) {
-    const auto b = static_cast<std::size_t>(body);
-    if (bodies.motion[b] != Motion::fixed) sum += 1 / bodies.mass[b];
-  }
-  return sum;
+static double inverse_mass(const std::array<TouchingBody, 2>& touching) {
+  return touching[0].inverse_mass + touching[1].inverse_mass;
 }
 
 /// Tangential impulse that the law leaves before the contact slips.
@@ -23,10 +18,10 @@ static double friction_left(const ContactProblem& problem, std::size_t c, const 
   return std::max(0.0, problem.mu[c] * r.x() - used);
 }
 
-ContactStatus contact_status(const SolvedProblem& solved, std::size_t c, const Bodies& bodies) {
+ContactStatus contact_status(const SolvedProblem& solved, std::size_t c) {
   const auto row = 3 * static_cast<Eigen::Index>(c);
   const Vec3 r = solved.solution.r.segment<3>(row), u = solved.solution.u.segment<3>(row);
-  const double d = inverse_mass(solved.points[c], bodies);
+  const double d = inverse_mass(solved.touching[c]);
   if (u.x() >= d * r.x()) return ContactStatus::open;
   if (r.x() >= solved.problem.force_limit[c] || (solved.problem.compliance[c] > 0 && r.x() > 0))
     return ContactStatus::crush;
@@ -34,8 +29,7 @@ ContactStatus contact_status(const SolvedProblem& solved, std::size_t c, const B
                                                                             : ContactStatus::stick;
 }
 
-std::vector<ContactRow> contact_rows(const SolvedProblem& solved, const Bodies& bodies, int vessel, const Vec3& com_V,
-                                     bool of_all_bodies) {
+std::vector<ContactRow> contact_rows(const SolvedProblem& solved, int vessel, const Vec3& com_V, bool of_all_bodies) {
   std::vector<ContactRow> rows;
   for (std::size_t i = 0; i < solved.points.size(); ++i) {
     const ContactPoint& c = solved.points[i];
@@ -43,15 +37,15 @@ std::vector<ContactRow> contact_rows(const SolvedProblem& solved, const Bodies& 
     const bool on_b = c.a != vessel;
     const double sign = on_b ? 1 : -1;
     ContactRow row;
-    row.body = bodies.id[static_cast<std::size_t>(on_b ? c.b : c.a)];
-    row.other = bodies.id[static_cast<std::size_t>(on_b ? c.a : c.b)];
+    row.body = solved.touching[i][on_b ? 1 : 0].id;
+    row.other = solved.touching[i][on_b ? 0 : 1].id;
     row.p_G = c.p;
     if (vessel >= 0) row.p_V = solved.vessel_R.transpose() * (c.p - solved.vessel_p) + com_V;
     row.n = sign * c.n;
     row.gap = c.gap;
     row.impulse = sign * solved.impulses[i];
     if (!solved.couples.empty()) row.couple = sign * solved.couples[i];
-    row.status = contact_status(solved, i, bodies);
+    row.status = contact_status(solved, i);
     row.part = 1 + (on_b ? c.part_b : c.part_a);
     row.other_part = 1 + (on_b ? c.part_a : c.part_b);
     row.key = c.key;

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/bodies/bodies.h"
 #include "core/sim/step_record.h"
 
 namespace nilas {
@@ -29,11 +28,10 @@ struct ContactRow {
 /// Status of contact c from its impulse and velocity, each weighed by the masses of its two bodies: open where it
 /// leaves faster than its normal impulse can move them, slip where it slides faster than what its friction has left
 /// can.
-ContactStatus contact_status(const SolvedProblem& solved, std::size_t c, const Bodies& bodies);
+ContactStatus contact_status(const SolvedProblem& solved, std::size_t c);
 
 /// Rows of the contacts of the vessel (index `vessel`, -1: none), or of all bodies; `com_V` is the vessel's centre of
 /// mass in V [m].
-std::vector<ContactRow> contact_rows(const SolvedProblem& solved, const Bodies& bodies, int vessel, const Vec3& com_V,
-                                     bool of_all_bodies);
+std::vector<ContactRow> contact_rows(const SolvedProblem& solved, int vessel, const Vec3& com_V, bool of_all_bodies);
 
 }  // namespace nilas

@@ -94,7 +94,7 @@ void ContactsH5::step(const StepRecord& record, const std::vector<SolvedProblem>
   const auto found = std::find(bodies.kind.begin(), bodies.kind.end(), BodyKind::vessel);
   const int vessel = found == bodies.kind.end() ? -1 : static_cast<int>(found - bodies.kind.begin());
   for (const SolvedProblem& solved : parts)
-    for (const ContactRow& row : contact_rows(solved, bodies, vessel, com_V_, of_all_bodies_)) add(row, record);
+    for (const ContactRow& row : contact_rows(solved, vessel, com_V_, of_all_bodies_)) add(row, record);
   columns_.end_block();
   if (columns_.pending_rows() >= k_rows_together || std::chrono::steady_clock::now() - written_ >= k_longest_wait)
     write();

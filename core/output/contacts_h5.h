@@ -6,6 +6,7 @@
 
 #include "contact/hdf5_columns.h"
 #include "core/base/state.h"
+#include "core/bodies/bodies.h"
 #include "core/output/contact_rows.h"
 #include "core/scene/scene.h"
 

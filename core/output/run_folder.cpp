@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/output/claim_folder.h"
 #include "core/output/contacts_h5.h"
+#include "core/output/events_csv.h"
 #include "core/output/problem_files.h"
 #include "core/output/scene_xml.h"
 
@@ -35,12 +36,15 @@ struct RunFolder::Outputs {
       if (from != nullptr) kept = from->group("contacts");
       contacts.emplace(folder / "contacts.h5", scene, info, kept ? &*kept : nullptr);
     }
+    if (scene.fracture && (scene.fracture->bending || scene.fracture->splitting))
+      events.emplace(folder / "events.csv", kept_bytes(from, "events.csv"));
     if (snapshot_every > 0) trajectory.emplace(folder, kept_bytes(from, "trajectory.pvd"));
     if (from != nullptr) restore(*from);
   }
 
-  void open_bodies(const std::filesystem::path& folder, int count, const StateReader* from) {
-    if (snapshot_every > 0 && bodies_asked.value_or(count <= k_bodies_csv_default_limit))
+  /// By the number of bodies at the start, before any broke.
+  void open_bodies(const std::filesystem::path& folder, const StateReader* from) {
+    if (snapshot_every > 0 && bodies_asked.value_or(info.bodies <= k_bodies_csv_default_limit))
       bodies.emplace(folder / "bodies.csv", kept_bytes(from, "bodies.csv"));
   }
 
@@ -51,6 +55,7 @@ struct RunFolder::Outputs {
     if (vessel) call("vessel.csv", vessel->file());
     if (bodies) call("bodies.csv", bodies->file());
     if (trajectory) call("trajectory.pvd", trajectory->list());
+    if (events) call("events.csv", events->file());
   }
 
   void save(StateWriter out) const {
@@ -83,6 +88,7 @@ struct RunFolder::Outputs {
   std::optional<VesselCsv> vessel;
   std::optional<BodiesCsv> bodies;
   std::optional<Trajectory> trajectory;
+  std::optional<EventsCsv> events;
   std::optional<ContactsH5> contacts;
   ProblemFiles problems;
   double snapshot_every;  ///< [s]; 0: none
@@ -108,10 +114,9 @@ void RunFolder::open(const Scene& scene, const RunInfo& info, WarningCounts& war
   outputs_ = std::make_unique<Outputs>(path_, scene, info, warnings, nullptr);
 }
 
-void RunFolder::resume(const Scene& scene, const RunInfo& info, WarningCounts& warnings, const Bodies& bodies,
-                       const StateReader& in) {
+void RunFolder::resume(const Scene& scene, const RunInfo& info, WarningCounts& warnings, const StateReader& in) {
   outputs_ = std::make_unique<Outputs>(path_, scene, info, warnings, &in);
-  outputs_->open_bodies(path_, bodies.size(), &in);
+  outputs_->open_bodies(path_, &in);
   write_scene_xml(scene_file(), scene);
   clear_after(path_, outputs_->statistics.steps(), outputs_->problems.worst_step());
 }
@@ -130,7 +135,7 @@ void RunFolder::start(double t, const Ledger& ledger, const Bodies& bodies) {
   Outputs& out = *outputs_;
   out.t_start = t;
   out.statistics.start(t, ledger);
-  out.open_bodies(path_, bodies.size(), nullptr);
+  out.open_bodies(path_, nullptr);
   if (out.snapshot_due(t, 0)) write_snapshot(t, 0, bodies);
 }
 
@@ -148,6 +153,7 @@ void RunFolder::record(StepRecord record, const std::vector<SolvedProblem>& part
     out.vessel->row(record.t, out.vessel_values);
   }
   if (out.contacts) out.contacts->step(record, parts, bodies);
+  if (out.events) out.events->rows(record.broken);
   if (out.snapshot_due(record.t, record.h)) write_snapshot(record.t, record.step, bodies);
   record.ms[static_cast<std::size_t>(Phase::output)] +=
       std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
@@ -179,6 +185,7 @@ nlohmann::ordered_json RunFolder::finish(SummaryInput input, const Bodies& bodie
   if (out.vessel) out.vessel->finish();
   if (out.bodies) out.bodies->finish();
   if (out.trajectory) out.trajectory->finish();
+  if (out.events) out.events->finish();
   if (out.contacts) out.contacts->finish();
   input.ice_mass_end = free_ice_mass(bodies);
   auto summary = summary_json(out.info, out.statistics, input);

@@ -51,8 +51,7 @@ class RunFolder {
   void start(double t, const Ledger& ledger, const Bodies& bodies);
   /// In place of open() and start(): goes on with the outputs as they were when `in` was written to checkpoint.h5; rows
   /// and frames of later steps are removed. Throws FileError, and InputError where an output holds less.
-  void resume(const Scene& scene, const RunInfo& info, WarningCounts& warnings, const Bodies& bodies,
-              const StateReader& in);
+  void resume(const Scene& scene, const RunInfo& info, WarningCounts& warnings, const StateReader& in);
   /// One step, its contact problem; `bodies` at its end. Time spent here is counted to Phase::output. Throws FileError.
   void record(StepRecord record, const std::vector<SolvedProblem>& parts, const Bodies& bodies);
   /// The step's contact problem, where the scene asks for it. Throws FileError.

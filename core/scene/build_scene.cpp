@@ -83,11 +83,23 @@ static FractureScene build_fracture(const SceneElement& element) {
   assign(fracture.fracture_toughness, element, "fracture_toughness");
   assign(fracture.min_area, element, "min_area");
   assign(fracture.max_aspect, element, "max_aspect");
+  assign(fracture.small_pieces, element, "small_pieces");
   if (const auto* crushing = child_of(element, "crushing")) {
     fracture.crushing.emplace();
     assign(fracture.crushing->model, *crushing, "model");
     assign(fracture.crushing->coefficient, *crushing, "coefficient");
     assign(fracture.crushing->exponent, *crushing, "exponent");
+  }
+  if (const auto* bending = child_of(element, "bending")) {
+    fracture.bending.emplace();
+    assign(fracture.bending->model, *bending, "model");
+    assign(fracture.bending->wedge_angle_deg, *bending, "wedge_angle_deg");
+    assign(fracture.bending->speed_slope, *bending, "speed_slope");
+  }
+  if (const auto* splitting = child_of(element, "splitting")) {
+    fracture.splitting.emplace();
+    assign(fracture.splitting->model, *splitting, "model");
+    assign(fracture.splitting->multiplier, *splitting, "multiplier");
   }
   return fracture;
 }

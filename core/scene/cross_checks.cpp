@@ -68,6 +68,19 @@ static void check_contacts(const SceneElement& root, const SceneElement& output,
                               "allowed: hull, none"));
 }
 
+/// Ice that bends rests on water.
+static void check_fracture(const SceneElement& root, const SceneElement& fracture, std::vector<Fault>& faults) {
+  const SceneElement* gravity = child_of(root, "gravity");
+  const auto g = gravity ? numbers_of(*gravity, "value") : std::nullopt;
+  for (const auto& child : fracture.children) {
+    if (child.name != "bending" && child.name != "splitting") continue;
+    if (!child_of(root, "water"))
+      faults.push_back(fault_of(child, "the ice rests on water as it breaks; allowed: with <water>"));
+    if (g && !(g->at(2) < 0))
+      faults.push_back(fault_of(child, "the ice rests on water as it breaks; allowed: <gravity> along -Z, 0 0 -g"));
+  }
+}
+
 void cross_check(const SceneElement& root, std::vector<Fault>& faults) {
   check_gravity(root, faults);
   check_names(root, faults);
@@ -80,6 +93,7 @@ void cross_check(const SceneElement& root, std::vector<Fault>& faults) {
       check_vary(element, faults);
     }
     if (element.name == "body") check_body(element, faults);
+    if (element.name == "fracture") check_fracture(root, element, faults);
     if (element.name == "output") check_contacts(root, element, faults);
   }
 }

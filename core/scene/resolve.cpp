@@ -121,16 +121,18 @@ class Resolver {
 
   /// Each strength with what uses it.
   void note_idle_strengths(const SceneElement& root) {
-    static const std::map<std::string, std::string> uses{
-        {"flexural_strength", "bending"}, {"compressive_strength", "crushing"}, {"fracture_toughness", "splitting"}};
+    static const std::map<std::string, std::vector<std::string>> uses{{"flexural_strength", {"bending", "splitting"}},
+                                                                      {"compressive_strength", {"crushing"}},
+                                                                      {"fracture_toughness", {"splitting"}}};
     const SceneElement *ice = child_of(root, "ice"), *fracture = child_of(root, "fracture");
     if (!ice) return;
     for (const auto& child : ice->children) {
       const SceneAttribute* property = child.name == "vary" ? attribute_of(child, "property") : nullptr;
       const auto use = property && property->valid ? uses.find(property->value) : uses.end();
-      if (use == uses.end() || (fracture && child_of(*fracture, use->second))) continue;
-      note(child.path, use->first + " has no effect in a run without <" + (fracture ? use->second : "fracture") +
-                           ">; `nilas field` writes it");
+      const auto is_used = [&](const std::string& by) { return fracture && child_of(*fracture, by) != nullptr; };
+      if (use == uses.end() || std::any_of(use->second.begin(), use->second.end(), is_used)) continue;
+      note(child.path, use->first + " has no effect in a run without <" +
+                           (fracture ? use->second.front() : "fracture") + ">; `nilas field` writes it");
     }
   }
 
@@ -140,7 +142,7 @@ class Resolver {
     const bool breakable = ice && std::any_of(ice->children.begin(), ice->children.end(),
                                               [](const SceneElement& child) { return is_true(child, "breakable"); });
     if (!breakable) note(fracture->path, "no effect: no <field> or <floe> is breakable");
-    if (fracture->children.empty()) note(fracture->path, "no effect: it names no <crushing>");
+    if (fracture->children.empty()) note(fracture->path, "no effect: it names no <crushing>, <bending> or <splitting>");
   }
 
   void note_condition(const std::string& where, const SceneElement& element, const Condition& condition) {

@@ -180,12 +180,24 @@ struct CrushingScene {
   std::string model = "seed-limit";
   double coefficient = 1e5, exponent = -0.7;  ///< of model pressure-area [Pa m^(-2 exponent), -]
 };
+struct BendingScene {
+  std::string model = "nevel";
+  double wedge_angle_deg = 45;
+  double speed_slope = 0;  ///< [s/m]
+};
+struct SplittingScene {
+  std::string model = "seed-geometric";
+  double multiplier = 2.5;
+};
 struct FractureScene {
   double flexural_strength = 4e4, compressive_strength = 1e5;  ///< [Pa]
   double fracture_toughness = 3e3;                             ///< [Pa sqrt(m)]
   double min_area = 2e-4;                                      ///< [m^2]
   double max_aspect = 8;
+  std::string small_pieces = "brash";
   std::optional<CrushingScene> crushing;
+  std::optional<BendingScene> bending;
+  std::optional<SplittingScene> splitting;
 };
 
 struct BodyScene {

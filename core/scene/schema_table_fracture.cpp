@@ -18,7 +18,7 @@ std::vector<ElementSpec> fracture_elements() {
        .doc = "Ice that breaks: strengths of the floes that are breakable, and as its children the ways in which they "
               "fail. Absent: ice cannot break.",
        .attributes =
-           {strength("flexural_strength", "4e4", "Flexural strength. No effect without <bending>."),
+           {strength("flexural_strength", "4e4", "Flexural strength. No effect without <bending> or <splitting>."),
             strength("compressive_strength", "1e5", "Compressive strength, of <crushing>."),
             {.name = "fracture_toughness",
              .unit = "Pa sqrt(m)",
@@ -29,11 +29,19 @@ std::vector<ElementSpec> fracture_elements() {
              .unit = "m^2",
              .range = at_least(0),
              .default_value = "2e-4",
-             .doc = "Pieces below this area are not broken further. No effect without <bending> or <splitting>."},
+             .doc = "Smallest area that breaking leaves a piece. No effect without <bending> or <splitting>."},
+            {.name = "small_pieces",
+             .type = ValueType::choice,
+             .choices = {"brash", "refuse"},
+             .default_value = "brash",
+             .doc = "What becomes of smaller ones. brash: they leave the bodies, and their mass is told (brash_kg). "
+                    "refuse: the floe does not break where it would leave one. No effect without <bending> or "
+                    "<splitting>."},
             {.name = "max_aspect",
              .range = at_least(1),
              .default_value = "8",
-             .doc = "Longest pieces that are kept. No effect without <bending> or <splitting>."}}},
+             .doc = "Longest piece, by the sides of the smallest box around it, that splitting of model seed-geometric "
+                    "leaves. No effect without <splitting>."}}},
       {.name = "crushing",
        .parent = "fracture",
        .doc = "Crushing of breakable floes where the vessel or a body presses on them. Absent: they are rigid there.",
@@ -56,15 +64,38 @@ std::vector<ElementSpec> fracture_elements() {
              .doc = "Power of the contact area in the pressure: the force grows with the area to 1 + exponent."}}},
       {.name = "bending",
        .parent = "fracture",
-       .built = false,
-       .doc = "Failure in bending.",
-       .attributes = {model("model", {"nevel"}, "Its model.")}},
+       .doc = "Failure of breakable floes in bending where the vessel or a body presses on their edge. Needs <water>. "
+              "Absent: they do not bend.",
+       .attributes =
+           {model("model", {"nevel"},
+                  "nevel: radial cracks when the edge of a half-infinite plate on water reaches the flexural strength, "
+                  "then wedges of a narrow beam each, which break where their stress is largest."),
+            {.name = "wedge_angle_deg",
+             .unit = "deg",
+             .range = within(5, 120),
+             .default_value = "45",
+             .doc = "Opening of the wedges between radial cracks; as many as span the ice in angles nearest to it."},
+            {.name = "speed_slope",
+             .unit = "s/m",
+             .range = within(-10, 10),
+             .default_value = "0",
+             .doc = "By how much the breaking length grows with the speed at which the ice is pushed down, of itself: "
+                    "-0.14 in Su, Riska and Moan (2010). It keeps a quarter of itself at least."}}},
       {.name = "splitting",
        .parent = "fracture",
-       .built = false,
-       .doc = "Splitting of floes.",
-       .attributes = {model("model", {"seed-geometric", "lefm"}, "Its model."),
-                      {.name = "multiplier", .range = above(0), .default_value = "2.5", .doc = "Of the criterion."}}},
+       .doc = "Splitting of breakable floes by what the vessel or a body presses on their edge. Needs <water>. Absent: "
+              "they do not split.",
+       .attributes =
+           {model("model", {"seed-geometric", "lefm"},
+                  "seed-geometric: where the edge cracks radially, along the shortest chord in the load's direction "
+                  "when that is longer than the breaking length in bending and shorter than `multiplier` times it. "
+                  "lefm: where half the sum of the forces across that chord reaches what the floe's length, width and "
+                  "fracture toughness bear."),
+            {.name = "multiplier",
+             .range = above(1),
+             .default_value = "2.5",
+             .applies = {"model", {"seed-geometric"}},
+             .doc = "Longest chord that splits, in breaking lengths."}}},
       {.name = "cracks",
        .parent = "fracture",
        .built = false,

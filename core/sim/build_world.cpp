@@ -101,6 +101,7 @@ WorldParts build_world(const Scene& scene, int threads, WarningCounts& warnings)
   if (scene.vessel) parts.vessel_index = build_vessel(scene, parts);
   if (scene.ice) build_ice(scene, threads, parts, warnings);
   build_structures(scene, parts);
+  if (parts.ice_properties) parts.ice_properties->resize(parts.bodies.id.size());
   build_modules(scene, threads, parts);
   if (parts.info.has_carriage) parts.info.work_names.emplace_back("carriage");
   parts.info.bodies = parts.bodies.size();

@@ -136,20 +136,17 @@ ContactPoint Crushing::Pair::point_on(const FaceInIce& face) const {
 
 Crushing::Crushing(const Scene& scene, const Bodies& bodies, const IceProperties& ice)
     : law_(law_of(scene.fracture.value())), model_(scene.fracture->crushing->model), ice_(ice) {
-  ice_.resize(bodies.id.size());
   is_hull_.assign(bodies.id.size(), 0);
-  density_.assign(bodies.id.size(), 0);
-  crushed_volume_.assign(bodies.id.size(), 0);
   for (int body = 0; body < bodies.size(); ++body) learn(bodies, body);
 }
 
 void Crushing::learn(const Bodies& bodies, int body) {
   const auto b = static_cast<std::size_t>(body);
   const Shape& shape = *bodies.shape[b];
-  if (ice_.is_breakable(body)) density_[b] = bodies.mass[b] / (polygon_moments(shape.outline).area * shape.thickness);
   if (bodies.kind[b] != BodyKind::vessel && bodies.kind[b] != BodyKind::rigid) return;
   HullSurface hull;
   hull.body = body;
+  hull.id = bodies.id[b];
   if (shape.kind == ShapeKind::cylinder) {
     hull.parts.push_back(make_polytope(shape.surface, k_facet_tolerance * shape.radius));
     for (const auto& face : hull.parts.front().faces) {
@@ -166,6 +163,21 @@ void Crushing::learn(const Bodies& bodies, int body) {
   }
   is_hull_[b] = 1;
   hulls_.push_back(std::move(hull));
+}
+
+void Crushing::follow(const Bodies& bodies, const std::vector<std::int64_t>& pieces) {
+  is_hull_.assign(bodies.id.size(), 0);
+  for (HullSurface& hull : hulls_) {
+    const std::size_t b = bodies.index_of(hull.id);
+    hull.body = static_cast<int>(b);
+    is_hull_[b] = 1;
+    for (const std::int64_t piece : pieces) {
+      const auto floe = static_cast<int>(bodies.index_of(piece));
+      if (!may_meet(bodies, hull, floe, 0)) continue;
+      const double volume = common_volume(bodies, hull, floe);
+      if (volume > 0) volume_[{hull.id, piece}] = volume;
+    }
+  }
 }
 
 bool Crushing::crushes(int a, int b) const {
@@ -216,7 +228,7 @@ void Crushing::add_pair(const Bodies& bodies, const HullSurface& hull, int floe,
   const std::vector<FaceInIce> now = faces_in_ice(hull.faces, present, pair.pieces());
   const std::vector<FaceInIce> next =
       law_.is_implicit() ? faces_in_ice(hull.faces, pair.next, pair.pieces()) : std::vector<FaceInIce>{};
-  if (!now.empty()) note_volume(pair, present);
+  if (!now.empty()) note_volume(pair);
   const double area = total_area(now), area_next = total_area(next);
   pair.least = k_point_share * std::sqrt(std::max(area, area_next));
   // both lists are in the order of faces and pieces
@@ -261,21 +273,25 @@ void Crushing::add_face(const Pair& pair, const FaceLoad& load, std::vector<Cont
   points.back().gap += out * closing * pair.h;
 }
 
-void Crushing::note_volume(const Pair& pair, const Placement& hull_in_floe) {
+double Crushing::common_volume(const Bodies& bodies, const HullSurface& hull, int floe) const {
+  const Placement hull_in_floe = between(Moving(bodies, hull.body).after(0), Moving(bodies, floe).after(0));
   double volume = 0;
-  for (const ConvexPolytope& part : pair.hull.parts)
-    for (const ConvexPolytope& piece : pair.pieces()) volume += overlap_volume(part, piece, hull_in_floe);
-  const std::pair key(pair.id(pair.hull.body), pair.id(pair.floe));
-  const auto known = volume_.find(key);
-  const double before = known == volume_.end() ? 0 : known->second;
-  crushed_volume_[static_cast<std::size_t>(pair.floe)] += std::max(0.0, volume - before);
-  new_volume_[key] = std::max(volume, before);
+  for (const ConvexPolytope& part : hull.parts)
+    for (const ConvexPolytope& piece : bodies.shape[static_cast<std::size_t>(floe)]->parts)
+      volume += overlap_volume(part, piece, hull_in_floe);
+  return volume;
 }
 
-double Crushing::crushed_mass() const {
-  double sum = 0;
-  for (std::size_t b = 0; b < crushed_volume_.size(); ++b) sum += density_[b] * crushed_volume_[b];
-  return sum;
+void Crushing::note_volume(const Pair& pair) {
+  const double volume = common_volume(pair.bodies, pair.hull, pair.floe);
+  const std::pair key(pair.hull.id, pair.id(pair.floe));
+  const auto known = volume_.find(key);
+  const double before = known == volume_.end() ? 0 : known->second;
+  const auto floe = static_cast<std::size_t>(pair.floe);
+  const Shape& shape = *pair.bodies.shape[floe];
+  const double density = pair.bodies.mass[floe] / (polygon_moments(shape.outline).area * shape.thickness);
+  crushed_mass_ += density * std::max(0.0, volume - before);
+  new_volume_[key] = std::max(volume, before);
 }
 
 std::string Crushing::description(const Bodies& bodies) const {
@@ -298,7 +314,7 @@ void Crushing::save(StateWriter out) const {
   }
   out.add("pair", ids);
   out.add("pair_volume", volumes);
-  out.add("crushed_volume", crushed_volume_);
+  out.add("crushed_mass", crushed_mass_);
 }
 
 void Crushing::restore(const StateReader& in) {
@@ -308,7 +324,7 @@ void Crushing::restore(const StateReader& in) {
   in.get("pair_volume", volumes);
   in.get("pair", ids);
   if (ids.size() != 2 * volumes.size()) in.refuse("pair", "it has another length than pair_volume");
-  in.get("crushed_volume", crushed_volume_, density_.size());
+  in.get("crushed_mass", crushed_mass_);
   volume_.clear();
   for (std::size_t k = 0; k < volumes.size(); ++k) volume_[{ids[2 * k], ids[2 * k + 1]}] = volumes[k];
 }

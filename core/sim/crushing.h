@@ -21,8 +21,12 @@ namespace nilas {
 class Crushing {
  public:
   /// Learns the surfaces of the vessel and of the bodies with flat faces; cylinders crush as their faceted surface,
-  /// spheres and planes stay rigid. Throws ContractError when the scene names no <crushing>.
+  /// spheres and planes stay rigid. `ice` must outlive this. Throws ContractError when the scene names no <crushing>.
   Crushing(const Scene& scene, const Bodies& bodies, const IceProperties& ice);
+
+  /// After bodies came or went: finds its hulls again. Pieces of a floe that broke stand in hulls as deep as it did,
+  /// which is no ice crushed anew.
+  void follow(const Bodies& bodies, const std::vector<std::int64_t>& pieces);
 
   /// Whether the contact of two bodies is one of crushing: a breakable floe and the vessel or a body.
   bool crushes(int a, int b) const;
@@ -38,7 +42,7 @@ class Crushing {
   std::vector<ContactPoint> points(const Bodies& bodies, double h, double ahead);
 
   /// Of the ice that hulls have taken the place of since the start [kg].
-  double crushed_mass() const;
+  double crushed_mass() const { return crushed_mass_; }
   /// For the list of what was built.
   std::string description(const Bodies& bodies) const;
 
@@ -49,6 +53,7 @@ class Crushing {
  private:
   struct HullSurface {
     int body = -1;
+    std::int64_t id = 0;
     std::vector<HullFace> faces;
     std::vector<ConvexPolytope> parts;
   };
@@ -61,17 +66,17 @@ class Crushing {
                 std::vector<ContactPoint>& points);
   void add_face(const Pair& pair, const FaceLoad& load, std::vector<ContactPoint>& points);
   double force(const Pair& pair, const FaceInIce& face, double total) const;
-  void note_volume(const Pair& pair, const Placement& hull_in_floe);
+  double common_volume(const Bodies& bodies, const HullSurface& hull, int floe) const;
+  void note_volume(const Pair& pair);
 
   CrushingLaw law_;
   std::string model_;
-  IceProperties ice_;
+  const IceProperties& ice_;
   std::vector<HullSurface> hulls_;
-  std::vector<char> is_hull_;    ///< per body
-  std::vector<double> density_;  ///< per body, of breakable floes [kg/m^3]
+  std::vector<char> is_hull_;  ///< per body
   CrushedDepth depth_;
   std::map<std::pair<std::int64_t, std::int64_t>, double> volume_, new_volume_;  ///< largest overlap, by ids [m^3]
-  std::vector<double> crushed_volume_;                                           ///< per body [m^3]
+  double crushed_mass_ = 0;                                                      ///< [kg]
 };
 
 }  // namespace nilas

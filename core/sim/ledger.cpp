@@ -110,6 +110,13 @@ void EnergyAccount::whole_step(double kinetic, double potential, const std::vect
   settle_energies(kinetic, potential);
 }
 
+double EnergyAccount::breaking(double kinetic, double potential) {
+  const double lost = (ledger_.kinetic - kinetic) + (ledger_.potential - potential);
+  ledger_.fracture += lost;
+  settle_energies(kinetic, potential);
+  return lost;
+}
+
 void EnergyAccount::settle_energies(double kinetic, double potential) {
   ledger_.kinetic = kinetic;
   ledger_.potential = potential;

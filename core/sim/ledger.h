@@ -40,6 +40,8 @@ class EnergyAccount {
   /// Books a whole step of the reference integrator: energies at its end, works and losses over it. There is no
   /// integrator_J then: what the integration itself loses is the imbalance.
   void whole_step(double kinetic, double potential, const std::vector<double>& works, double friction, double impact);
+  /// Books what the breaking of floes changed: energies after it. Returns what left the bodies [J].
+  double breaking(double kinetic, double potential);
   const Ledger& ledger() const { return ledger_; }
   /// Initial kinetic energy plus the sum of absolute works: the scale of imbalance_J [J].
   double energy_put_in() const { return put_in_; }

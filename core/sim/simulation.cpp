@@ -69,6 +69,11 @@ void Simulation::World::keep_solved(ContactProblem& problem, ContactSolution& so
   kept.problem = std::move(problem);
   kept.solution = std::move(solution);
   kept.points = motion.points;
+  const auto touching = [&](int body) -> TouchingBody {
+    const auto b = static_cast<std::size_t>(body);
+    return {parts.bodies.id[b], parts.bodies.motion[b] == Motion::fixed ? 0 : 1 / parts.bodies.mass[b]};
+  };
+  for (const ContactPoint& c : motion.points) kept.touching.push_back({touching(c.a), touching(c.b)});
   kept.impulses = motion.impulses;
   kept.couples = motion.couples;
   if (!parts.vessel) return;
@@ -81,6 +86,21 @@ const SolvedProblem& Simulation::World::last() const {
                                     [](const SolvedProblem& part) { return part.problem.num_points() > 0; });
   if (touched != solved.rend()) return *touched;
   return solved.empty() ? unsolved : solved.front();
+}
+
+/// What the step's loads break; its pieces take part from the next step on.
+void Simulation::World::break_ice(StepRecord& record) {
+  const auto breaks = breaking->take_breaks(parts.bodies, *parts.ice_properties, whole_step);
+  std::vector<std::int64_t> pieces;
+  for (const Breaking::Break& broken : breaks) {
+    FractureEvent event = breaking->put_pieces(broken, parts.bodies, *parts.ice_properties, warnings);
+    if (event.kind.empty()) continue;
+    event.t = time();
+    event.energy = energy.breaking(kinetic_energy(parts.bodies), potential());
+    pieces.insert(pieces.end(), event.pieces.begin(), event.pieces.end());
+    record.broken.push_back(std::move(event));
+  }
+  if (!record.broken.empty()) follow_bodies(pieces);
 }
 
 /// A whole step, or with `may_cut` up to the first impact of a fast pair.
@@ -140,6 +160,7 @@ void Simulation::World::part_of_step(bool may_cut, StepRecord& record, MomentumB
   energy.position_step(kinetic_energy(parts.bodies), potential(), pseudo, motion, loads);
   balance += momentum_balance(parts.bodies, motion, loads, vessel);
   if (parts.vessel) note_vessel(motion, record);
+  if (breaking) breaking->note_loads(parts.bodies, *parts.ice_properties, motion);
   ++record.parts;
   watch.lap(Phase::output);
 }
@@ -155,6 +176,10 @@ StepRecord Simulation::step() {
     world.part_of_step(record.parts + 1 < world.model.most_substeps, record, balance, watch);
   world.elapsed = 0;
   ++world.steps;
+  if (world.breaking) {
+    world.break_ice(record);
+    watch.lap(Phase::fracture);
+  }
   world.note_end(balance, record);
   watch.lap(Phase::output);
   world.stop_on_failure(record);
@@ -169,6 +194,7 @@ const SolvedProblem& Simulation::last_problem() const { return world_->last(); }
 const std::vector<SolvedProblem>& Simulation::solved_parts() const { return world_->solved; }
 int Simulation::vessel_index() const { return world_->parts.vessel_index; }
 long Simulation::steps() const { return world_->steps; }
+double Simulation::brash_mass() const { return world_->breaking ? world_->breaking->brash_mass() : 0; }
 double Simulation::crushed_mass() const { return world_->crushing ? world_->crushing->crushed_mass() : 0; }
 void Simulation::save(StateWriter out) const { world_->save(out); }
 void Simulation::restore(const StateReader& in) { world_->restore(in); }

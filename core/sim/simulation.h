@@ -32,6 +32,7 @@ class Simulation {
   const std::vector<SolvedProblem>& solved_parts() const;
   int vessel_index() const;     ///< in bodies(), -1 without a vessel
   long steps() const;           ///< done since the start
+  double brash_mass() const;    ///< of pieces too small to be bodies, since the start [kg]
   double crushed_mass() const;  ///< of ice that the vessel and bodies crushed since the start [kg]
 
   /// All that the next steps depend on, between two steps. What follows from the scene alone is not in it.

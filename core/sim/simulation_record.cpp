@@ -140,6 +140,7 @@ void Simulation::World::name_unnamed_pairs() {
 /// Modules keep nothing but what they would compute again from the poses.
 void Simulation::World::save(StateWriter out) const {
   out.add("steps", steps);
+  if (breaking) breaking->save(parts.bodies, out.group("breaking"));
   parts.bodies.save(out.group("bodies"));
   if (parts.vessel) parts.vessel->save(out.group("vessel"));
   parts.friction.save(out.group("friction"));
@@ -153,6 +154,10 @@ void Simulation::World::save(StateWriter out) const {
 
 void Simulation::World::restore(const StateReader& in) {
   in.get("steps", steps);
+  if (breaking) {
+    breaking->restore(in.group("breaking"), parts.bodies, *parts.ice_properties);
+    follow_bodies({});
+  }
   parts.bodies.restore(in.group("bodies"));
   if (parts.vessel) parts.vessel->restore(in.group("vessel"));
   parts.friction.restore(in.group("friction"));
@@ -169,7 +174,7 @@ void Simulation::World::note_end(const MomentumBalance& balance, StepRecord& rec
   record.step = steps;
   record.t = time();
   record.h = whole_step;
-  record.floes = parts.info.floes;
+  record.floes = floes;
   record.ledger = energy.ledger();
   record.momentum_imbalance = balance.linear;
   record.momentum_scale = balance.linear_scale;

@@ -34,16 +34,28 @@ Simulation::World::World(const Scene& scene, int thread_count, WarningCounts& wa
                                                  ", stabilisation " + scene.contact.stabilisation + ", detection " +
                                                  scene.contact.detection + ", integrator " + scene.contact.integrator +
                                                  (model.static_friction ? ", static friction above kinetic" : ""));
-  module_loads.resize(parts.modules.size(), Wrenches(size()));
-  width = smallest_widths(parts.bodies);
-  weight.resize(size());
-  for (std::size_t b = 0; b < size(); ++b) weight[b].force = parts.bodies.mass[b] * gravity;
+  follow_bodies({});
   energy = EnergyAccount(parts.info.work_names, kinetic_energy(parts.bodies), potential());
   if (scene.fracture && scene.fracture->crushing && parts.ice_properties) {
     crushing.emplace(scene, parts.bodies, *parts.ice_properties);
     parts.info.modules.emplace_back("crushing", crushing->description(parts.bodies));
   }
+  if (scene.fracture && (scene.fracture->bending || scene.fracture->splitting) && parts.ice_properties) {
+    breaking.emplace(scene);
+    parts.info.modules.emplace_back("breaking", breaking->description());
+  }
   if (scene.contact.integrator == "reference") reference.emplace(scene, thread_count, parts, model);
+}
+
+/// What is kept per body, after bodies came or went; `pieces`: ids of those that came.
+void Simulation::World::follow_bodies(const std::vector<std::int64_t>& pieces) {
+  module_loads.assign(parts.modules.size(), Wrenches(size()));
+  width = smallest_widths(parts.bodies);
+  floes = static_cast<int>(std::count(parts.bodies.kind.begin(), parts.bodies.kind.end(), BodyKind::floe));
+  weight.assign(size(), Wrench{});
+  for (std::size_t b = 0; b < size(); ++b) weight[b].force = parts.bodies.mass[b] * gravity;
+  if (crushing) crushing->follow(parts.bodies, pieces);
+  if (breaking) detector.follow(parts.bodies);
 }
 
 double Simulation::World::potential() {

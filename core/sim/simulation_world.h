@@ -5,6 +5,7 @@
 
 #include "contact/assemble.h"
 #include "contact/detect/detector.h"
+#include "core/sim/breaking.h"
 #include "core/sim/contact_model.h"
 #include "core/sim/crushing.h"
 #include "core/sim/ledger.h"
@@ -72,6 +73,8 @@ struct Simulation::World {
   const SolvedProblem& last() const;
   void part_of_step(bool may_cut, StepRecord& record, MomentumBalance& balance, Stopwatch& watch);
   ContactSolution solve(ContactProblem& problem, StepRecord& record);
+  void break_ice(StepRecord& record);
+  void follow_bodies(const std::vector<std::int64_t>& pieces);
   void note_vessel(const StepMotion& motion, StepRecord& record) const;
   void note_end(const MomentumBalance& balance, StepRecord& record) const;
   void stop_on_failure(const StepRecord& record) const;
@@ -91,6 +94,7 @@ struct Simulation::World {
   bool cut = false;                       ///< the part at work ends with an impact
   std::vector<std::uint64_t> on_the_way;  ///< keys of contacts whose gap is what closes until then, no distance
   long steps = 0;
+  int floes = 0;
   Vec3 gravity;
   bool gyroscopic;
   ContactDetector detector;
@@ -100,6 +104,7 @@ struct Simulation::World {
   std::vector<Wrenches> module_loads;
   std::vector<double> width;         ///< smallest of each body [m]
   std::optional<Crushing> crushing;  ///< of a scene with <crushing> and ice
+  std::optional<Breaking> breaking;  ///< of a scene with <bending> or <splitting>, and ice
   EnergyAccount energy;
   VesselStart vessel_start;
   std::vector<SolvedProblem> solved;             ///< of the last step, one for each part that impacts cut it into

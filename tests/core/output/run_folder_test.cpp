@@ -86,6 +86,7 @@ TEST(RunFolder, WritesBodiesByCountOrByWish) {
     run.scene.output.bodies = wish;
     while (run.bodies.size() < count)
       test::add_body(run.bodies, "floe", BodyKind::floe, Motion::free, test::triangle_floe(), 1, Vec3::Zero());
+    run.info.bodies = run.bodies.size();
     run.begin();
     return fs::exists(run.folder.path() / "bodies.csv");
   };
@@ -191,7 +192,7 @@ TEST(RunFolder, GoesOnFromItsCheckpoint) {
   SampleRun rest(scratch / "elsewhere");
   RunFolder folder(scratch / "cut", RunLock(scratch / "cut"));
   const State state = read_checkpoint(folder.checkpoint_file(), origin);
-  folder.resume(rest.scene, rest.info, rest.warnings, rest.bodies, StateReader(state).group("outputs"));
+  folder.resume(rest.scene, rest.info, rest.warnings, StateReader(state).group("outputs"));
   EXPECT_EQ(lines(scratch / "cut/steps.csv").size(), 1u + 25);
   EXPECT_EQ(lines(scratch / "cut/bodies.csv").size(), 1u + 4 * 3);
   for (int k = 0; k < 30; ++k) {

@@ -53,7 +53,9 @@ TEST(FractureScene, WhatHasNoEffectIsNamed) {
   EXPECT_EQ(count(folder.read(in_scene("<ice><floe outline='0 0 1 0 1 1'/></ice>" + crushing)),
                   "<fracture>: no effect: no <field> or <floe> is breakable."),
             1);
-  EXPECT_EQ(count(folder.read(in_scene(k_ice + "<fracture/>")), "<fracture>: no effect: it names no <crushing>."), 1);
+  EXPECT_EQ(count(folder.read(in_scene(k_ice + "<fracture/>")),
+                  "<fracture>: no effect: it names no <crushing>, <bending> or <splitting>."),
+            1);
   EXPECT_EQ(count(folder.read(in_scene(k_ice + "<fracture><crushing exponent='0'/></fracture>")),
                   "<fracture><crushing exponent>: no effect with model 'seed-limit'."),
             1);
@@ -64,6 +66,31 @@ TEST(FractureScene, WhatHasNoEffectIsNamed) {
   ASSERT_EQ(varied.notes.size(), 1u);
   EXPECT_EQ(varied.notes.front(),
             "<ice><vary>: flexural_strength has no effect in a run without <bending>; `nilas field` writes it.");
+}
+
+TEST(FractureScene, BendingAndSplittingTakeTheirSettings) {
+  const SceneFolder folder;
+  const std::string water = "<water/>";
+  const Scene plain = folder.read(in_scene(water + k_ice + "<fracture><bending/><splitting/></fracture>"));
+  ASSERT_TRUE(plain.fracture->bending && plain.fracture->splitting);
+  EXPECT_EQ(plain.fracture->bending->model, "nevel");
+  EXPECT_EQ(plain.fracture->bending->wedge_angle_deg, 45);
+  EXPECT_EQ(plain.fracture->bending->speed_slope, 0);
+  EXPECT_EQ(plain.fracture->splitting->model, "seed-geometric");
+  EXPECT_EQ(plain.fracture->splitting->multiplier, 2.5);
+  EXPECT_EQ(plain.fracture->small_pieces, "brash");
+  const Scene given =
+      folder.read(in_scene(water + k_ice +
+                           "<fracture small_pieces='refuse'><bending wedge_angle_deg='60' speed_slope='-0.14'/>"
+                           "<splitting model='lefm'/></fracture>"));
+  EXPECT_EQ(given.fracture->bending->wedge_angle_deg, 60);
+  EXPECT_EQ(given.fracture->bending->speed_slope, -0.14);
+  EXPECT_EQ(given.fracture->splitting->model, "lefm");
+  EXPECT_EQ(given.fracture->small_pieces, "refuse");
+  const std::string vary =
+      "<ice><floe breakable='true' outline='0 0 1 0 1 1'/><vary property='flexural_strength' cov='0.1'/></ice>";
+  EXPECT_TRUE(folder.read(in_scene(water + vary + "<fracture><splitting/></fracture>")).notes.empty())
+      << "radial cracks take the flexural strength";
 }
 
 TEST(FractureScene, StrengthsVaryAboutItsOwn) {
@@ -83,7 +110,14 @@ TEST(FractureScene, FaultsAreFound) {
                {"compliant"});
   expect_fault(faults("<fracture><crushing model='pressure-area' exponent='-1'/></fracture>"), 2,
                "<fracture><crushing exponent>", {">= -0.95"});
-  expect_fault(faults("<fracture><splitting/></fracture>"), 2, "<fracture><splitting>", {"not built"});
+  expect_fault(faults("<fracture><splitting/></fracture>"), 2, "<fracture><splitting>", {"with <water>"});
+  expect_fault(faults("<gravity value='0 0 0'/><water/><fracture><bending/></fracture>"), 2, "<fracture><bending>",
+               {"<gravity> along -Z"});
+  expect_fault(faults("<water/><fracture><bending wedge_angle_deg='0'/></fracture>"), 2,
+               "<fracture><bending wedge_angle_deg>", {">= 5"});
+  expect_fault(faults("<water/><fracture><splitting multiplier='1'/></fracture>"), 2,
+               "<fracture><splitting multiplier>", {"> 1"});
+  expect_fault(faults("<fracture><cracks/></fracture>"), 2, "<fracture><cracks>", {"not built"});
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ TEST(NotBuilt, EachIsRefusedWithItsPlace) {
       {vessel + "<control mode='dp'/></vessel>", "<vessel><control>"},
       {vessel + "<thrusters file='file'/></vessel>", "<vessel><thrusters>"},
       {vessel + "<mooring file='file'/></vessel>", "<vessel><mooring>"},
-      {"<fracture><bending model='nevel'/></fracture>", "<fracture><bending>"}};
+      {"<fracture><cracks path='curved'/></fracture>", "<fracture><cracks>"}};
   for (const auto& c : cases) {
     SCOPED_TRACE(c.content);
     expect_fault(folder.faults(in_scene(c.content)), 2, c.where, {"not built in this version"});

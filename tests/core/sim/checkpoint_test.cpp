@@ -34,7 +34,11 @@ class Bits {
     const Ledger& l = record.ledger;
     add(record.t, record.penetration_max, record.penetration_mean, record.momentum_imbalance, record.momentum_scale,
         record.angular_momentum_imbalance, record.angular_momentum_scale, l.kinetic, l.potential, l.friction, l.impact,
-        l.stabilisation, l.crushing, l.integrator, l.imbalance);
+        l.stabilisation, l.fracture, l.crushing, l.integrator, l.imbalance);
+    for (const FractureEvent& event : record.broken) {
+      add(event.floe, event.p_G.x(), event.p_G.y(), event.energy, event.length, event.radius, event.ratio, event.brash);
+      for (const std::int64_t piece : event.pieces) add(piece);
+    }
     for (const double work : l.works) add(work);
     if (record.vessel) add_vessel(*record.vessel);
   }
@@ -99,6 +103,16 @@ const std::vector<Case> k_cases{
      "<size distribution='lognormal' mean='0.35' sd='0.1' min='0.2' max='0.6'/><shape kind='polygon' vertices='5 8'/>"
      "</field><vary property='compressive_strength' cov='0.2' correlation_length='0.3'/></ice>"
      "<fracture compressive_strength='2e3'><crushing model='compliant'/></fracture>"},
+    {"BreakingIce",
+     "<contact law='coulomb' solver='nsgs' tolerance='1e-4' max_iterations='200' "
+     "stabilisation='split-impulse'>" NILAS_FRICTION "</contact>" NILAS_WATER
+     "<vessel name='ship' position='0.3 0'>" NILAS_HULL
+     "<mass draught='0.2'/><carriage speed='0.8' free='heave'/></vessel><ice thickness='0.02'>"
+     "<field kind='packed' region='3 -1.5 5.7 1.5' concentration='0.75' breakable='true'>"
+     "<size distribution='lognormal' mean='0.6' sd='0.1' min='0.4' max='0.8'/><shape kind='polygon' vertices='5 8'/>"
+     "</field><vary property='flexural_strength' mean='5e3' cov='0.2' correlation_length='0.3'/></ice>"
+     "<fracture flexural_strength='5e3' compressive_strength='2e4' min_area='1e-3'><crushing model='seed-limit'/>"
+     "<bending/><splitting/></fracture>"},
     {"PitchingOnACarriage",
      "<contact law='pyramid' solver='pgs' tolerance='0' max_iterations='30' "
      "stabilisation='split-impulse'>" NILAS_FRICTION "</contact>" NILAS_WATER
@@ -170,15 +184,18 @@ TEST_P(GoingOn, GivesTheSameBits) {
   std::vector<Bits> expected;
   std::map<int, State> states;
   const auto whole = build();
-  long contacts = 0;
+  long contacts = 0, broken = 0;
   for (int k = 0;; ++k) {
     if (std::count(saved_after.begin(), saved_after.end(), k) > 0) whole->save(StateWriter(states[k]));
     if (k == k_steps) break;
     const StepRecord record = whole->step();
     contacts += record.contacts;
+    broken += static_cast<long>(record.broken.size());
     expected.emplace_back(record);
   }
   EXPECT_GT(contacts, 30) << "nothing touches, so nothing is tested";
+  const bool breaks = scene.fracture && scene.fracture->bending;
+  EXPECT_GE(broken, breaks ? 5 : 0) << "nothing breaks, so nothing is tested";
   for (auto& [first, state] : states) {
     const fs::path file = folder / "checkpoint.h5";
     write_checkpoint(file, k_origin, state);
