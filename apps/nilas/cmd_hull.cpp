@@ -1,5 +1,4 @@
-#include <fmt/format.h>
-
+#include <algorithm>
 #include <iostream>
 #include <map>
 
@@ -7,7 +6,7 @@
 #include "apps/nilas/hull_picture.h"
 #include "apps/nilas/prepare_hull.h"
 #include "core/base/error.h"
-#include "core/bodies/mesh_box.h"
+#include "core/base/file_bytes.h"
 
 namespace nilas {
 
@@ -17,6 +16,7 @@ struct HullOptions {
   std::string mesh, generate, out = "hull";
   std::map<std::string, double> parameters;
   HullPreparation preparation;
+  std::vector<std::string> preparation_flags;  ///< as given
   bool json = false, force = false;
 };
 
@@ -38,15 +38,48 @@ constexpr FormFlag k_form_flags[] = {
     {"triangles", "number of triangles, within 5 %"},
 };
 
+/// --stem-angle-deg for stem_angle_deg.
+std::string dashed(const std::string& parameter) {
+  std::string flag = "--" + parameter;
+  std::replace(flag.begin(), flag.end(), '_', '-');
+  return flag;
+}
+
 /// Flags of a generated form, but for the draught, say nothing about a mesh.
 void demand_no_form(const HullOptions& options) {
   for (const auto& [name, value] : options.parameters)
-    if (name != "draught") throw InputError("nilas hull: " + name + " belongs to --generate, found beside MESH");
+    if (name != "draught")
+      throw InputError("nilas hull: found " + dashed(name) +
+                       " beside MESH; it belongs to --generate, and of a form's flags a mesh allows --draught alone");
+}
+
+/// Flags that say how a mesh file is read, mended and cut do nothing where none is.
+void demand_no_preparation(const HullOptions& options, const std::string& beside, const std::string& allowed) {
+  if (options.preparation_flags.empty()) return;
+  throw InputError(
+      "nilas hull: found " + options.preparation_flags.front() + " beside " + beside +
+      "; it says how a mesh file is treated, and here nothing is read, mended or cut; allowed: " + allowed);
+}
+
+/// Throws InputError for a flag that would do nothing.
+void demand_used_flags(const HullOptions& options) {
+  if (options.generate.empty() == options.mesh.empty())
+    throw InputError("nilas hull: give either MESH or --generate icebreaker|wedge");
+  if (options.mesh.empty()) {
+    std::string allowed = "--out, --force, --json";
+    for (const auto& flag : k_form_flags) allowed += ", " + dashed(flag.name);
+    demand_no_preparation(options, "--generate", allowed);
+    return;
+  }
+  demand_no_form(options);
+  if (is_folder(options.mesh))
+    demand_no_preparation(options, "the hull folder " + options.mesh, "--draught, --out, --force, --json");
 }
 
 void add_origin(nlohmann::ordered_json& description, const HullOptions& options) {
   if (options.generate.empty()) {
     description["mesh"] = options.mesh;
+    if (is_folder(options.mesh)) return;
     description["scale"] = options.preparation.scale;
     description["up"] = options.preparation.up;
     return;
@@ -71,30 +104,33 @@ void demand_mesh_stays(const std::filesystem::path& mesh, const NewHullFolder& f
     throw InputError(mesh.string() + ": --out " + folder.path().string() + " would replace it; choose another folder");
 }
 
-int hull(const HullOptions& options) {
-  if (options.generate.empty() == options.mesh.empty())
-    throw InputError("nilas hull: give either MESH or --generate icebreaker|wedge");
-  NewHullFolder folder(options.out, options.force);
+HullPreparation preparation_of(const HullOptions& options) {
+  HullPreparation how = options.preparation;
+  if (const auto given = options.parameters.find("draught"); given != options.parameters.end())
+    how.draught = given->second;
+  return how;
+}
+
+PreparedHull generated(const HullForm& form) {
   PreparedHull made;
-  std::optional<double> draught;
-  if (const auto given = options.parameters.find("draught"); given != options.parameters.end()) draught = given->second;
-  if (options.generate.empty()) {
-    demand_no_form(options);
-    demand_mesh_stays(options.mesh, folder);
-    made = prepare_hull(options.mesh, options.preparation, folder);
-  } else {
-    const HullForm form = hull_form(options.generate, options.parameters);
-    made.hull = generate_hull(form);
-    draught = form.draught;
-  }
-  if (!draught) draught = 0.5 * box_of(made.hull.fluid).sizes().z();
-  const auto result = hull_report(made, *draught);
+  made.hull = generate_hull(form);
+  made.draught = form.draught;
+  return made;
+}
+
+int hull(const HullOptions& options) {
+  demand_used_flags(options);
+  NewHullFolder folder(options.out, options.force);
+  if (!options.mesh.empty()) demand_mesh_stays(options.mesh, folder);
+  const PreparedHull made = options.mesh.empty() ? generated(hull_form(options.generate, options.parameters))
+                                                 : prepare_hull(options.mesh, preparation_of(options), folder);
+  const auto result = hull_report(made);
   if (const std::string missed = missed_tolerance(made, options.preparation.most_parts); !missed.empty())
     std::cerr << "warning: " << missed << "\n";
   nlohmann::ordered_json description = result;
   add_origin(description, options);
   write_hull(made.hull, folder.staging(), description.dump(2) + "\n");
-  try_to_draw(made.hull, waterline_level(made.hull.fluid, *draught), folder.staging());
+  try_to_draw(made.hull, waterline_level(made.hull.fluid, made.draught), folder.staging());
   folder.publish();
   std::cout << (options.json ? result.dump(2) + "\n" : report_text(result) + "written: " + options.out + "\n");
   return exit_done;
@@ -102,11 +138,8 @@ int hull(const HullOptions& options) {
 
 void add_form_flags(CLI::App& command, const std::shared_ptr<HullOptions>& options) {
   for (const auto& flag : k_form_flags) {
-    std::string dashed = flag.name;
-    for (auto& c : dashed) c = c == '_' ? '-' : c;
-    std::string names = "--" + dashed;
-    if (dashed.size() > 4 && dashed.substr(dashed.size() - 4) == "-deg")
-      names += ",--" + dashed.substr(0, dashed.size() - 4);
+    std::string names = dashed(flag.name);
+    if (names.ends_with("-deg")) names += "," + names.substr(0, names.size() - 4);
     command.add_option_function<double>(
         names, [options, name = std::string(flag.name)](const double& value) { options->parameters[name] = value; },
         flag.help);
@@ -122,20 +155,24 @@ CLI::Validator positive() {
           ""};
 }
 
-void add_preparation_flags(CLI::App& command, HullPreparation& how) {
-  command.add_option("--scale", how.scale, "metres per unit of the mesh file: 0.001 for mm")
-      ->check(positive())
-      ->capture_default_str();
-  command.add_option("--up", how.up, "the mesh file's axis that points up: z or y")
-      ->check(CLI::IsMember({"z", "y"}))
-      ->capture_default_str();
-  command.add_option("--gap", how.gap, "points this close are one [m]; default 1e-5 of the length")->check(positive());
-  command.add_option("--fill-holes", how.largest_hole, "fill holes up to this far across [m]; default length / 20")
-      ->check(positive());
-  command.add_option("--tolerance", how.tolerance, "of the convex parts [m]; default length / 1000")->check(positive());
-  command.add_option("--parts", how.most_parts, "convex parts, at most")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
+std::vector<CLI::Option*> add_preparation_flags(CLI::App& command, HullPreparation& how) {
+  return {
+      command.add_option("--scale", how.scale, "metres per unit of the mesh file: 0.001 for mm")
+          ->check(positive())
+          ->capture_default_str(),
+      command.add_option("--up", how.up, "the mesh file's axis that points up: z or y")
+          ->check(CLI::IsMember({"z", "y"}))
+          ->capture_default_str(),
+      command.add_option("--gap", how.gap, "points this close are one [m]; default 1e-5 of the length")
+          ->check(positive()),
+      command.add_option("--fill-holes", how.largest_hole, "fill holes up to this far across [m]; default length / 20")
+          ->check(positive()),
+      command.add_option("--tolerance", how.tolerance, "of the convex parts [m]; default length / 1000")
+          ->check(positive()),
+      command.add_option("--parts", how.most_parts, "convex parts, at most")
+          ->check(CLI::Range(1, 1000))
+          ->capture_default_str(),
+  };
 }
 
 }  // namespace
@@ -148,9 +185,13 @@ void add_hull(CLI::App& app, Action& action) {
   command->add_option("--out", options->out, "folder to write")->capture_default_str();
   command->add_flag("--force", options->force, "write into a folder that is not empty; replaces an earlier hull in it");
   add_form_flags(*command, options);
-  add_preparation_flags(*command, options->preparation);
+  const auto preparation = add_preparation_flags(*command, options->preparation);
   command->add_flag("--json", options->json, "the report as JSON on stdout");
-  command->callback([&action, options] { action = [options] { return hull(*options); }; });
+  command->callback([&action, options, preparation] {
+    for (const auto* flag : preparation)
+      if (flag->count() > 0) options->preparation_flags.push_back(flag->get_name());
+    action = [options] { return hull(*options); };
+  });
 }
 
 }  // namespace nilas

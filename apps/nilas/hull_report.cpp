@@ -13,9 +13,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Images of vertices this near to the surface, as a share of the longest side, are on it.
-constexpr double k_symmetric_share = 1e-5;
-
 double wetted_area(const TriangleMesh& mesh, double level) {
   std::vector<WettedFace> faces;
   wetted_faces(mesh, Mat3::Identity(), Vec3::Zero(), level, faces);
@@ -71,7 +68,7 @@ std::string list_text(const Json& notes) {
 }
 
 bool within_tolerance(const PreparedHull& prepared) {
-  return !prepared.tolerance || prepared.deviation.largest <= *prepared.tolerance;
+  return !prepared.tolerance || prepared.deviation->largest <= *prepared.tolerance;
 }
 
 }  // namespace
@@ -79,10 +76,10 @@ bool within_tolerance(const PreparedHull& prepared) {
 std::string missed_tolerance(const PreparedHull& prepared, std::size_t most) {
   if (within_tolerance(prepared)) return "";
   const std::size_t parts = prepared.hull.parts.size();
-  const Vec3& p = prepared.deviation.place;
+  const Vec3& p = prepared.deviation->place;
   return fmt::format(
              "the convex parts stand up to {:.4g} m off the mesh, at ({:.6g}, {:.6g}, {:.6g}) m; asked: {:.4g} m. ",
-             prepared.deviation.largest, p.x(), p.y(), p.z(), *prepared.tolerance) +
+             prepared.deviation->largest, p.x(), p.y(), p.z(), *prepared.tolerance) +
          // parts of a symmetric mesh come in pairs
          (parts + 2 > most
               ? fmt::format("--parts allows {}: give more, or a larger --tolerance", most)
@@ -94,13 +91,16 @@ std::string missed_tolerance(const PreparedHull& prepared, std::size_t most) {
 double waterline_level(const TriangleMesh& mesh, double draught) {
   const auto box = box_of(mesh);
   const double depth = box.max().z() - box.min().z();
-  if (!(draught > 0 && draught < depth))
+  constexpr double k_least = 1e-3;  // of the height
+  if (!(draught >= k_least * depth && draught < depth))
     throw InputError(fmt::format(
-        "--draught: found {:.6g} m; allowed: above 0 and below {:.6g} m, the height of the hull", draught, depth));
+        "--draught: found {:.6g} m; allowed: at least {:.6g} m, a thousandth of the height, and below {:.6g} m, the "
+        "height of the hull",
+        draught, k_least * depth, depth));
   return box.min().z() + draught;
 }
 
-Json hull_report(const PreparedHull& prepared, double draught) {
+Json hull_report(const PreparedHull& prepared) {
   const TriangleMesh& mesh = prepared.hull.fluid;
   const MassProperties unit = mesh_properties(mesh, 1.0);
   const Mat3& i = unit.inertia;
@@ -111,15 +111,17 @@ Json hull_report(const PreparedHull& prepared, double draught) {
               {"inertia_per_density_m5", {i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2)}},
               {"low_m", point(box.min())},
               {"high_m", point(box.max())},
-              {"parts", prepared.hull.parts.size()},
-              {"deviation_m", prepared.deviation.largest},
-              {"deviation_precision_m", prepared.deviation.unmeasured},
-              {"deviation_place_m", point(prepared.deviation.place)}};
+              {"parts", prepared.hull.parts.size()}};
+  if (prepared.deviation) {
+    report["deviation_m"] = prepared.deviation->largest;
+    report["deviation_precision_m"] = prepared.deviation->unmeasured;
+    report["deviation_place_m"] = point(prepared.deviation->place);
+  }
   if (prepared.tolerance) {
     report["tolerance_m"] = *prepared.tolerance;
     report["within_tolerance"] = within_tolerance(prepared);
   }
-  add_hydrostatics(report, mesh, draught, unit.com.z());
+  add_hydrostatics(report, mesh, prepared.draught, unit.com.z());
   report["symmetric"] = off <= symmetric_within;
   report["asymmetry_m"] = off;
   report["symmetry_tolerance_m"] = symmetric_within;

@@ -13,19 +13,22 @@ namespace nilas {
 struct PreparedHull {
   Hull hull;
   std::vector<MeshNote> mended;
-  Deviation deviation;              ///< of the parts from the mesh
-  std::vector<PartCount> table;     ///< empty where nothing was decomposed
-  std::optional<double> tolerance;  ///< that was asked of the parts, where a mesh was decomposed [m]
+  std::optional<Deviation> deviation;  ///< of the parts from the mesh; none where the mesh itself is the part
+  std::vector<PartCount> table;        ///< empty where nothing was decomposed
+  std::optional<double> tolerance;     ///< that was asked of the parts, where a mesh was decomposed [m]
+  double draught = 0;                  ///< of the waterline that the report takes [m]
 };
 
-/// z of the waterline in frame V. Throws InputError unless the draught lies between keel and deck.
+/// z of the waterline in frame V. Throws InputError unless the draught lies between a thousandth of the height, below
+/// which rounding would show in GM, and the height.
 double waterline_level(const TriangleMesh& mesh, double draught);
 
 /// Why the parts stand further off than they should, and what helps; empty where they do not. `most` parts are allowed.
 std::string missed_tolerance(const PreparedHull& prepared, std::size_t most);
 
-/// The keys of the report: volume, centre, hydrostatics at the draught, symmetry, what was mended, parts.
-nlohmann::ordered_json hull_report(const PreparedHull& prepared, double draught);
+/// The keys of the report: volume, centre, hydrostatics, symmetry, what was mended, parts; docs/output_reference.md has
+/// them. GM takes the centre of a uniform solid.
+nlohmann::ordered_json hull_report(const PreparedHull& prepared);
 
 /// The same for readers; places at most three of each kind.
 std::string report_text(const nlohmann::ordered_json& report);

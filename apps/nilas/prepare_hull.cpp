@@ -14,7 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double k_gap_share = 1e-5, k_hole_share = 0.05, k_tolerance_share = 1e-3;  // of the longest side
-constexpr double k_symmetric_share = 1e-5;
 
 /// In metres, z up.
 PolygonSoup in_vessel_frame(PolygonSoup soup, const HullPreparation& how) {
@@ -94,9 +93,27 @@ void demand_digits(const Reach& reach, const HullPreparation& how, const fs::pat
   throw InputError(text);
 }
 
-PreparedHull from_folder(const fs::path& folder) {
+/// What `work` returns; what it finds wrong names the file.
+template <class Work>
+auto naming(const fs::path& file, const Work& work) {
+  try {
+    return work();
+  } catch (const InputError& e) {
+    throw InputError(file.string() + ": " + e.what());
+  }
+}
+
+/// The draught of the report, which must be one of this hull: known before minutes of work are spent on its parts.
+double draught_of(const TriangleMesh& mesh, const HullPreparation& how) {
+  const double draught = how.draught.value_or(0.5 * box_of(mesh).sizes().z());
+  waterline_level(mesh, draught);
+  return draught;
+}
+
+PreparedHull from_folder(const fs::path& folder, const HullPreparation& how) {
   PreparedHull prepared;
   prepared.hull = read_hull(folder);
+  prepared.draught = draught_of(prepared.hull.fluid, how);
   constexpr double k_precision = 0.05;  // of the tolerance
   prepared.deviation = deviation_of(prepared.hull.parts, prepared.hull.fluid,
                                     k_precision * k_tolerance_share * box_of(prepared.hull.fluid).sizes().maxCoeff());
@@ -106,28 +123,25 @@ PreparedHull from_folder(const fs::path& folder) {
 }  // namespace
 
 PreparedHull prepare_hull(const fs::path& mesh, const HullPreparation& how, NewHullFolder& folder) {
-  if (is_folder(mesh)) return from_folder(mesh);
+  if (is_folder(mesh)) return from_folder(mesh, how);
   const PolygonSoup soup = in_vessel_frame(read_polygons(mesh), how);
   const Reach reach = demand_sensible_size(soup, mesh);
   const double longest = reach.longest, tolerance = tolerance_of(how, longest);
   demand_tolerance(tolerance, longest);
   demand_digits(reach, how, mesh);
-  MendedMesh mended;
-  ConvexParts parts;
-  try {
-    mended = mend(soup, mend_settings(how, longest));
-    if (mended.open.empty())
-      parts =
-          decompose(mended.mesh, {tolerance, how.most_parts, asymmetry(mended.mesh) <= k_symmetric_share * longest});
-  } catch (const InputError& e) {
-    throw InputError(mesh.string() + ": " + e.what());
-  }
+  MendedMesh mended = naming(mesh, [&] { return mend(soup, mend_settings(how, longest)); });
   if (!mended.open.empty()) refuse(mesh, mended, folder);
-  return {{std::move(mended.mesh), std::move(parts.parts)},
-          std::move(mended.done),
-          parts.deviation,
-          std::move(parts.table),
-          tolerance};
+  PreparedHull prepared;
+  prepared.draught = draught_of(mended.mesh, how);
+  ConvexParts parts = naming(mesh, [&] {
+    return decompose(mended.mesh, {tolerance, how.most_parts, asymmetry(mended.mesh) <= k_symmetric_share * longest});
+  });
+  prepared.hull = {std::move(mended.mesh), std::move(parts.parts)};
+  prepared.mended = std::move(mended.done);
+  prepared.deviation = parts.deviation;
+  prepared.table = std::move(parts.table);
+  prepared.tolerance = tolerance;
+  return prepared;
 }
 
 }  // namespace nilas

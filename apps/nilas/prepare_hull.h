@@ -15,10 +15,12 @@ struct HullPreparation {
   std::optional<double> largest_hole;  ///< filled; default a twentieth of the longest side [m]
   std::optional<double> tolerance;     ///< of the parts; default a thousandth of the longest side [m]
   std::size_t most_parts = 64;
+  std::optional<double> draught;  ///< of the waterline that the report takes; default half the height [m]
 };
 
 /// Reads, mends, decomposes; a hull folder is taken as it is. Throws InputError naming the file where the mesh cannot
-/// be mended, with the places, after publishing a picture of them in `folder`; FileError.
+/// be mended, with the places, after publishing a picture of them in `folder`, and for a draught that the hull does not
+/// have; FileError.
 PreparedHull prepare_hull(const std::filesystem::path& mesh, const HullPreparation& how, NewHullFolder& folder);
 
 }  // namespace nilas

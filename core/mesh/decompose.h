@@ -37,6 +37,9 @@ ConvexParts decompose(const TriangleMesh& mesh, const PartSettings& settings);
 /// parts closer than 1e-6 of the size to another part's inside count as covered.
 Deviation deviation_of(const std::vector<TriangleMesh>& parts, const TriangleMesh& mesh, double precision);
 
+/// A mesh is symmetric where asymmetry() is at most this share of its longest side: drawings round their coordinates.
+inline constexpr double k_symmetric_share = 1e-5;
+
 /// Largest distance from the mesh of its image in y = 0, within 2 % and three millionths of its size [m].
 double asymmetry(const TriangleMesh& mesh);
 

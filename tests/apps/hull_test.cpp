@@ -270,6 +270,51 @@ TEST(HullCommand, CoordinatesTooFarOffForTheirSizeAreRefused) {
   EXPECT_NEAR(prepared(folder, "near.obj --out made")["volume_m3"], 4, 1e-3);
 }
 
+TEST(HullCommand, FlagsThatWouldDoNothingAreRefused) {
+  const ScratchFolder folder;
+  write_obj(folder.path() / "box.obj", {nilas::box_mesh({0, 0, 0}, {4, 1, 1})});
+  ASSERT_EQ(prepared(folder, "box.obj --out hb")["deviation_m"], 0);
+  for (const std::string beside : {"hb", "--generate wedge"})
+    for (const std::string flag :
+         {"--scale 0.001", "--up y", "--gap 1e-3", "--fill-holes 1", "--tolerance 0.1", "--parts 3"}) {
+      const auto refused = run_nilas("hull " + beside + " " + flag + " --out made", folder.path());
+      EXPECT_EQ(refused.exit_code, 2) << beside << ' ' << flag;
+      for (const std::string& word : {"found " + flag.substr(0, flag.find(' ')) + " beside", std::string("allowed: ")})
+        EXPECT_NE(refused.err.find(word), std::string::npos) << beside << ' ' << flag << ": " << refused.err;
+      EXPECT_FALSE(fs::exists(folder / "made"));
+    }
+  const auto form = run_nilas("hull box.obj --stem-angle 30 --out made", folder.path());
+  EXPECT_EQ(form.exit_code, 2);
+  EXPECT_NE(form.err.find("found --stem-angle-deg beside MESH"), std::string::npos) << form.err;
+}
+
+TEST(HullCommand, AHullFolderIsReportedAtAnotherDraught) {
+  const ScratchFolder folder;
+  write_obj(folder.path() / "box.obj", {nilas::box_mesh({0, 0, 0}, {4, 1, 1})});
+  prepared(folder, "box.obj --out hb --scale 0.5");
+  const auto report = prepared(folder, "hb --out again --draught 0.1");
+  EXPECT_NEAR(report["displaced_m3"], 2 * 0.5 * 0.1, 1e-9);
+  EXPECT_LT(report["deviation_m"], 1e-9);
+  const auto description = nlohmann::json::parse(std::ifstream(folder / "again/hull.json"));
+  EXPECT_EQ(description["mesh"], "hb");
+  for (const char* key : {"scale", "up", "tolerance_m"}) EXPECT_FALSE(description.contains(key)) << key;
+}
+
+TEST(HullCommand, AGeneratedHullHasNoDeviation) {
+  const ScratchFolder folder;
+  const auto report = prepared(folder, "--generate wedge --triangles 400");
+  EXPECT_EQ(report["parts"], 1);
+  for (const char* key : {"deviation_m", "deviation_precision_m", "deviation_place_m", "tolerance_m"})
+    EXPECT_FALSE(report.contains(key)) << key << " where nothing was cut";
+}
+
+TEST(HullCommand, TheLeastDraughtStillHasAMetacentricHeight) {
+  const ScratchFolder folder;
+  write_obj(folder.path() / "box.obj", {nilas::box_mesh({0, 0, 0}, {4, 1, 1})});
+  const double least = 0.001;
+  EXPECT_NEAR(prepared(folder, "box.obj --draught 0.001")["gm_m"], 0.5 * least + 1 / (12 * least) - 0.5, 1e-6);
+}
+
 TEST(HullCommand, WrongArgumentsAndFilesAreNamed) {
   const ScratchFolder folder;
   write_obj(folder.path() / "box.obj", {nilas::box_mesh({0, 0, 0}, {4, 1, 1})});
@@ -282,7 +327,8 @@ TEST(HullCommand, WrongArgumentsAndFilesAreNamed) {
   };
   for (const auto& c : std::vector<Case>{{"box.obj --draught 2", 2, "below 1 m"},
                                          {"box.obj --draught -1", 2, "--draught"},
-                                         {"box.obj --length 3", 2, "length"},
+                                         {"box.obj --draught 1e-300", 2, "at least 0.001 m"},
+                                         {"box.obj --length 3", 2, "--length"},
                                          {"box.obj --up x", 2, "--up"},
                                          {"box.obj --scale 0", 2, "--scale"},
                                          {"box.obj --scale 1e6", 2, "--scale 0.001"},
