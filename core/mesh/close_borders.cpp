@@ -44,7 +44,7 @@ void stitch(SurfaceMesh& mesh) {
 }
 
 /// A corner on a neighbour's edge cuts that edge, and so the neighbour. What then meets may still be wound differently.
-void join_borders(WeldedSoup& welded, double gap, std::vector<MeshNote>& done) {
+void join_borders(WeldedSoup& welded, double gap, MendedMesh& notes) {
   SurfaceMesh& mesh = welded.mesh;
   if (CGAL::is_closed(mesh)) return;
   stitch(mesh);
@@ -56,14 +56,11 @@ void join_borders(WeldedSoup& welded, double gap, std::vector<MeshNote>& done) {
   const TriangleMesh loose = triangles_of(mesh);
   PolygonSoup soup{loose.vertices, {}};
   for (const auto& t : loose.triangles) soup.polygons.push_back({t[0], t[1], t[2]});
-  MendedMesh again;
-  welded = mesh_of_soup(soup, gap, false, again);
+  welded = mesh_of_soup(soup, gap, false, notes);
   stitch(mesh);
-  for (const auto& note : again.done)
-    if (note.what.find("turned") != std::string::npos) done.push_back(note);
   const std::size_t left = border_places(mesh).size();
   if (left < before.size())
-    add_note(done, "open edges closed where a corner lies on a neighbour's edge or across a crack",
+    add_note(notes.done, "open edges closed where a corner lies on a neighbour's edge or across a crack",
              before.size() - left, before);
 }
 
@@ -152,7 +149,7 @@ void remove_flat_faces(SurfaceMesh& mesh, std::vector<MeshNote>& done) {
 }  // namespace
 
 void close_borders(WeldedSoup& welded, const MendSettings& settings, MendedMesh& notes) {
-  join_borders(welded, settings.gap, notes.done);
+  join_borders(welded, settings.gap, notes);
   remove_flat_faces(welded.mesh, notes.done);
   if (!CGAL::is_closed(welded.mesh)) fill_holes(welded, settings.largest_hole, notes);
   welded.mesh.collect_garbage();

@@ -1,5 +1,6 @@
 #include "core/mesh/surface_mesh.h"
 
+#include <algorithm>
 #include <map>
 
 namespace nilas {
@@ -61,10 +62,13 @@ Vec3 middle(const SurfaceMesh& mesh, SurfaceMesh::Face_index face) {
   return sum / corners;
 }
 
-void add_note(std::vector<MeshNote>& notes, std::string what, std::size_t count, std::vector<Vec3> places) {
+void add_note(std::vector<MeshNote>& notes, std::string what, std::size_t count, const std::vector<Vec3>& places) {
   if (count == 0) return;
-  if (places.size() > MeshNote::k_most_places) places.resize(MeshNote::k_most_places);
-  notes.push_back({std::move(what), count, std::move(places)});
+  auto note = std::find_if(notes.begin(), notes.end(), [&](const MeshNote& old) { return old.what == what; });
+  if (note == notes.end()) note = notes.insert(notes.end(), {std::move(what), 0, {}});
+  note->count += count;
+  const std::size_t shown = std::min(places.size(), MeshNote::k_most_places - note->places.size());
+  note->places.insert(note->places.end(), places.begin(), places.begin() + static_cast<std::ptrdiff_t>(shown));
 }
 
 }  // namespace nilas

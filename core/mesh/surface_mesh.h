@@ -50,8 +50,8 @@ bool crosses_itself(const SurfaceMesh& mesh);
 /// Between the middles of such faces, a place for each pair [m].
 std::vector<Vec3> crossings(const SurfaceMesh& mesh);
 
-/// Adds to `notes` unless the count is 0.
-void add_note(std::vector<MeshNote>& notes, std::string what, std::size_t count, std::vector<Vec3> places);
+/// Adds to the note of these words, which several rounds may find, or begins it; nothing where the count is 0.
+void add_note(std::vector<MeshNote>& notes, std::string what, std::size_t count, const std::vector<Vec3>& places);
 
 /// A mesh made of loose polygons.
 struct WeldedSoup {

@@ -51,7 +51,7 @@ Hdf5Columns::Layout layout(bool has_vessel, bool with_couples) {
   list.vector("f", "_N", "N", "impulse / step, on body, in G");
   if (with_couples) list.vector("couple_", "_Nm", "N m", "of rolling and spinning friction on body, in G");
   list.integer("status", "0 open, 1 stick, 2 slip, 3 crush");
-  list.integer("part", "convex part of body, from 1: of a hull folder part-01.stl ...");
+  list.integer("part", "convex part of body, from 1: of a hull folder part-0001.stl ...");
   list.integer("other_part", "convex part of other, from 1");
   list.integer("key", "stays the same from step to step while the same features touch");
   return {"contacts",

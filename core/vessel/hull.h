@@ -1,8 +1,8 @@
 #pragma once
 /// A hull folder: what `nilas hull` writes and scenes refer to.
-///   fluid.stl   closed outward triangle mesh in frame V: water forces, mass properties
-///   part-NN.stl convex parts in frame V: contact
-///   hull.json   name, generator parameters where generated, volume, parts
+///   fluid.stl     closed outward triangle mesh in frame V: water forces, mass properties
+///   part-NNNN.stl convex parts in frame V: contact
+///   hull.json     name, generator parameters where generated, volume, parts
 #include <filesystem>
 #include <map>
 #include <string>

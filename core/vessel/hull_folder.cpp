@@ -42,8 +42,8 @@ void demand_described_parts(const fs::path& description, std::size_t parts) {
   if (!json.is_object()) throw InputError(description.string() + ": not a JSON object, or cut short");
   if (!json.contains("parts")) return;
   if (json["parts"] != parts)
-    throw InputError(fmt::format("{}: parts: found {}, but the folder holds {} part-NN.stl files", description.string(),
-                                 json["parts"].dump(), parts));
+    throw InputError(fmt::format("{}: parts: found {}, but the folder holds {} part-NNNN.stl files",
+                                 description.string(), json["parts"].dump(), parts));
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ Hull read_hull(const fs::path& path) {
   }
   hull.fluid = read_sound(path / "fluid.stl");
   const std::vector<fs::path> parts = part_files(path);
-  if (parts.empty()) throw InputError(path.string() + ": the hull folder holds no part-NN.stl");
+  if (parts.empty()) throw InputError(path.string() + ": the hull folder holds no part-NNNN.stl");
   demand_described_parts(path / "hull.json", parts.size());
   for (const auto& file : parts) {
     hull.parts.push_back(read_sound(file));

@@ -35,7 +35,7 @@ bool comes_before(const fs::path& a, const fs::path& b) {
 
 }  // namespace
 
-std::string part_name(std::size_t number) { return fmt::format("{}{:02}{}", k_prefix, number, k_ending); }
+std::string part_name(std::size_t number) { return fmt::format("{}{:04}{}", k_prefix, number, k_ending); }
 
 bool names_part(const std::string& name) {
   return looks_like_part(name) && name.size() > k_prefix.size() + k_ending.size() &&

@@ -6,9 +6,9 @@
 
 namespace nilas {
 
-/// part-01.stl for the first.
+/// part-0001.stl for the first, so that up to 9999 stand in their order wherever files are listed by name.
 std::string part_name(std::size_t number);
-/// Whether it names a part: part-NN.stl with any number of digits.
+/// Whether it names a part: part-NNNN.stl, with any number of digits.
 bool names_part(const std::string& name);
 
 /// All paths in a folder, by name. Throws FileError.

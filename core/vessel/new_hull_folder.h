@@ -9,7 +9,7 @@ namespace nilas {
 class NewHullFolder {
  public:
   /// Makes the folder and its parents. Throws InputError when it holds anything but the picture of a refused mesh,
-  /// unless `force`; and where it holds a part-*.stl that is no part-NN.stl, which no hull may have beside it. Throws
+  /// unless `force`; and where it holds a part-*.stl that is no part-NNNN.stl, which no hull may have beside it. Throws
   /// FileError when it cannot be made or written.
   NewHullFolder(std::filesystem::path folder, bool force);
   /// Removes what was not published, and a folder that was made for nothing.
@@ -18,7 +18,7 @@ class NewHullFolder {
   NewHullFolder& operator=(const NewHullFolder&) = delete;
 
   const std::filesystem::path& path() const { return folder_; }
-  /// An empty folder within, for fluid.stl, part-NN.stl, hull.json, hull.png; or for faults.png alone.
+  /// An empty folder within, for fluid.stl, part-NNNN.stl, hull.json, hull.png; or for faults.png alone.
   const std::filesystem::path& staging() const { return staging_; }
   /// Whether publishing removes or replaces the file.
   bool replaces(const std::filesystem::path& file) const;

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <random>
+#include <set>
 
 #include "core/base/error.h"
 #include "tests/core/mesh/hull_shapes.h"
@@ -94,6 +95,14 @@ TEST(Mend, TJunctionsAndCracksAreClosed) {
   const MendedMesh mended = mend(soup, settings(1));
   expect_sound(mended, 1, 1e-5);
   EXPECT_TRUE(did(mended, "neighbour's edge"));
+  // the top wound the other way shows only once it has met the sides
+  for (auto& loop : soup.polygons)
+    if (loop.size() == 4) std::reverse(loop.begin(), loop.end());
+  const MendedMesh turned = mend(soup, settings(1));
+  expect_sound(turned, 1, 1e-5);
+  EXPECT_TRUE(did(turned, "turned to the winding of their neighbours"));
+  std::set<std::string> kinds;
+  for (const auto& note : turned.done) EXPECT_TRUE(kinds.insert(note.what).second) << note.what << " told twice";
 }
 
 TEST(Mend, DuplicateAndNestedShellsAreDropped) {

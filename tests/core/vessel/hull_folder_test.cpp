@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/vessel/hull.h"
+#include "core/vessel/hull_parts.h"
 #include "core/vessel/new_hull_folder.h"
 
 namespace nilas {
@@ -86,6 +87,14 @@ TEST_F(HullFolder, PartsAreOrderedByTheirNumber) {
   const Hull read = read_hull(folder_);
   ASSERT_EQ(read.parts.size(), hull.parts.size());
   for (std::size_t k = 0; k < hull.parts.size(); ++k) EXPECT_EQ(corners(read.parts[k]), corners(hull.parts[k])) << k;
+  for (std::size_t k = 1; k < 1000; ++k) EXPECT_LT(part_name(k), part_name(k + 1)) << "listed by name";
+  // folders of two digits and more
+  for (std::size_t k = 1; k <= hull.parts.size(); ++k)
+    fs::rename(folder_ / part_name(k),
+               folder_ / ("part-" + std::string(k < 10 ? "0" : "") + std::to_string(k) + ".stl"));
+  const Hull earlier = read_hull(folder_);
+  ASSERT_EQ(earlier.parts.size(), hull.parts.size());
+  for (std::size_t k = 0; k < hull.parts.size(); ++k) EXPECT_EQ(corners(earlier.parts[k]), corners(hull.parts[k])) << k;
 }
 
 TEST_F(HullFolder, WhatIsNotTheHullsStaysAndForceIsNeeded) {
@@ -157,7 +166,7 @@ TEST_F(HullFolder, ConcaveSurfaceWithConvexPartsIsRead) {
   replace(folder_, {l_shape(), {box(0, 0, 2, 1), box(0, 1, 1, 2)}}, "{\"parts\": 2}");
   EXPECT_EQ(read_hull(folder_).parts.size(), 2u);
   replace(folder_, {l_shape(), {l_shape()}}, "{\"parts\": 1}");
-  EXPECT_PRED2(names, refusal(folder_), "part-01.stl: the surface is not convex");
+  EXPECT_PRED2(names, refusal(folder_), "part-0001.stl: the surface is not convex");
 }
 
 TEST_F(HullFolder, UnsoundMeshesAreNamedWithTheirDefects) {
@@ -170,7 +179,7 @@ TEST_F(HullFolder, UnsoundMeshesAreNamedWithTheirDefects) {
   Hull inward = example();
   for (auto& t : inward.parts[0].triangles) std::swap(t[1], t[2]);
   replace(folder_, inward, "{}");
-  EXPECT_PRED2(names, refusal(folder_), "part-01.stl");
+  EXPECT_PRED2(names, refusal(folder_), "part-0001.stl");
   EXPECT_PRED2(names, refusal(folder_), "inwards");
 
   Hull needle = example();
@@ -205,7 +214,7 @@ TEST_F(HullFolder, MissingFilesAreFileErrors) {
   EXPECT_THROW(read_hull(folder_ / "loop"), FileError);
   EXPECT_THROW(read_hull(folder_), FileError);  // a folder without fluid.stl
   write_stl(example().fluid, folder_ / "fluid.stl");
-  EXPECT_PRED2(names, refusal(folder_), "part-NN.stl");
+  EXPECT_PRED2(names, refusal(folder_), "part-NNNN.stl");
   std::ofstream(folder_ / "file") << "x";
   EXPECT_THROW(NewHullFolder(folder_ / "file" / "ship", false), FileError);
   EXPECT_THROW(NewHullFolder(folder_ / "file", false), FileError);
