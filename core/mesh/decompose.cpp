@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/bodies/mesh_box.h"
 #include "core/mesh/pieces.h"
 #include "core/mesh/surface_distance.h"
 
@@ -54,8 +55,7 @@ void add_count(const PartCount& row, std::vector<PartCount>& table) {
 class Decomposition {
  public:
   Decomposition(const TriangleMesh& mesh, const PartSettings& settings) : settings_(settings), mesh_(corners_of(mesh)) {
-    Eigen::AlignedBox3d box;
-    for (const auto& p : mesh.vertices) box.extend(p);
+    const auto box = box_of(mesh);
     skin_ = k_skin * box.sizes().maxCoeff();
     diagonal_ = box.diagonal().norm();
     target_ = settings.tolerance / (1 + k_slack + k_precision);
@@ -257,10 +257,7 @@ class Decomposition {
   }
 
   static bool near(const Part& a, const Part& b, double reach) {
-    Eigen::AlignedBox3d box_a, box_b;
-    for (const auto& p : a.hull.vertices) box_a.extend(p);
-    for (const auto& p : b.hull.vertices) box_b.extend(p);
-    return box_a.exteriorDistance(box_b) <= reach;
+    return box_of(a.hull).exteriorDistance(box_of(b.hull)) <= reach;
   }
 
   struct Pair {

@@ -4,6 +4,7 @@
 
 namespace nilas {
 
+/// What is asked of convex parts.
 struct PartSettings {
   double tolerance = 0;    ///< worst deviation wanted [m]
   std::size_t most = 64;   ///< parts, at most
@@ -17,11 +18,13 @@ struct Deviation {
   Vec3 place = Vec3::Zero();  ///< of the largest [m]
 };
 
+/// What so many parts leave.
 struct PartCount {
   std::size_t parts = 0;
-  double deviation = 0;  ///< [m]
+  double deviation = 0;  ///< largest of their union from the mesh [m]
 };
 
+/// A mesh as convex parts, and how well they stand for it.
 struct ConvexParts {
   std::vector<TriangleMesh> parts;  ///< each convex, its coordinates as binary STL stores them
   Deviation deviation;

@@ -15,11 +15,13 @@ struct MeshNote {
   static constexpr std::size_t k_most_places = 200;
 };
 
+/// How much of what is wrong may be mended; both are lengths of the mesh given.
 struct MendSettings {
   double gap = 0;           ///< points this close are one, and cracks this wide are closed [m]
   double largest_hole = 0;  ///< holes up to this distance across are filled [m]
 };
 
+/// What mending made of a mesh, and its account of it.
 struct MendedMesh {
   TriangleMesh mesh;           ///< as good as it got; sound where `open` is empty
   std::vector<MeshNote> done;  ///< what was mended, in this order

@@ -10,6 +10,7 @@ using Plane = Kernel::Plane_3;
 
 /// Convex hull of at least four points that are not in one plane, else empty.
 SurfaceMesh convex_hull(const std::vector<Kernel::Point_3>& points);
+/// All vertices, in the order of the mesh's indices [m].
 std::vector<Kernel::Point_3> points_of(const SurfaceMesh& mesh);
 
 /// Whether the two below can do their work: no faces that cross, none without area.

@@ -7,6 +7,7 @@
 
 #include <queue>
 
+#include "core/bodies/mesh_box.h"
 #include "core/mesh/union_surface.h"
 
 namespace nilas {
@@ -184,9 +185,7 @@ Deviation SurfaceDistance::largest(const std::vector<Corners>& triangles, const 
 
 double asymmetry(const TriangleMesh& mesh) {
   constexpr double k_skin = 1e-6, k_precision = 2e-6, k_slack = 0.02;  // of the size, twice, and of what is found
-  Eigen::AlignedBox3d box;
-  for (const auto& p : mesh.vertices) box.extend(p);
-  const double size = box.sizes().maxCoeff();
+  const double size = box_of(mesh).sizes().maxCoeff();
   std::vector<Corners> images = corners_of(mesh);
   const SurfaceDistance surface(images);
   double corners = 0;

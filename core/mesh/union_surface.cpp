@@ -1,28 +1,26 @@
 #include "core/mesh/union_surface.h"
 
+#include "core/bodies/mesh_box.h"
+
 namespace nilas {
 
 namespace {
 
 /// A part as planes and box.
 struct Region {
-  Region(const TriangleMesh& part, double grown) : low(part.vertices.front()), high(low) {
-    for (const auto& p : part.vertices) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
+  Region(const TriangleMesh& part, double grown) : box(box_of(part)) {
     constexpr double k_same = 1e-9;  // of the normal: triangles of one plane
     for (const auto& c : corners_of(part)) {
       const Vec3 n = (c[1] - c[0]).cross(c[2] - c[0]).normalized();
       const HalfSpace plane{n, n.dot(c[0]) + grown};
       const auto same = [&](const HalfSpace& q) {
-        return (q.normal - n).norm() < k_same && std::abs(q.height(c[0]) + grown) < k_same * (high - low).norm();
+        return (q.normal - n).norm() < k_same && std::abs(q.height(c[0]) + grown) < k_same * box.diagonal().norm();
       };
       if (n.allFinite() && std::none_of(planes.begin(), planes.end(), same)) planes.push_back(plane);
     }
   }
   std::vector<HalfSpace> planes;
-  Vec3 low, high;
+  Eigen::AlignedBox3d box;
 };
 
 /// The side of the plane that `sign` names.
@@ -38,12 +36,11 @@ Loop clipped(const Loop& loop, const std::vector<double>& heights, double sign) 
 }
 
 bool apart(const Loop& polygon, const Region& region, double skin) {
-  Vec3 low = polygon.front(), high = low;
-  for (const auto& p : polygon) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  return ((low.array() > region.high.array() + skin) || (high.array() < region.low.array() - skin)).any();
+  Eigen::AlignedBox3d box;
+  for (const auto& p : polygon) box.extend(p);
+  return ((box.min().array() > region.box.max().array() + skin) ||
+          (box.max().array() < region.box.min().array() - skin))
+      .any();
 }
 
 }  // namespace
@@ -102,13 +99,8 @@ std::vector<Corners> union_surface(const std::vector<TriangleMesh>& parts, doubl
 }
 
 Deviation deviation_of(const std::vector<TriangleMesh>& parts, const TriangleMesh& mesh, double precision) {
-  Vec3 low = mesh.vertices.front(), high = low;
-  for (const auto& p : mesh.vertices) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
   constexpr double k_skin = 1e-6;  // of the size: some times the rounding of coordinates in STL files
-  const double skin = k_skin * (high - low).maxCoeff();
+  const double skin = k_skin * box_of(mesh).sizes().maxCoeff();
   const auto whole = corners_of(mesh), united = union_surface(parts, skin);
   const SurfaceDistance from_mesh(whole), from_union(united);
   const Deviation outwards = from_mesh.largest(from_mesh.without_shared_faces(united, skin), {.precision = precision});

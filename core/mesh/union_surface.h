@@ -6,9 +6,11 @@ namespace nilas {
 
 using Loop = std::vector<Vec3>;  ///< convex plane polygon
 
+/// What lies below a plane.
 struct HalfSpace {
   Vec3 normal;    ///< outward
   double offset;  ///< inside: normal . x < offset [m]
+  /// Of a point over the plane; below 0 inside [m].
   double height(const Vec3& p) const { return normal.dot(p) - offset; }
 };
 
