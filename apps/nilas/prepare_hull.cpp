@@ -124,18 +124,25 @@ PreparedHull from_folder(const fs::path& folder, const HullPreparation& how) {
 
 PreparedHull prepare_hull(const fs::path& mesh, const HullPreparation& how, NewHullFolder& folder) {
   if (is_folder(mesh)) return from_folder(mesh, how);
+  const auto done = [&](const char* stage) {
+    if (how.stage_done) how.stage_done(stage);
+  };
   const PolygonSoup soup = in_vessel_frame(read_polygons(mesh), how);
   const Reach reach = demand_sensible_size(soup, mesh);
   const double longest = reach.longest, tolerance = tolerance_of(how, longest);
   demand_tolerance(tolerance, longest);
   demand_digits(reach, how, mesh);
+  done("read");
   MendedMesh mended = naming(mesh, [&] { return mend(soup, mend_settings(how, longest)); });
   if (!mended.open.empty()) refuse(mesh, mended, folder);
   PreparedHull prepared;
   prepared.draught = draught_of(mended.mesh, how);
+  done("mend");
   ConvexParts parts = naming(mesh, [&] {
-    return decompose(mended.mesh, {tolerance, how.most_parts, asymmetry(mended.mesh) <= k_symmetric_share * longest});
+    const bool symmetric = asymmetry(mended.mesh) <= k_symmetric_share * longest;
+    return decompose(mended.mesh, {tolerance, how.most_parts, symmetric, how.threads});
   });
+  done("decompose");
   prepared.hull = {std::move(mended.mesh), std::move(parts.parts)};
   prepared.mended = std::move(mended.done);
   prepared.deviation = parts.deviation;

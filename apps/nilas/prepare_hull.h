@@ -1,5 +1,6 @@
 #pragma once
 /// From a user's file to a hull.
+#include <functional>
 #include <optional>
 
 #include "apps/nilas/hull_report.h"
@@ -15,6 +16,8 @@ struct HullPreparation {
   std::optional<double> largest_hole;  ///< filled; default a twentieth of the longest side [m]
   std::optional<double> tolerance;     ///< of the parts; default a thousandth of the longest side [m]
   std::size_t most_parts = 64;
+  int threads = 1;
+  std::function<void(const char* stage)> stage_done;  ///< hears of "read", "mend" and "decompose" as they end
   std::optional<double> draught;  ///< of the waterline that the report takes; default half the height [m]
 };
 

@@ -2,10 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "core/base/error.h"
+#include "core/base/parallel.h"
 #include "core/bodies/mesh_box.h"
 #include "core/mesh/pieces.h"
 #include "core/mesh/surface_distance.h"
+#include "core/mesh/surface_mesh.h"
 
 namespace nilas {
 
@@ -14,27 +18,27 @@ namespace {
 /// Convex hull of a piece, or of several.
 struct Part {
   TriangleMesh hull;
-  std::vector<Plane> cuts;  ///< planes that bound it
-  double deviation = 0;     ///< largest that was found of the hull outside the whole mesh [m]
+  double deviation = 0;  ///< largest that was found of the hull outside the whole mesh [m]
 };
 
 /// A piece of the solid with its convex hull.
 struct Piece : Part {
-  SurfaceMesh solid;
+  TriangleMesh solid;
   bool whole = false;  ///< no plane found that cuts it
 };
 
-/// Hull over coordinates as STL stores them, so that what is written is convex exactly.
-TriangleMesh stored_hull(const std::vector<Vec3>& points) {
-  std::vector<Kernel::Point_3> rounded;
-  for (const auto& p : rounded_to_float({points, {}}).vertices) rounded.push_back(to_point(p));
-  return triangles_of(convex_hull(rounded));
+/// Spacing of a grid finer than float32 is for all but the smallest coordinates: those, and what is left of zeros,
+/// would make corners that are not quite in line [m].
+double grid_for(const TriangleMesh& mesh) {
+  const auto box = box_of(mesh);
+  constexpr int k_bits = 26;
+  const double reach = std::max(box.max().cwiseAbs().maxCoeff(), box.min().cwiseAbs().maxCoeff());
+  return std::exp2(std::ceil(std::log2(reach)) - k_bits);
 }
 
 Part mirrored(Part part) {
   for (auto& p : part.hull.vertices) p.y() = 0.0 - p.y();
   for (auto& t : part.hull.triangles) std::swap(t[1], t[2]);
-  for (auto& cut : part.cuts) cut = Plane(cut.a(), -cut.b(), cut.c(), cut.d());
   return part;
 }
 
@@ -46,6 +50,18 @@ std::vector<TriangleMesh> hulls_of(std::vector<Part> parts) {
 
 double twice_area(const Corners& t) { return (t[1] - t[0]).cross(t[2] - t[0]).norm(); }
 
+/// Vertices furthest along each axis, both ways.
+std::array<Vec3, 6> extremes(const TriangleMesh& hull) {
+  std::array<Vec3, 6> found;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const auto axis = static_cast<Eigen::Index>(k % 3);
+    const double sign = k < 3 ? 1 : -1;
+    found[k] = *std::max_element(hull.vertices.begin(), hull.vertices.end(),
+                                 [&](const Vec3& p, const Vec3& q) { return sign * p[axis] < sign * q[axis]; });
+  }
+  return found;
+}
+
 /// Rows that the new one betters in both go.
 void add_count(const PartCount& row, std::vector<PartCount>& table) {
   std::erase_if(table, [&](const PartCount& old) { return old.parts >= row.parts && old.deviation >= row.deviation; });
@@ -56,10 +72,11 @@ class Decomposition {
  public:
   Decomposition(const TriangleMesh& mesh, const PartSettings& settings) : settings_(settings), mesh_(corners_of(mesh)) {
     const auto box = box_of(mesh);
+    grid_ = grid_for(mesh);
     skin_ = k_skin * box.sizes().maxCoeff();
     diagonal_ = box.diagonal().norm();
     target_ = settings.tolerance / (1 + k_slack + k_precision);
-    pieces_.push_back(made(surface_of(mesh), {}));
+    pieces_.push_back(made(mesh));
   }
 
   /// Splits the worst piece until all are good or there are too many of them.
@@ -120,28 +137,29 @@ class Decomposition {
   /// sought.
   double deviation(const Part& part, double allowed, double ceiling = std::numeric_limits<double>::infinity()) const {
     std::vector<Corners> faces = corners_of(part.hull);
-    const DistanceSearch search{.precision = k_precision * allowed,
-                                .outside_only = true,
-                                .floor = (1 + k_slack) * allowed,
-                                .slack = k_slack,
-                                .ceiling = ceiling};
+    DistanceSearch search{.precision = k_precision * allowed,
+                          .outside_only = true,
+                          .floor = (1 + k_slack) * allowed,
+                          .slack = k_slack,
+                          .ceiling = ceiling};
     // what bridges a hollow is large, and most hulls of two parts are turned down for it
     constexpr std::size_t k_large = 16;
-    const std::size_t large = std::min(k_large, faces.size());
-    std::partial_sort(faces.begin(), faces.begin() + static_cast<std::ptrdiff_t>(large), faces.end(),
+    const auto large = faces.begin() + static_cast<std::ptrdiff_t>(std::min(k_large, faces.size()));
+    std::partial_sort(faces.begin(), large, faces.end(),
                       [](const Corners& f, const Corners& g) { return twice_area(f) > twice_area(g); });
-    const std::vector<Corners> first(faces.begin(), faces.begin() + static_cast<std::ptrdiff_t>(large));
-    const double bridged = mesh_.largest(mesh_.without_shared_faces(first, skin_), search).largest;
+    const double bridged = mesh_.largest(mesh_.without_shared_faces({faces.begin(), large}, skin_), search).largest;
     if (bridged > ceiling) return bridged;
-    return mesh_.largest(mesh_.without_shared_faces(faces, skin_), search).largest;
+    search.floor = std::max(search.floor, (1 + k_slack) * bridged);
+    return std::max(bridged, mesh_.largest(mesh_.without_shared_faces({large, faces.end()}, skin_), search).largest);
   }
-  Piece made(SurfaceMesh solid, std::vector<Plane> cuts,
-             double ceiling = std::numeric_limits<double>::infinity()) const {
+  /// Over corners as they will be stored, so that what is written is convex exactly.
+  TriangleMesh stored_hull(std::vector<Vec3> points) const {
+    for (auto& p : points) p = grid_ * (p / grid_).array().round();
+    return convex_hull(rounded_to_float({std::move(points), {}}).vertices);
+  }
+  Piece made(TriangleMesh solid, double ceiling = std::numeric_limits<double>::infinity()) const {
     Piece piece;
-    std::vector<Vec3> points;
-    for (const auto& p : points_of(solid)) points.push_back(to_vec(p));
-    piece.hull = stored_hull(points);
-    piece.cuts = std::move(cuts);
+    piece.hull = stored_hull(solid.vertices);
     piece.deviation = piece.hull.triangles.empty() ? 0 : deviation(piece, target_, ceiling);
     piece.solid = std::move(solid);
     return piece;
@@ -163,52 +181,72 @@ class Decomposition {
   }
 
   void keep_port_half() {
-    const Plane centre(0, -1, 0, 0);
-    if (!can_be_cut(pieces_.front().solid)) return;
-    auto half = below(pieces_.front().solid, centre);
+    auto half = below(pieces_.front().solid, {-Vec3::UnitY(), 0});
     if (half.empty()) return;
     pieces_.clear();
-    for (auto& solid : half) pieces_.push_back(made(std::move(solid), {centre}));
+    for (auto& solid : half) pieces_.push_back(made(std::move(solid)));
     port_only_ = true;
+  }
+
+  /// Both sides of a cut, and how good it is: the worst side's deviation, then the sum.
+  struct Cut {
+    std::vector<Piece> sides;
+    std::pair<double, double> merit{std::numeric_limits<double>::infinity(), 0};
+  };
+
+  /// Without sides where the plane cuts nothing off. Deviations are known once above `ceiling`, no further.
+  Cut tried(const TriangleMesh& solid, const HalfSpace& plane, double ceiling) const {
+    Cut found;
+    std::pair<double, double> merit{0, 0};
+    for (auto& side : cut(solid, plane)) {
+      found.sides.push_back(made(std::move(side), ceiling));
+      merit.first = std::max(merit.first, found.sides.back().deviation);
+      merit.second += found.sides.back().deviation;
+    }
+    if (found.sides.size() > 1) found.merit = merit;
+    return found;
   }
 
   /// Of the cuts that leave least volume the one after which the worst side deviates least.
   void split_piece(std::size_t k) {
-    constexpr std::size_t k_tried = 4;
-    std::vector<Piece> best;
-    std::pair<double, double> best_merit{std::numeric_limits<double>::infinity(), 0};
-    std::vector<Plane> planes;
-    if (can_be_cut(pieces_[k].solid)) planes = promising_cuts(pieces_[k].solid, k_tried);
-    for (const auto& plane : planes) {
-      std::vector<Piece> sides;
-      std::pair<double, double> merit{0, 0};
-      auto cuts = pieces_[k].cuts;
-      cuts.push_back(plane);
-      for (auto& solid : cut(pieces_[k].solid, plane)) {
-        sides.push_back(made(std::move(solid), cuts, best_merit.first));
-        merit.first = std::max(merit.first, sides.back().deviation);
-        merit.second += sides.back().deviation;
-      }
-      if (sides.size() < 2 || merit >= best_merit) continue;
-      best_merit = merit;
-      best = std::move(sides);
+    constexpr std::size_t k_tried = 4, k_at_once = 2;  // not as many as threads, which must not change the result
+    const auto planes = promising_cuts(pieces_[k].solid, k_tried, settings_.threads);
+    Cut best;
+    for (std::size_t first = 0; first < planes.size(); first += k_at_once) {
+      std::vector<Cut> cuts(std::min(k_at_once, planes.size() - first));
+      parallel_pieces(std::ssize(cuts), settings_.threads, [&](std::ptrdiff_t n) {
+        const auto c = static_cast<std::size_t>(n);
+        cuts[c] = tried(pieces_[k].solid, planes[first + c], best.merit.first);
+      });
+      for (auto& one : cuts)
+        if (one.merit < best.merit) best = std::move(one);
     }
-    if (best.empty()) {
+    if (best.sides.empty()) {
       pieces_[k].whole = true;
       return;
     }
     pieces_.erase(pieces_.begin() + static_cast<std::ptrdiff_t>(k));
-    for (auto& side : best) pieces_.push_back(std::move(side));
+    for (auto& side : best.sides) pieces_.push_back(std::move(side));
   }
 
   void note_count() { add_count({count(), (1 + k_slack) * worst() + k_precision * target_}, table_); }
 
-  /// Its deviation is known once it is above `allowed`, no further.
+  /// Whether points between the two already stand off by more than the search could leave unnoticed: most pairs are
+  /// turned down so, at a hundredth of the cost of their hull.
+  bool bridge(const Part& a, const Part& b, double allowed) const {
+    const double off = (1 + k_slack + k_precision) * allowed;
+    for (const Vec3& p : extremes(a.hull))
+      for (const Vec3& q : extremes(b.hull))
+        for (const double share : {0.5, 0.25, 0.75})
+          if (mesh_.outside(p + share * (q - p)) > off) return true;
+    return false;
+  }
+  /// Its deviation is known once it is above `allowed`, no further; without a hull where that is seen at once.
   Part common_hull(const Part& a, const Part& b, double allowed) const {
+    if (bridge(a, b, allowed)) return {{}, std::numeric_limits<double>::infinity()};
     std::vector<Vec3> points = a.hull.vertices;
     points.insert(points.end(), b.hull.vertices.begin(), b.hull.vertices.end());
-    Part both{stored_hull(points), a.cuts, 0};
-    both.cuts.insert(both.cuts.end(), b.cuts.begin(), b.cuts.end());
+    Part both{stored_hull(std::move(points))};
     both.deviation = deviation(both, allowed, allowed);
     return both;
   }
@@ -268,14 +306,23 @@ class Decomposition {
   void join_pairs(std::vector<Part>& parts, double allowed, double reach) const {
     std::vector<bool> gone(parts.size(), false);
     std::vector<Pair> pairs;
-    const auto add_pairs = [&](std::size_t b) {
-      for (std::size_t a = 0; a < b; ++a) {
-        if (gone[a] || !near(parts[a], parts[b], reach)) continue;
-        Part part = common_hull(parts[a], parts[b], allowed);
-        if (part.deviation <= allowed) pairs.push_back({a, b, std::move(part)});
-      }
+    const auto add_pairs = [&](const std::vector<std::pair<std::size_t, std::size_t>>& places) {
+      std::vector<Part> made(places.size());
+      parallel_pieces(std::ssize(places), settings_.threads, [&](std::ptrdiff_t n) {
+        const auto k = static_cast<std::size_t>(n);
+        made[k] = common_hull(parts[places[k].first], parts[places[k].second], allowed);
+      });
+      for (std::size_t k = 0; k < places.size(); ++k)
+        if (made[k].deviation <= allowed) pairs.push_back({places[k].first, places[k].second, std::move(made[k])});
     };
-    for (std::size_t b = 1; b < parts.size(); ++b) add_pairs(b);
+    const auto neighbours = [&](std::size_t first, std::size_t last) {
+      std::vector<std::pair<std::size_t, std::size_t>> places;
+      for (std::size_t b = first; b < last; ++b)
+        for (std::size_t a = 0; a < b; ++a)
+          if (!gone[a] && near(parts[a], parts[b], reach)) places.emplace_back(a, b);
+      return places;
+    };
+    add_pairs(neighbours(1, parts.size()));
     while (!pairs.empty()) {
       const auto best = std::min_element(
           pairs.begin(), pairs.end(), [](const Pair& p, const Pair& q) { return p.part.deviation < q.part.deviation; });
@@ -284,7 +331,7 @@ class Decomposition {
       gone[a] = gone[b] = true;
       gone.push_back(false);
       std::erase_if(pairs, [&](const Pair& p) { return p.a == a || p.b == a || p.a == b || p.b == b; });
-      add_pairs(parts.size() - 1);
+      add_pairs(neighbours(parts.size() - 1, parts.size()));
     }
     std::size_t k = 0;
     std::erase_if(parts, [&](const Part&) { return static_cast<bool>(gone[k++]); });
@@ -293,6 +340,7 @@ class Decomposition {
   PartSettings settings_;
   SurfaceDistance mesh_;
   double skin_ = 0;
+  double grid_ = 0;
   double diagonal_ = 0;  ///< of the box around the mesh [m]
   double target_ = 0;    ///< what is found to deviate no more is within the tolerance [m]
   std::vector<Piece> pieces_;

@@ -9,6 +9,7 @@ struct PartSettings {
   double tolerance = 0;    ///< worst deviation wanted [m]
   std::size_t most = 64;   ///< parts, at most
   bool symmetric = false;  ///< about y = 0: then so are the parts, each its own image or one of a pair
+  int threads = 1;         ///< the parts do not depend on it
 };
 
 /// How far the surface of the parts' union and the mesh stand from each other.

@@ -1,95 +1,109 @@
 #include "core/mesh/pieces.h"
 
-#include <CGAL/Polygon_mesh_processing/clip.h>
-#include <CGAL/Polygon_mesh_processing/connected_components.h>
-#include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
 #include <CGAL/convex_hull_3.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/bodies/weld.h"
+#include "core/mesh/surface_mesh.h"
 
 namespace nilas {
 
 namespace {
 
-namespace PMP = CGAL::Polygon_mesh_processing;
-
-bool has_flat_faces(const SurfaceMesh& mesh) {
-  const auto faces = mesh.faces();
-  return std::any_of(faces.begin(), faces.end(),
-                     [&](const auto f) { return PMP::is_degenerate_triangle_face(f, mesh); });
+bool comes_before(const Vec3& p, const Vec3& q) {
+  return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
 }
 
-/// How far inside a plane a piece is cut: where faces of the piece lie in the plane itself, clip() may close the cut
-/// over them as well, and leaves a membrane.
-double inset(const SurfaceMesh& piece) {
-  constexpr double k_share = 1e-9;
-  const auto box = PMP::bbox(piece);
-  return k_share * std::max({box.x_span(), box.y_span(), box.z_span()});
-}
-
-double height(const Kernel::Point_3& p, const Plane& plane) {
-  return plane.a() * p.x() + plane.b() * p.y() + plane.c() * p.z() + plane.d();
-}
-
-/// Puts what lies in the plane of the cut back on the one that was meant; both have normals of length 1.
-void move_cap(SurfaceMesh& side, const Plane& lower, const Plane& plane, double depth) {
-  constexpr double k_same = 1e-2;
-  for (const auto v : side.vertices()) {
-    Kernel::Point_3& p = side.point(v);
-    if (std::abs(height(p, lower)) < k_same * depth) p = p - height(p, plane) * plane.orthogonal_vector();
+/// Number of the facet of each face: faces in one plane that meet in edges are one facet.
+std::vector<std::size_t> facets_of(const SurfaceMesh& hull) {
+  std::vector<std::size_t> root(hull.num_faces());
+  std::iota(root.begin(), root.end(), std::size_t{0});
+  const auto find = [&](std::size_t f) {
+    while (root[f] != f) f = root[f] = root[root[f]];
+    return f;
+  };
+  for (const auto e : hull.edges()) {
+    const auto h = hull.halfedge(e), o = hull.opposite(h);
+    const auto beyond = [&](const auto& side) { return hull.point(hull.target(hull.next(side))); };
+    if (CGAL::coplanar(hull.point(hull.source(h)), hull.point(hull.target(h)), beyond(h), beyond(o)))
+      root[find(hull.face(h))] = find(hull.face(o));
   }
+  for (std::size_t f = 0; f < root.size(); ++f) root[f] = find(f);
+  return root;
 }
 
-/// Slivers below this share of the whole piece are rounding.
-constexpr double k_least_share = 1e-9;
+/// Corners of each facet in order, without points on its sides, the first in x, y, z first.
+std::vector<std::vector<Vec3>> outlines(const SurfaceMesh& hull) {
+  const std::vector<std::size_t> facet = facets_of(hull);
+  const auto outside = [&](const auto h) { return facet[hull.face(hull.opposite(h))] != facet[hull.face(h)]; };
+  const auto next = [&](auto h) {
+    for (h = hull.next(h); !outside(h);) h = hull.next(hull.opposite(h));
+    return h;
+  };
+  std::vector<bool> done(facet.size(), false);
+  std::vector<std::vector<Vec3>> loops;
+  for (const auto start : hull.halfedges()) {
+    if (!outside(start) || done[facet[hull.face(start)]]) continue;
+    done[facet[hull.face(start)]] = true;
+    auto& loop = loops.emplace_back();
+    auto h = start;
+    do {
+      const auto after = next(h);
+      const auto &p = hull.point(hull.source(h)), &q = hull.point(hull.target(h)), &r = hull.point(hull.target(after));
+      if (!CGAL::collinear(p, q, r)) loop.push_back(to_vec(q));
+      h = after;
+    } while (h != start);
+    std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end(), comes_before), loop.end());
+  }
+  return loops;
+}
 
 }  // namespace
 
-bool can_be_cut(const SurfaceMesh& piece) { return !crosses_itself(piece) && !has_flat_faces(piece); }
-
-SurfaceMesh convex_hull(const std::vector<Kernel::Point_3>& points) {
+TriangleMesh convex_hull(const std::vector<Vec3>& points) {
+  if (points.size() < 4) return {};
+  std::vector<Kernel::Point_3> given;
+  for (const auto& p : points) given.push_back(to_point(p));
   SurfaceMesh hull;
-  if (points.size() < 4) return hull;
-  CGAL::convex_hull_3(points.begin(), points.end(), hull);
-  if (!CGAL::is_closed(hull) || hull.num_faces() < 4) hull.clear();
-  return hull;
+  CGAL::convex_hull_3(given.begin(), given.end(), hull);
+  if (!CGAL::is_closed(hull) || hull.num_faces() < 4) return {};
+  // CGAL sorts by address on its way, so its triangles differ with what else the memory holds; facets do not
+  auto loops = outlines(hull);
+  std::sort(loops.begin(), loops.end(), [](const auto& a, const auto& b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), comes_before);
+  });
+  Weld weld;
+  for (const auto& loop : loops)
+    for (std::size_t k = 1; k + 1 < loop.size(); ++k) weld.add({loop[0], loop[k], loop[k + 1]});
+  return weld.take();
 }
 
-std::vector<Kernel::Point_3> points_of(const SurfaceMesh& mesh) {
-  std::vector<Kernel::Point_3> points;
-  for (const auto v : mesh.vertices()) points.push_back(mesh.point(v));
-  return points;
-}
-
-std::vector<SurfaceMesh> below(const SurfaceMesh& piece, const Plane& through) {
-  const double length = std::sqrt(through.orthogonal_vector().squared_length()), depth = inset(piece);
-  const Plane plane(through.a() / length, through.b() / length, through.c() / length, through.d() / length),
-      lower(plane.a(), plane.b(), plane.c(), plane.d() + depth);
-  SurfaceMesh side = piece;
-  std::vector<SurfaceMesh> parts;
-  try {
-    PMP::clip(side, lower, CGAL::parameters::clip_volume(true).throw_on_self_intersection(true));
-    PMP::remove_degenerate_faces(side);
-    side.collect_garbage();
-    if (side.is_empty() || !CGAL::is_closed(side)) return {};
-    move_cap(side, lower, plane, depth);
-    PMP::split_connected_components(side, parts);
-  } catch (const std::exception&) {
-    return {};
+std::vector<SharedEdge> shared_edges(const TriangleMesh& mesh) {
+  struct Use {
+    int low, high;
+    bool back;
+    std::size_t triangle;
+    auto operator<=>(const Use&) const = default;
+  };
+  std::vector<Use> uses;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
+      uses.push_back({std::min(a, b), std::max(a, b), a > b, t});
+    }
+  std::sort(uses.begin(), uses.end());
+  std::vector<SharedEdge> edges;
+  for (auto first = uses.begin(); first != uses.end();) {
+    const auto same = [&](const Use& use) { return use.low == first->low && use.high == first->high; };
+    const auto last = std::find_if_not(first, uses.end(), same);
+    auto back = std::find_if(first, last, [](const Use& use) { return use.back; });
+    for (auto there = first; there != last && !there->back && back != last; ++there, ++back)
+      edges.push_back({there->low, there->high, there->triangle, back->triangle});
+    first = last;
   }
-  const double least = k_least_share * PMP::volume(piece);
-  std::erase_if(parts, [&](const SurfaceMesh& part) { return !(PMP::volume(part) > least); });
-  return parts;
-}
-
-std::vector<SurfaceMesh> cut(const SurfaceMesh& piece, const Plane& plane) {
-  std::vector<SurfaceMesh> pieces = below(piece, plane), above = below(piece, plane.opposite());
-  if (pieces.empty() || above.empty()) return {};
-  for (auto& part : above) pieces.push_back(std::move(part));
-  double volume = 0;
-  for (const auto& part : pieces) volume += PMP::volume(part);
-  constexpr double k_lost = 1e-6;  // of the volume: a cut that loses more has failed
-  if (std::abs(volume - PMP::volume(piece)) > k_lost * PMP::volume(piece)) return {};
-  return pieces;
+  return edges;
 }
 
 }  // namespace nilas

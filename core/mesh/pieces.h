@@ -1,27 +1,33 @@
 #pragma once
-/// Pieces of a solid between cutting planes. Includes CGAL.
+/// Pieces of a solid between cutting planes.
 #include <vector>
 
-#include "core/mesh/surface_mesh.h"
+#include "core/bodies/mesh.h"
+#include "core/mesh/union_surface.h"
 
 namespace nilas {
 
-using Plane = Kernel::Plane_3;
+/// Convex hull of at least four points that are not in one plane, else empty. Its vertices are the hull's corners
+/// alone; order and triangles follow from the points, to the bit.
+TriangleMesh convex_hull(const std::vector<Vec3>& points);
 
-/// Convex hull of at least four points that are not in one plane, else empty.
-SurfaceMesh convex_hull(const std::vector<Kernel::Point_3>& points);
-/// All vertices, in the order of the mesh's indices [m].
-std::vector<Kernel::Point_3> points_of(const SurfaceMesh& mesh);
+/// An edge with the triangles on both sides of it.
+struct SharedEdge {
+  int a, b;                 ///< vertices
+  std::size_t left, right;  ///< triangles in which it runs from a to b, and from b to a
+};
+/// Those of a mesh; where an edge has more than two triangles, they are taken in pairs.
+std::vector<SharedEdge> shared_edges(const TriangleMesh& mesh);
 
-/// Whether the two below can do their work: no faces that cross, none without area.
-bool can_be_cut(const SurfaceMesh& piece);
-/// The closed pieces on both sides of a plane; none where CGAL fails or nothing is cut off.
-std::vector<SurfaceMesh> cut(const SurfaceMesh& piece, const Plane& plane);
-/// Those on the plane's negative side.
-std::vector<SurfaceMesh> below(const SurfaceMesh& piece, const Plane& through);
+/// The pieces of a closed mesh on both sides of a plane, with caps in it; each is in one piece and encloses a volume.
+/// Vertices that lie in the plane but for what float32 rounds stay where they are and count as in it. None where
+/// nothing is cut off, or where volume would be lost.
+std::vector<TriangleMesh> cut(const TriangleMesh& piece, const HalfSpace& plane);
+/// Those below the plane; none where nothing is cut off.
+std::vector<TriangleMesh> below(const TriangleMesh& piece, const HalfSpace& plane);
 
 /// Planes worth cutting at, the best first: those that leave the least volume between the two sides and their convex
 /// hulls, of evenly spaced ones across the axes, those through sharp hollow edges, and those along their faces.
-std::vector<Plane> promising_cuts(const SurfaceMesh& piece, std::size_t most);
+std::vector<HalfSpace> promising_cuts(const TriangleMesh& piece, std::size_t most, int threads);
 
 }  // namespace nilas

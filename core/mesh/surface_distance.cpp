@@ -71,7 +71,11 @@ struct SurfaceDistance::Tree {
     std::array<Fast::Point_3, 3> p;
     for (std::size_t k = 0; k < 3; ++k) p[k] = fast(t[k] + k_rim * (m - t[k]));
     const Fast::Triangle_3 shrunk(p[0], p[1], p[2]);
-    return !shrunk.is_degenerate() && !boxes.do_intersect(shrunk);
+    try {
+      return !shrunk.is_degenerate() && !boxes.do_intersect(shrunk);
+    } catch (const CGAL::Precondition_exception&) {
+      return false;  // too narrow for the test in doubles
+    }
   }
 
   bool inside(const Vec3& p) const {
@@ -94,6 +98,8 @@ SurfaceDistance::SurfaceDistance(std::vector<Corners> surface) : tree_(std::make
 SurfaceDistance::~SurfaceDistance() = default;
 
 double SurfaceDistance::at(const Vec3& p) const { return (vec(tree_->nearest(p).first) - p).norm(); }
+
+double SurfaceDistance::outside(const Vec3& p) const { return tree_->inside(p) ? 0 : at(p); }
 
 namespace {
 

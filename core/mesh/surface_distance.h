@@ -33,6 +33,8 @@ class SurfaceDistance {
 
   /// Of a point from the surface [m].
   double at(const Vec3& p) const;
+  /// The same of a point outside a closed surface; 0 inside [m].
+  double outside(const Vec3& p) const;
   /// What of the triangles lies further than `skin` [m] from every face of the surface in the same plane.
   std::vector<Corners> without_shared_faces(const std::vector<Corners>& triangles, double skin) const;
   /// The largest distance from the surface of any point of the triangles, by halving those that may hold a larger one;
