@@ -3,8 +3,9 @@
 # `solvers` times every contact solver and Siconos' on stored problems and draws what it finds.
 # `collision TABLE` shows what contact search gets right, what it costs and how it grows; without TABLE all of them.
 # `presawn` runs the pre-sawn scenes to their ends on two hull meshes, with twins.
+# `hull` prepares five hulls from users' files, stage by stage, and fails where one takes too long or is worse than recorded.
 # `cut` makes random cuts of floes, ordinary and adversarial, and shows what each kind keeps and costs.
-# usage: tests/bench/run.sh [packed|exact|solvers|scaling|threads|collision|field|presawn|cut|kernels|help]      (through ./dev bench)
+# usage: tests/bench/run.sh [packed|exact|solvers|scaling|threads|collision|field|presawn|hull|cut|kernels|help]      (through ./dev bench)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 bin=build/bench
@@ -87,13 +88,15 @@ case "${1:-packed}" in
   threads) "$bin/bench_threads" "${SIZES:-10000}" "${THREADS:-2}" "${ROUNDS:-5}" ;;
   field) "$bin/bench_field" ${SIZES:-1000 3000 10000} ;;
   presawn) "$bin/bench_presawn" "${TWINS:-7}" "${THREADS:-2}" ;;
+  hull) shift; "$bin/bench_hull" "$bin/hull" "${THREADS:-$(nproc)}" "$@" ;;
   cut) "$bin/bench_cut_study" "${CUTS:-100000}" ;;
   kernels) shift; "$bin/bench_kernels" "$@" ;;
-  *) echo "usage: ./dev bench [packed|exact|solvers|scaling|threads|collision [TABLE]|field|presawn|cut|kernels]
+  *) echo "usage: ./dev bench [packed|exact|solvers|scaling|threads|collision [TABLE]|field|presawn|hull [SHAPE ...]|cut|kernels]
 collision: classes (against the oracle, BATCHES=100 of 1000 pairs in each class, CLASS=name for one), peers (beside FCL and
 Bullet, PAIRS=1000 of each class), steps (a field that moves, SIZES, STEPS=100), threads, swept (missed and false first
 contacts of PAIRS=100000 random pairs on their way); without TABLE all; field: packing time (SIZES); presawn: TWINS=n further
-runs of each scene (7), with pieces moved by up to a micrometre; cut: CUTS=100000 random cuts of floes;
+runs of each scene (7), with pieces moved by up to a micrometre; hull: wedge, cone, moon-pool, semi-submersible, ship-with-bulb,
+on THREADS (all cores), ends with 1 where 18 000 triangles take over 60 s or parts stand further off than recorded; cut: CUTS=100000 random cuts of floes;
 ROUNDS=n: how often packed (3), threads and collision peers (5) are measured; THREADS=n;
 LIMIT=s: seconds that a solver has for a problem (solvers 5, scaling 60) or a scene (exact 600, MuJoCo in it 300);
 PYTHON=python3: one with the packages mujoco and numpy adds MuJoCo to exact; NILAS_FCLIB_DIR: a folder of further problems for solvers" ;;
