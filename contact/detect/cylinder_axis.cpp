@@ -1,20 +1,16 @@
 #include "contact/detect/cylinder_axis.h"
 
-#include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "contact/detect/face_axes.h"
 #include "contact/detect/nearest_point.h"
-#include "contact/detect/round_axes.h"
+#include "contact/detect/two_cylinders.h"
 
 namespace nilas {
 
 namespace {
 
 constexpr int k_most_steps = 6;
-/// Directions from which the tops between two rims are sought, and how many of them are followed.
-constexpr int k_rim_samples = 200, k_rim_starts = 6;
 
 class CylinderSearch {
  public:
@@ -138,17 +134,8 @@ class CylinderSearch {
 
   void try_rims() {
     const RoundBody a = round_body(pair_.a, own_frame_), b = round_body(pair_.b, pair_.b_in_a);
-    std::vector<RoundAxis> starts{{best_.n, best_.s}};
-    for (int k = 0; k < k_rim_samples; ++k) {  // evenly over the sphere
-      constexpr double k_golden_angle = 2.399963229728653;
-      const double z = 1 - (2.0 * k + 1) / k_rim_samples, r = std::sqrt(1 - z * z);
-      const Vec3 n(r * std::cos(k * k_golden_angle), r * std::sin(k * k_golden_angle), z);
-      starts.push_back({n, separation(pair_, n)});
-    }
-    std::partial_sort(starts.begin() + 1, starts.begin() + 1 + k_rim_starts, starts.end(),
-                      [](const RoundAxis& p, const RoundAxis& q) { return p.s > q.s; });
-    for (int k = 0; k <= k_rim_starts; ++k)
-      try_direction(climb_between_rims(a, b, starts[static_cast<std::size_t>(k)].n).n);
+    const RoundAxis best = best_of_all_directions(a, b, {best_.n, best_.s}, pair_.tolerance);
+    try_direction(climb_between_rims(a, b, best.n).n);
   }
 
   /// From the best axis to exact ones near it.

@@ -8,6 +8,8 @@ namespace nilas {
 
 namespace {
 
+Vec3 direction(const Arc& arc, double angle) { return std::cos(angle) * arc.start + std::sin(angle) * arc.side; }
+
 /// What the directions of an arc separate, by angle. It is smooth where the directions stay on one side of the
 /// cylinder's caps.
 class ArcSeparation {
@@ -17,20 +19,20 @@ class ArcSeparation {
         w_side_(arc.side.dot(body.centre - p)),
         k_start_(arc.start.dot(body.axis)),
         k_side_(arc.side.dot(body.axis)),
+        k_square_(arc.start.cross(arc.side).dot(body.axis)),
         body_(body) {}
 
   double operator()(double angle) const {
     const double c = std::cos(angle), s = std::sin(angle);
-    const double up = c * k_start_ + s * k_side_;
-    return c * w_start_ + s * w_side_ - body_.radius * std::sqrt(std::max(0.0, 1 - up * up)) -
-           body_.half_height * std::abs(up);
+    return c * w_start_ + s * w_side_ - body_.radius * across(c, s) -
+           body_.half_height * std::abs(c * k_start_ + s * k_side_);
   }
   /// Its derivative where the directions look towards the cap on side `cap` (1 or -1) of the cylinder.
   double slope(double angle, double cap) const {
     const double c = std::cos(angle), s = std::sin(angle);
     const double up = c * k_start_ + s * k_side_, turn = c * k_side_ - s * k_start_;
-    const double across = std::sqrt(std::max(1e-24, 1 - up * up));
-    return c * w_side_ - s * w_start_ + (body_.radius * up / across - cap * body_.half_height) * turn;
+    return c * w_side_ - s * w_start_ +
+           (body_.radius * up / std::max(across(c, s), 1e-12) - cap * body_.half_height) * turn;
   }
   double cap(double angle) const { return std::cos(angle) * k_start_ + std::sin(angle) * k_side_ < 0 ? -1 : 1; }
   /// Angle in [0, pi) where the directions pass from one cap to the other.
@@ -38,16 +40,34 @@ class ArcSeparation {
     const double angle = std::atan2(-k_start_, k_side_);
     return angle < 0 ? angle + k_pi : angle;
   }
+  /// Angles on both sides of `middle`, between which the stretch that looks towards the cap has at most one top each.
+  std::array<double, 3> divisions(double cap) const;
 
  private:
-  double w_start_, w_side_, k_start_, k_side_;
+  /// Sine of the direction's angle to the cylinder's axis.
+  double across(double c, double s) const { return std::hypot(k_square_, c * k_side_ - s * k_start_); }
+
+  double w_start_, w_side_;             ///< of the way from p to the centre [m]
+  double k_start_, k_side_, k_square_;  ///< of the axis, along and square to the arc
   const RoundBody& body_;
 };
 
-/// Angle of the top of f between low and high, where it has one, by halving: by the slope, since the top itself is
-/// flat.
-double top_between(const ArcSeparation& f, double low, double high) {
-  const double cap = f.cap(0.5 * (low + high));
+// With t from the angle that looks most towards the cap, and tan t = e tan u, e the sine of the axis to the arc, the
+// slope has the sign of Q cos u - P e sin u - radius (1 - e^2) sin u cos u: the cap is seen as an ellipse, of which the
+// angle u is the parameter. Divided by sin u cos u, its first two terms change their trend at 0 and where
+// tan^3 u = |Q / (P e)| only.
+std::array<double, 3> ArcSeparation::divisions(double cap) const {
+  const double middle = std::atan2(cap * k_side_, cap * k_start_);
+  const double c = std::cos(middle), s = std::sin(middle);
+  const double p = c * w_start_ + s * w_side_ - body_.half_height * std::hypot(k_start_, k_side_);
+  const double q = c * w_side_ - s * w_start_;
+  const double aside = std::atan2(std::cbrt(k_square_ * k_square_ * std::abs(q)), std::cbrt(std::abs(p)));
+  return {middle - aside, middle, middle + aside};
+}
+
+/// Angle of the top of f between low and high, where f rises from low and falls to high, by halving: by the slope,
+/// since the top itself is flat.
+double top_between(const ArcSeparation& f, double cap, double low, double high) {
   constexpr int k_steps = 55;
   for (int step = 0; step < k_steps; ++step) {
     const double middle = 0.5 * (low + high);
@@ -56,45 +76,24 @@ double top_between(const ArcSeparation& f, double low, double high) {
   return 0.5 * (low + high);
 }
 
-/// The best angle of a smooth stretch: around each sample that is no lower than its neighbours.
-void search_stretch(const ArcSeparation& f, double low, double high, double& best, double& best_angle) {
-  // Seen along the edge a cap is an ellipse, which has at most two tops in half a turn.
-  constexpr int k_samples = 12;
-  std::array<double, k_samples + 1> at{};
-  const auto angle_of = [&](int k) { return low + (high - low) * k / k_samples; };
-  for (int k = 0; k <= k_samples; ++k) at[static_cast<std::size_t>(k)] = f(angle_of(k));
-  const auto offer = [&](double angle, double s) {
-    if (s <= best) return;
-    best = s;
-    best_angle = angle;
+/// The best angle of a smooth stretch: one of its ends, or a top between two of its divisions.
+void search_stretch(const ArcSeparation& f, double low, double high, RoundAxis& best, const Arc& arc) {
+  const double cap = f.cap(0.5 * (low + high));
+  std::array<double, 5> at{low, low, low, low, high};
+  std::size_t k = 1;
+  for (const double angle : f.divisions(cap))
+    at[k++] = std::clamp(angle - 2 * k_pi * std::round((angle - 0.5 * (low + high)) / (2 * k_pi)), low, high);
+  std::sort(at.begin(), at.end());
+  const auto offer = [&](double angle) {
+    const double s = f(angle);
+    if (s > best.s) best = {direction(arc, angle), s};
   };
-  for (int k = 0; k <= k_samples; ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    const bool lower = (k > 0 && at[i - 1] > at[i]) || (k < k_samples && at[i + 1] > at[i]);
-    if (lower) continue;
-    offer(angle_of(k), at[i]);
-    const double angle = top_between(f, angle_of(std::max(k - 1, 0)), angle_of(std::min(k + 1, k_samples)));
-    offer(angle, f(angle));
-  }
+  offer(low);
+  offer(high);
+  for (k = 0; k + 1 < at.size(); ++k)
+    if (at[k] < at[k + 1] && f.slope(at[k], cap) > 0 && f.slope(at[k + 1], cap) < 0)
+      offer(top_between(f, cap, at[k], at[k + 1]));
 }
-
-Vec3 direction(const Arc& arc, double angle) { return std::cos(angle) * arc.start + std::sin(angle) * arc.side; }
-
-/// Extent of a cylinder with its derivatives by n, n not along the axis.
-struct ExtentDerivatives {
-  Vec3 point;  ///< the supporting point, which is the gradient
-  Mat3 curvature;
-};
-
-ExtentDerivatives differentiate(const RoundBody& body, const Vec3& n) {
-  const double up = n.dot(body.axis);
-  const Vec3 across = n - up * body.axis;
-  const double length = std::max(across.norm(), 1e-12);
-  const Vec3 out = across / length;
-  return {body.radius * out + (up < 0 ? -body.half_height : body.half_height) * body.axis,
-          body.radius / length * (Mat3::Identity() - out * out.transpose() - body.axis * body.axis.transpose())};
-}
-
 }  // namespace
 
 double RoundBody::extent(const Vec3& n) const {
@@ -117,39 +116,10 @@ double most_over_arc(const Arc& arc, const Vec3& p, double inner_radius, const R
 RoundAxis best_over_arc(const Arc& arc, const Vec3& p, const RoundBody& body) {
   const ArcSeparation f(arc, p, body);
   const double turning = std::min(f.turning(), arc.angle);
-  double best_angle = 0, best = f(0);
-  search_stretch(f, 0, turning, best, best_angle);
-  search_stretch(f, turning, arc.angle, best, best_angle);
-  return {direction(arc, best_angle), best};
-}
-
-RoundAxis climb_between_rims(const RoundBody& a, const RoundBody& b, const Vec3& n) {
-  const Vec3 between = b.centre - a.centre;
-  const auto separation = [&](const Vec3& x) { return x.dot(between) - a.extent(x) - b.extent(x); };
-  RoundAxis at{n, separation(n)};
-  constexpr int k_most_steps = 60;
-  double reach = 0.1;  // [rad], how far a step may go
-  for (int step = 0; step < k_most_steps && reach > 1e-9; ++step) {
-    const ExtentDerivatives of_a = differentiate(a, at.n), of_b = differentiate(b, at.n);
-    Eigen::Matrix<double, 3, 2> tangents;
-    tangents.col(0) = at.n.unitOrthogonal();
-    tangents.col(1) = at.n.cross(tangents.col(0));
-    const Vec2 gradient = tangents.transpose() * (between - of_a.point - of_b.point);
-    const Eigen::Matrix2d curvature =
-        -(tangents.transpose() * (of_a.curvature + of_b.curvature) * tangents) - at.s * Eigen::Matrix2d::Identity();
-    Vec2 way = gradient;
-    if (curvature(0, 0) < 0 && curvature.determinant() > 0) way = -curvature.inverse() * gradient;
-    if (way.norm() > reach) way *= reach / way.norm();
-    const Vec3 next = (at.n + tangents * way).normalized();
-    const double s = separation(next);
-    if (s > at.s) {
-      at = {next, s};
-      reach *= 2;
-    } else {
-      reach = 0.25 * std::min(reach, way.norm());
-    }
-  }
-  return at;
+  RoundAxis best{arc.start, f(0)};
+  search_stretch(f, 0, turning, best, arc);
+  search_stretch(f, turning, arc.angle, best, arc);
+  return best;
 }
 
 }  // namespace nilas

@@ -1,5 +1,5 @@
 #pragma once
-/// Axes that a cylinder's rim makes: with an edge, and with the rim of another cylinder.
+/// Axes that a cylinder's rim makes with an edge.
 #include "core/base/math.h"
 
 namespace nilas {
@@ -30,9 +30,5 @@ struct RoundAxis {
 double most_over_arc(const Arc& arc, const Vec3& p, double inner_radius, const RoundBody& body);
 /// The direction of the arc that separates `body` most from the point p.
 RoundAxis best_over_arc(const Arc& arc, const Vec3& p, const RoundBody& body);
-
-/// From n uphill to a top of what separates b from a, by Newton's method on the sphere; their rims make it where it is
-/// smooth.
-RoundAxis climb_between_rims(const RoundBody& a, const RoundBody& b, const Vec3& n);
 
 }  // namespace nilas

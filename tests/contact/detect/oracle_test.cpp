@@ -66,6 +66,68 @@ TEST(ThinPlates, AreNotPushedThroughEachOther) {
   EXPECT_EQ(tally.wrong_normals + tally.wrong_depths, 0) << tally.worst_depth;
 }
 
+/// Two bodies whose best direction is near to a cylinder's axis or among other tops of nearly the same height.
+struct NarrowTop {
+  const char* name;
+  Shape a, b;
+  Quat q_a, q_b;
+  Vec3 p_b;
+  double gap;  ///< [m]
+};
+
+void PrintTo(const NarrowTop& top, std::ostream* out) { *out << top.name; }
+
+class NarrowTopTest : public testing::TestWithParam<NarrowTop> {};
+
+TEST_P(NarrowTopTest, IsFound) {
+  const NarrowTop& top = GetParam();
+  Bodies bodies;
+  add_body(bodies, top.a, Vec3::Zero(), top.q_a);
+  add_body(bodies, top.b, top.p_b, top.q_b);
+  PairClass c{};
+  c.size = 1;
+  const KnownPair known = find_truth(c, std::move(bodies));
+  EXPECT_NEAR(known.parts[0].gap.s, top.gap, k_right_depth);
+  Tally tally;
+  judge(known, 0, ContactDetector().detect(known.bodies, 0), tally);
+  EXPECT_EQ(tally.contacts, 1);
+  EXPECT_EQ(tally.wrong_normals, 0);
+  EXPECT_EQ(tally.wrong_depths, 0) << tally.worst_depth;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OfCylinders, NarrowTopTest,
+    testing::Values(
+        NarrowTop{"rim_along_an_edge",
+                  cylinder_shape(0x1.006eaf6bfa056p-2, 0x1.60508ee8878ccp-2),
+                  box_shape({0x1.512815da76b76p-1, 0x1.f80109361afcp-1, 0x1.e8659a90e50a2p-1}),
+                  Quat(0.82221897576009317, -0.2891351464640326, 0.47965985392076455, -0.10140634849927574),
+                  Quat(-0.59217857118666994, -0.50923637985773984, 0.56279603545394041, 0.27067225889260393),
+                  {-0.57759576660450518, -0.34645459432184894, -0.35543889214956137},
+                  -0.0046146083832327711},
+        NarrowTop{"rims_16_and_6_degrees_from_their_axes",
+                  cylinder_shape(0x1.340e1d17b9a67p-3, 0x1.4ab6a0351c3e9p-1),
+                  cylinder_shape(0x1.cd1924be52365p-3, 0x1.870f03733b97cp-1),
+                  Quat(0.2586870146204821, -0.70221311118417995, -0.12028879214345789, -0.65231003474762306),
+                  Quat(0.68718980290709875, -0.32158242059154241, 0.64778620402824072, -0.068760129564085296),
+                  {0.78886776630818112, -0.034548172972779893, -0.004461485634464483},
+                  -0.001959329105991503},
+        NarrowTop{"rim_and_rim_rather_than_side",
+                  cylinder_shape(0x1.59c7b812c2b8dp-3, 0x1.a45349c9fb3bp-3),
+                  cylinder_shape(0x1.258d369833662p-3, 0x1.8b40712f3fa7p-2),
+                  Quat(0.37524372758571123, -0.60207497829764089, 0.0023680691680825596, -0.70476397301784033),
+                  Quat(-0.025278226835644159, -0.86650355259855261, -0.32986242078031791, -0.37379590867455065),
+                  {0.24845180155907612, 0.14897985154321977, 0.14638559397709125},
+                  -9.1200962388543472e-05},
+        NarrowTop{"rims_next_to_a_cap",
+                  cylinder_shape(0x1.4ed9f57f2423cp-2, 0x1.7682783a88cep-2),
+                  cylinder_shape(0x1.b6cc86b61ad1p-2, 0x1.a3927071fc30cp-1),
+                  Quat(-0.75824765353377821, 0.2210351984291565, -0.057814172718445231, 0.61062382724455222),
+                  Quat(0.18194269713119535, -0.25316569095949182, -0.38622226312310293, 0.86812231358818204),
+                  {-0.24190173182241398, -0.15735358361809543, -0.60385917902507058},
+                  -0.00010115554837938912}),
+    [](const testing::TestParamInfo<NarrowTop>& one) { return one.param.name; });
+
 // The oracle itself, where the answer is known.
 
 TEST(Oracle, DepthOfABoxInABoxAndOfACylinderInABox) {

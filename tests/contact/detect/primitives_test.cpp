@@ -204,6 +204,19 @@ TEST(Primitives, TwoCylinders) {
   for (const ContactPoint& c : stacked) EXPECT_NEAR(c.gap, -0.001, 1e-13);
 }
 
+/// All directions square to the common axis are as good as each other.
+TEST(Primitives, CoaxialCylindersInsideEachOtherOverlapByBothRadii) {
+  Bodies bodies;
+  add_body(bodies, cylinder_shape(0.5, 4), {0, 0, 0});
+  add_body(bodies, cylinder_shape(0.25, 3), {0, 0, 0.1}, turn(0.7, Vec3::UnitZ()));
+  const auto points = contacts(bodies, 0);
+  ASSERT_FALSE(points.empty());
+  for (const ContactPoint& c : points) {
+    EXPECT_NEAR(c.gap, -0.75, 1e-13);
+    EXPECT_NEAR(c.n.z(), 0, 1e-13);
+  }
+}
+
 /// Nearest point of a solid cylinder (axis z through the origin).
 Vec3 into_cylinder(const Vec3& x, double radius, double half_height) {
   const double r = x.head<2>().norm();
