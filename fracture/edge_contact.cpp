@@ -53,6 +53,19 @@ double extent(const Group& group, const Vec2& along, double whole) {
   return std::sqrt(12 * square);
 }
 
+/// Where the load came in: against its direction to the edge, or, of a vertical one, to the nearest edge.
+void find_edge(const std::vector<Vec2>& outline, const Vec2& middle, double whole, EdgeContact& contact) {
+  const EdgePlace nearest = nearest_edge_place(outline, middle);
+  contact.edge_point = nearest.point;
+  contact.inward = nearest.inward;
+  const Vec2 level = contact.force.head<2>();
+  contact.pushes_in = level.norm() > k_least_level * whole;
+  if (!contact.pushes_in) return;
+  contact.inward = level.normalized();
+  const std::vector<Chord> ahead = chords(outline, middle, std::atan2(level.y(), level.x()));
+  if (!ahead.empty()) contact.edge_point = ahead.front().start;
+}
+
 EdgeContact contact_of(const std::vector<Vec2>& outline, const Group& group) {
   EdgeContact contact;
   double whole = 0;
@@ -65,17 +78,12 @@ EdgeContact contact_of(const std::vector<Vec2>& outline, const Group& group) {
     contact.speed += amount * p.speed;
   }
   contact.speed /= whole;
-  const EdgePlace place = nearest_edge_place(outline, middle / whole);
-  contact.edge_point = place.point;
-  contact.inward = place.inward;
+  find_edge(outline, middle / whole, whole, contact);
   const Vec2 along(-contact.inward.y(), contact.inward.x());
   contact.width = extent(group, along, whole);
   contact.depth = extent(group, contact.inward, whole);
-  const Vec2 level = contact.force.head<2>();
-  if (level.norm() <= k_least_level * whole) return contact;
-  contact.crack = level.normalized();
-  const Vec2 across(-contact.crack.y(), contact.crack.x());
-  for (const PointLoad& p : group) contact.opening += 0.5 * std::abs(across.dot(p.force.head<2>()));
+  if (contact.pushes_in)
+    for (const PointLoad& p : group) contact.opening += 0.5 * std::abs(along.dot(p.force.head<2>()));
   return contact;
 }
 

@@ -17,14 +17,15 @@ struct PointLoad {
 
 /// Points that press together, in the frame B of the floe.
 struct EdgeContact {
-  Vec2 edge_point = Vec2::Zero();  ///< of the outline, nearest to the middle of the load [m]
-  Vec2 inward = Vec2::UnitX();     ///< normal of the edge there, into the ice
-  Vec3 force = Vec3::Zero();       ///< [N]
-  double width = 0;                ///< 2 b: along the edge [m]
-  double depth = 0;                ///< a: across it [m]
-  double opening = 0;              ///< F_Y: half the sum of the forces' amounts across the crack, see `crack` [N]
-  Vec2 crack = Vec2::Zero();       ///< direction of the load in the plane: that of a splitting crack; 0: there is none
-  double speed = 0;                ///< mean over the load [m/s]
+  Vec2 edge_point = Vec2::Zero();  ///< of the outline, where the load came in [m]
+  Vec2 inward =
+      Vec2::UnitX();          ///< direction of the load in the plane; of a vertical one the edge's normal into the ice
+  bool pushes_in = false;     ///< the load is not vertical: a splitting crack runs along `inward`
+  Vec3 force = Vec3::Zero();  ///< [N]
+  double width = 0;           ///< 2 b: across `inward` [m]
+  double depth = 0;           ///< a: along it [m]
+  double opening = 0;         ///< F_Y: half the sum of the forces' amounts across `inward` [N]
+  double speed = 0;           ///< mean over the load [m/s]
 };
 
 /// Groups of points: the strongest with all within `link` [m] of it in the plane, then of what is left again. Width and

@@ -32,10 +32,10 @@ double breadth(const std::vector<Vec2>& outline, const Vec2& direction) {
   return high - low;
 }
 
-/// Length of ice ahead of the contact [m].
-double room(const std::vector<Vec2>& outline, const WedgeFan& fan) {
-  const auto chord = shortest_chord(outline, fan.apex, fan.direction);
-  return chord ? chord->length() : 0;
+/// Length of ice ahead of the load, up to the first edge [m].
+double room(const std::vector<Vec2>& outline, const EdgeContact& contact) {
+  const std::vector<Chord> ahead = chords(outline, contact.edge_point, angle_of(contact.inward));
+  return ahead.empty() ? 0 : (ahead.front().end - contact.edge_point).norm();
 }
 
 }  // namespace
@@ -72,18 +72,18 @@ std::optional<FailureRules::SplittingState> FailureRules::splitting_state(const 
                                                                           const EdgeContact& contact,
                                                                           const IceAtContact& ice) const {
   NILAS_DEMAND(splitting_.has_value());
-  if (contact.crack.isZero(0)) return std::nullopt;
-  const auto chord = shortest_chord(outline, contact.edge_point, angle_of(contact.crack));
+  if (!contact.pushes_in) return std::nullopt;
+  const auto chord = shortest_chord(outline, contact.edge_point, angle_of(contact.inward));
   if (!chord) return std::nullopt;
   const double L = chord->length();
-  const SplittingFloe floe{L, breadth(outline, contact.crack), ice.thickness, ice.fracture_toughness};
+  const SplittingFloe floe{L, breadth(outline, contact.inward), ice.thickness, ice.fracture_toughness};
   return SplittingState{contact.opening / splitting_force(*splitting_, floe, k_starter_share * L), *chord};
 }
 
 std::optional<Failure> FailureRules::seed_split(const std::vector<Vec2>& outline, const EdgeContact& contact,
                                                 const BendingState& state) const {
-  if (state.radial < 1 || contact.crack.isZero(0)) return std::nullopt;
-  const Split split = split_along(outline, contact.edge_point, angle_of(contact.crack),
+  if (state.radial < 1 || !contact.pushes_in) return std::nullopt;
+  const Split split = split_along(outline, contact.edge_point, angle_of(contact.inward),
                                   {state.radius, settings_.multiplier, settings_.min_area, settings_.max_aspect});
   if (split.verdict != SplitVerdict::splits) return std::nullopt;
   return Failure{
@@ -107,7 +107,7 @@ std::vector<Failure> FailureRules::failures(const std::vector<Vec2>& outline, co
       found.push_back(
           {FailureKind::splitting, split->ratio, contact.edge_point, 0, {{split->chord.start, split->chord.end}}});
   const double bends = std::min(state.radial, state.wedges);
-  if (may_bend && bends >= 1 && room(outline, state.fan) > state.radius)
+  if (may_bend && bends >= 1 && room(outline, contact) > state.radius)
     found.push_back({FailureKind::bending, bends, state.fan.apex, state.radius, wedge_cracks(state.fan)});
   std::stable_sort(found.begin(), found.end(), [](const Failure& f, const Failure& g) { return f.ratio > g.ratio; });
   return found;

@@ -172,9 +172,8 @@ std::vector<CLI::Option*> add_preparation_flags(CLI::App& command, HullPreparati
       command.add_option("--parts", how.most_parts, "convex parts, at most")
           ->check(CLI::Range(1, 1000))
           ->capture_default_str(),
-      command.add_option("--threads", how.threads, "threads; the results do not depend on it")
-          ->check(at_least(1))
-          ->capture_default_str(),
+      command.add_option("--threads", how.threads, "threads, by default all; the results do not depend on it")
+          ->check(at_least(1)),
   };
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 /// From a user's file to a hull.
+#include <algorithm>
 #include <functional>
 #include <optional>
+#include <thread>
 
 #include "apps/nilas/hull_report.h"
 #include "core/vessel/new_hull_folder.h"
@@ -16,7 +18,7 @@ struct HullPreparation {
   std::optional<double> largest_hole;  ///< filled; default a twentieth of the longest side [m]
   std::optional<double> tolerance;     ///< of the parts; default a thousandth of the longest side [m]
   std::size_t most_parts = 64;
-  int threads = 1;
+  int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   std::function<void(const char* stage)> stage_done;  ///< hears of "read", "mend" and "decompose" as they end
   std::optional<double> draught;  ///< of the waterline that the report takes; default half the height [m]
 };

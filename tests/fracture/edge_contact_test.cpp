@@ -30,7 +30,7 @@ TEST(EdgeContact, KnowsTheSizeOfAnEvenLoadByItsMoments) {
   EXPECT_NEAR((c.edge_point - Vec2(1.5, 0)).norm(), 0, 1e-15);
   EXPECT_NEAR((c.inward - Vec2(0, 1)).norm(), 0, 1e-15);
   EXPECT_NEAR((c.force - Vec3(0, 3, -8)).norm(), 0, 1e-15);
-  EXPECT_NEAR((c.crack - Vec2(0, 1)).norm(), 0, 1e-15);
+  EXPECT_TRUE(c.pushes_in);
   EXPECT_EQ(c.opening, 0) << "all push along the crack";
   EXPECT_NEAR(c.speed, 0.3, 1e-15);
 }
@@ -52,7 +52,7 @@ TEST(EdgeContact, OpeningIsWhatAWedgePressesAcross) {
   ASSERT_EQ(contacts.size(), 1u);
   EXPECT_NEAR(contacts[0].opening, N * std::cos(psi), 1e-14);
   EXPECT_NEAR(contacts[0].force.y(), 2 * contacts[0].opening * std::tan(psi), 1e-14);
-  EXPECT_NEAR((contacts[0].crack - Vec2(0, 1)).norm(), 0, 1e-15);
+  EXPECT_NEAR((contacts[0].inward - Vec2(0, 1)).norm(), 0, 1e-15);
 }
 
 TEST(EdgeContact, LoadsFarFromTheStrongestStandApart) {
@@ -65,10 +65,21 @@ TEST(EdgeContact, LoadsFarFromTheStrongestStandApart) {
   EXPECT_EQ(contacts[1].edge_point, Vec2(0.5, 0));
 }
 
+/// Ice is crushed some way in, and another edge may be nearer than the one that the load came through.
+TEST(EdgeContact, TheEdgeIsThatOfTheLoadsWayIn) {
+  const std::vector<Vec2> spit{{0, 0}, {0.3, 0}, {0.3, 2}, {4, 2}, {4, 4}, {0, 4}};
+  const auto contacts = edge_contacts(spit, {{{0.2, 0.5, 0}, {0, 3, -4}}}, 1);
+  ASSERT_EQ(contacts.size(), 1u);
+  EXPECT_NEAR((contacts[0].edge_point - Vec2(0.2, 0)).norm(), 0, 1e-12);
+  EXPECT_NEAR((contacts[0].inward - Vec2(0, 1)).norm(), 0, 1e-15);
+}
+
 TEST(EdgeContact, AVerticalLoadHasNoCrackDirection) {
   const auto contacts = edge_contacts(k_square, {{{2, 0, 0}, {0, 0, -5}}}, 1);
   ASSERT_EQ(contacts.size(), 1u);
-  EXPECT_EQ(contacts[0].crack, Vec2(0, 0));
+  EXPECT_FALSE(contacts[0].pushes_in);
+  EXPECT_EQ(contacts[0].edge_point, Vec2(2, 0));
+  EXPECT_NEAR((contacts[0].inward - Vec2(0, 1)).norm(), 0, 1e-15);
   EXPECT_EQ(contacts[0].opening, 0);
   EXPECT_TRUE(edge_contacts(k_square, {}, 1).empty());
   EXPECT_THROW(edge_contacts({{0, 0}, {1, 0}}, {}, 1), ContractError);

@@ -28,7 +28,7 @@ EdgeContact load(double P, double width = 4, double depth = 3) {
   contact.force = {0, P, -P};
   contact.width = width;
   contact.depth = depth;
-  contact.crack = Vec2::UnitY();
+  contact.pushes_in = true;
   return contact;
 }
 
@@ -100,6 +100,10 @@ TEST(Failure, BendsOnlyWhereBothStagesFailAndTheIceIsLongEnough) {
     const std::vector<Vec2> strip{{-100, 0}, {100, 0}, {100, length}, {-100, length}};
     EXPECT_EQ(rules.failures(strip, load(2 * bears), ice()).size(), length > R ? 1u : 0u);
   }
+  // a narrow tongue of the same ice far behind is no reason to hold
+  const std::vector<Vec2> tongued{{-100, 0},           {100, 0},  {100, 152}, {-90, 152}, {-90, 152 - 0.1 * R},
+                                  {99, 152 - 0.1 * R}, {99, 150}, {-100, 150}};
+  EXPECT_EQ(rules.failures(tongued, load(2 * bears), ice()).size(), 1u);
   const CutResult cut = cut_outline(k_sheet, found[0].cracks);
   ASSERT_EQ(cut.status, CutStatus::cut);
   EXPECT_EQ(cut.pieces.size(), 5u) << "four wedges and the rest";
