@@ -109,18 +109,18 @@ inline void judge_surfaces(const KnownPair& known, const PartsInQuestion& parts,
   tally.worst_surface = std::max(tally.worst_surface, off / known.size);
 }
 
-/// The deepest point of two parts. Points on a curved side have normals of their own: of those as deep as each other
-/// the one whose normal is nearest to the truth.
-inline const ContactPoint* deepest_point(const KnownPair& known, const PartsInQuestion& parts,
-                                         const std::vector<ContactPoint>& points) {
-  const ContactPoint* deepest = nullptr;
-  for (const ContactPoint& p : points) {
-    const bool as_deep = deepest != nullptr && std::abs(p.gap - deepest->gap) <= known.right();
-    const bool better =
-        as_deep ? p.n.dot(parts.gap.n) > deepest->n.dot(parts.gap.n) : deepest == nullptr || p.gap < deepest->gap;
-    if (better) deepest = &p;
-  }
-  return deepest;
+inline const ContactPoint* deepest_point(const std::vector<ContactPoint>& points) {
+  const auto by_gap = [](const ContactPoint& p, const ContactPoint& q) { return p.gap < q.gap; };
+  return points.empty() ? nullptr : &*std::min_element(points.begin(), points.end(), by_gap);
+}
+
+/// Points on a curved side have normals of their own: of those as deep as the deepest the one nearest to the truth.
+inline Vec3 normal_of(const KnownPair& known, const PartsInQuestion& parts, const ContactPoint& deepest,
+                      const std::vector<ContactPoint>& points) {
+  Vec3 n = deepest.n;
+  for (const ContactPoint& p : points)
+    if (p.gap <= deepest.gap + known.right() && p.n.dot(parts.gap.n) > n.dot(parts.gap.n)) n = p.n;
+  return n;
 }
 
 /// Bodies of several parts touch as wholes: apart, the nearest parts tell how far and in which direction. How deep two
@@ -136,8 +136,7 @@ inline void judge_bodies(const KnownPair& known, double margin, const std::vecto
     ++tally.unjudged;
     return;
   }
-  const auto deepest =
-      std::min_element(points.begin(), points.end(), [](const auto& p, const auto& q) { return p.gap < q.gap; });
+  const ContactPoint* deepest = deepest_point(points);
   const double error = std::abs(deepest->gap - truth);
   tally.wrong_depths += error > known.right() ? 1 : 0;
   tally.worst_depth = std::max(tally.worst_depth, error / known.size);
@@ -152,14 +151,15 @@ inline void judge(const KnownPair& known, double margin, const std::vector<Conta
   ++tally.pairs;
   if (known.parts.size() > 1) return judge_bodies(known, margin, points, tally);
   const PartsInQuestion& parts = known.parts.front();
-  const ContactPoint* deepest = deepest_point(known, parts, points);
+  const ContactPoint* deepest = deepest_point(points);
   if (deepest == nullptr && parts.gap.s < margin - known.right()) ++tally.missed;
   if (deepest != nullptr && parts.gap.s > margin + known.right()) ++tally.surplus;
   if (parts.gap.s >= margin || deepest == nullptr) return;
   ++tally.contacts;
-  judge_verdict(known, parts, {deepest->n, deepest->gap}, tally);
+  const Vec3 n = normal_of(known, parts, *deepest, points);
+  judge_verdict(known, parts, {n, deepest->gap}, tally);
   for (const ContactPoint& p : points)
-    if (p.n == deepest->n) judge_surfaces(known, parts, p, tally);
+    if (p.n == n) judge_surfaces(known, parts, p, tally);
 }
 
 /// A detector that saw the pair a little apart from where it is now, and remembers the axis it had there.
