@@ -108,8 +108,8 @@ struct ContactDetector::Implementation {
   std::vector<int> keep_parts(const std::vector<char>& gone);
   void learn_bodies(const Bodies& bodies);
   void index_last_pairs();
-  /// What the pair had at the last call, if it was there.
-  PairMemory remembered(const PartPair& pair) const;
+  /// Moves out what the pair had at the last call, if it was there.
+  PairMemory take_remembered(const PartPair& pair);
   void list_pairs(const Bodies& bodies, double margin);
   void search_pairs(const Bodies& bodies, const std::vector<double>& margins);
   void add_up_counts();
@@ -187,11 +187,11 @@ void ContactDetector::Implementation::learn_bodies(const Bodies& bodies) {
   }
 }
 
-PairMemory ContactDetector::Implementation::remembered(const PartPair& pair) const {
+PairMemory ContactDetector::Implementation::take_remembered(const PartPair& pair) {
   const auto begin = last_pairs.begin() + last_starts[pair.body_a],
              end = last_pairs.begin() + last_starts[pair.body_a + 1];
   const auto last = std::lower_bound(begin, end, pair);
-  return last != end && *last == pair ? last_memory[last - last_pairs.begin()] : PairMemory{};
+  return last != end && *last == pair ? std::move(last_memory[last - last_pairs.begin()]) : PairMemory{};
 }
 
 void ContactDetector::Implementation::index_last_pairs() {
@@ -220,7 +220,7 @@ void ContactDetector::Implementation::search_pairs(const Bodies& bodies, const s
     stretch.counts = {};
     for (std::ptrdiff_t k = s * count / wanted; k < (s + 1) * count / wanted; ++k) {
       const int i = order[k];
-      memory[i] = remembered(pairs[i]);
+      memory[i] = take_remembered(pairs[i]);
       const auto first = static_cast<std::ptrdiff_t>(stretch.points.size());
       const PairContacts contacts = find_pair_contacts(bodies, parts[pairs[i].part_a], parts[pairs[i].part_b],
                                                        margins[i], fcl, stretch.room, memory[i], stretch.points);
@@ -310,31 +310,36 @@ std::vector<ContactPoint> ContactDetector::Implementation::collect(const Bodies&
 }
 
 void ContactDetector::Implementation::save_pairs(StateWriter out) const {
-  std::vector<int> names, axes, kept;
+  std::vector<int> names, axes, kept_counts, kept;
   std::vector<Vec3> separating;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     names.insert(names.end(), {pairs[i].part_a, pairs[i].part_b});
     const RememberedAxis& axis = memory[i].contact_axis;
     axes.insert(axes.end(), {static_cast<int>(axis.kind), axis.feature_a, axis.feature_b});
     separating.push_back(memory[i].separating);
-    kept.push_back(memory[i].has_kept ? 1 : 0);
+    kept_counts.push_back(static_cast<int>(memory[i].kept.size()));
     for (const Feature& f : memory[i].kept) kept.insert(kept.end(), {static_cast<int>(f.kind), f.first, f.second});
   }
   out.add("parts", names);
   out.add("contact_axis", axes);
   out.add("separating", separating);
+  out.add("kept_counts", kept_counts);
   out.add("kept", kept);
 }
 
 void ContactDetector::Implementation::restore_pairs(const StateReader& in) {
-  std::vector<int> names, axes, kept;
+  std::vector<int> names, axes, kept_counts, kept;
   std::vector<Vec3> separating;
   in.get("separating", separating);
   const std::size_t count = separating.size();
   in.get("parts", names, 2 * count);
   in.get("contact_axis", axes, 3 * count);
-  constexpr std::size_t k_kept_numbers = 1 + 3 * k_spread_points;
-  in.get("kept", kept, k_kept_numbers * count);
+  in.get("kept_counts", kept_counts, count);
+  const auto is_wrong = [](int n) { return n < 0 || n > static_cast<int>(k_most_points); };
+  if (std::any_of(kept_counts.begin(), kept_counts.end(), is_wrong)) in.refuse("kept_counts", "is out of range");
+  constexpr std::size_t k_kept_numbers = 3;
+  in.get("kept", kept, k_kept_numbers * std::accumulate(kept_counts.begin(), kept_counts.end(), std::size_t{0}));
+  const int* number = kept.data();
   pairs.clear();
   memory.clear();
   for (std::size_t i = 0; i < count; ++i) {
@@ -347,12 +352,8 @@ void ContactDetector::Implementation::restore_pairs(const StateReader& in) {
     PairMemory& last = memory.emplace_back();
     last.separating = separating[i];
     last.contact_axis = axis;
-    const int* number = kept.data() + k_kept_numbers * i;
-    last.has_kept = *number++ != 0;
-    for (Feature& f : last.kept) {
-      f = {static_cast<FeatureKind>(number[0]), number[1], number[2]};
-      number += 3;
-    }
+    for (int k = 0; k < kept_counts[i]; ++k, number += k_kept_numbers)
+      last.kept.push_back({static_cast<FeatureKind>(number[0]), number[1], number[2]});
   }
 }
 

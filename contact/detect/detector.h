@@ -30,8 +30,8 @@ struct SweptPair {
 
 /// Keeps geometry and coherence caches between calls. Results depend on the poses; where two axes of a pair lie within
 /// its tolerance of each other, on the one it had at the last call; and where several sets of corners of one common
-/// area are nearly as good (k_kept_area, k_kept_depth), on the set it had. They come in an order of (a, b, part_a,
-/// part_b, key).
+/// area are nearly as good (k_kept_area, k_kept_depth), on the set it had; the deepest is always among them. They come
+/// in an order of (a, b, part_a, part_b, key).
 class ContactDetector {
  public:
   explicit ContactDetector(int threads = 1);

@@ -163,7 +163,8 @@ void face_each_other(const PairView& pair, const Axis& axis, FacingSurfaces& fac
   for (const OverlayPoint& p : facing.points) facing.smallest_gap = std::min(facing.smallest_gap, p.gap);
 }
 
-void select_points(const PairView& pair, const Axis& axis, std::span<const Feature> last, FacingSurfaces& facing) {
+std::size_t select_points(const PairView& pair, const Axis& axis, std::span<const Feature> last,
+                          FacingSurfaces& facing) {
   auto& points = facing.points;
   const bool one_face_each = facing.a.size() * facing.b.size() == 1 && pair.a.facets && pair.b.facets;
   facing.curved = facing.a.size() * facing.b.size() > 1;
@@ -183,7 +184,7 @@ void select_points(const PairView& pair, const Axis& axis, std::span<const Featu
   }
   const double cover =
       !facing.curved ? k_four_points_do : k_cover_share * std::min(pair.a.inner_radius, pair.b.inner_radius);
-  keep_spread_points(pair.tolerance, pair.margin, cover, points, last);
+  return keep_spread_points(pair.tolerance, pair.margin, cover, points, last);
 }
 
 }  // namespace nilas

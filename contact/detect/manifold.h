@@ -34,7 +34,9 @@ bool is_proven(const PairView& pair, const Axis& axis, const FacingSurfaces& fac
 
 /// Leaves in facing.points the contact points: gaps below the margin, at most k_most_points, the deepest gap equal to
 /// axis.s. Where the surfaces show no such point (two edges or corners) the nearest points of the supporting features
-/// give it. `last`: the features of the four that were kept of this pair before (point_reduction.h).
-void select_points(const PairView& pair, const Axis& axis, std::span<const Feature> last, FacingSurfaces& facing);
+/// give it. `last`: the features of what was kept of this pair before; returns how many of the first points are to be
+/// that at the next call (keep_spread_points).
+std::size_t select_points(const PairView& pair, const Axis& axis, std::span<const Feature> last,
+                          FacingSurfaces& facing);
 
 }  // namespace nilas

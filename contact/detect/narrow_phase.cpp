@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "contact/detect/contact_key.h"
 #include "contact/detect/cylinder_axis.h"
@@ -53,12 +54,12 @@ void order_by_key(std::span<ContactPoint> points) {
     if (points[i].key <= points[i - 1].key) points[i].key = points[i - 1].key + 1;
 }
 
-/// The first of `points` are those that spread best.
+/// Leaves in `kept` what met at the first `count` of `points`.
 template <class AnyPoint>
-void remember(const std::vector<AnyPoint>& points, PairMemory& memory) {
-  memory.has_kept = points.size() >= memory.kept.size();
-  if (!memory.has_kept) return;
-  for (std::size_t k = 0; k < memory.kept.size(); ++k) memory.kept[k] = points[k].feature;
+void remember(const std::vector<AnyPoint>& points, std::size_t count, std::vector<Feature>& kept) {
+  kept.clear();
+  if (count < k_spread_points) return;
+  for (std::size_t k = 0; k < count; ++k) kept.push_back(points[k].feature);
 }
 
 void primitive_pair(const Bodies& bodies, const Part& a, const Part& b, double margin, PairMemory& memory,
@@ -67,12 +68,12 @@ void primitive_pair(const Bodies& bodies, const Part& a, const Part& b, double m
   const Part& host = a_hosts ? a : b;
   const Part& guest = a_hosts ? b : a;
   std::vector<LocalContact> contacts;
-  const HostView view{host, guest, pose_of_b_in_a(bodies, host.body, guest.body), margin, memory.last()};
+  const HostView view{host, guest, pose_of_b_in_a(bodies, host.body, guest.body), margin, memory.kept};
   if (host.kind == PartKind::plane)
     plane_contacts(view, contacts);
   else
     sphere_contacts(view, contacts);
-  remember(contacts, memory);
+  remember(contacts, contacts.size(), memory.kept);
   const std::uint64_t key = pair_key(bodies, a, b);
   const Mat3& R = bodies.R_GB[host.body];
   for (const LocalContact& contact : contacts) {
@@ -94,7 +95,7 @@ double polytope_or_cylinder_pair(const Bodies& bodies, const Part& a, const Part
   Axis axis = both_faceted ? find_axis(pair, memory.contact_axis, fcl, room, counts)
                            : find_cylinder_axis(pair, fcl, room, counts);
   const Mat3& R = bodies.R_GB[a.body];
-  const PairMemory before = memory;
+  std::vector<Feature> last = std::move(memory.kept);
   memory = {};
   if (axis.s > margin) {
     memory.separating = R * axis.n;
@@ -104,8 +105,9 @@ double polytope_or_cylinder_pair(const Bodies& bodies, const Part& a, const Part
   if ((a.cover || b.cover) && !find_way_out(pair, room, axis, alone)) return depth;
   const Vec3 n_G = R * axis.n;
   if (axis.proven) memory.contact_axis = {axis.kind, axis.feature_a, axis.feature_b};
-  select_points(pair, axis, before.last(), room.facing);
-  remember(room.facing.points, memory);
+  const std::size_t kept = select_points(pair, axis, last, room.facing);
+  remember(room.facing.points, kept, last);
+  memory.kept = std::move(last);
   const std::uint64_t key = pair_key(bodies, a, b);
   const ContactPlane& plane = room.facing.plane;
   for (const OverlayPoint& p : room.facing.points) {

@@ -1,7 +1,5 @@
 #pragma once
 /// Contact points of one candidate pair of parts.
-#include <array>
-#include <span>
 #include <vector>
 
 #include "contact/detect/axis_search.h"
@@ -15,10 +13,7 @@ namespace nilas {
 struct PairMemory {
   Vec3 separating = Vec3::Zero();  ///< axis that separated the pair by more than the margin, in G; zero: none known
   RememberedAxis contact_axis;
-  std::array<Feature, k_spread_points> kept;  ///< what met at the points that spread best
-  bool has_kept = false;                      ///< four points or more were kept
-
-  std::span<const Feature> last() const { return {kept.data(), has_kept ? kept.size() : 0}; }
+  std::vector<Feature> kept;  ///< what met at the points that spread best, then at deeper ones; none below four points
 };
 
 struct PairContacts {

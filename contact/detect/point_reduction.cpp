@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <optional>
 
 #include "core/base/order_free_sum.h"
 
@@ -52,6 +54,10 @@ void sort_around(const Mean& mean, Points& points) {
   std::sort(points.begin(), points.end(), [&](const OverlayPoint& p, const OverlayPoint& q) {
     return angle_rank(p.u - mean.u, p.v - mean.v) < angle_rank(q.u - mean.u, q.v - mean.v);
   });
+}
+
+Points::const_iterator find(const Points& points, const Feature& feature) {
+  return std::find_if(points.begin(), points.end(), [&](const OverlayPoint& p) { return p.feature == feature; });
 }
 
 double cross(const OverlayPoint& p, const OverlayPoint& q, const OverlayPoint& r, const OverlayPoint& s) {
@@ -164,24 +170,27 @@ class SetChoice {
     most_ = merit;
     best_ = four;
   }
-  /// Goes back to the set of these features where the points have it and it is nearly as good.
-  void prefer(std::span<const Feature> last) {
-    if (last.size() != k_spread_points) return;
+  const Four& best() const { return best_; }
+  /// Points with larger gaps are not nearly as deep as the deepest [m].
+  double most_kept_gap() const { return deepest_ + k_kept_depth * range_; }
+
+  /// The first four of these features where the points have them and they are nearly as good as the best.
+  std::optional<Four> kept(std::span<const Feature> last) const {
+    if (last.size() < k_spread_points) return std::nullopt;
     Four four{};
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < k_spread_points; ++k) {
-      const auto found =
-          std::find_if(points_.begin(), points_.end(), [&](const OverlayPoint& p) { return p.feature == last[k]; });
-      if (found == points_.end()) return;
+      const auto found = find(points_, last[k]);
+      if (found == points_.end()) return std::nullopt;
       four[k] = static_cast<int>(found - points_.begin());
       nearest = std::min(nearest, found->gap);
     }
     std::sort(four.begin(), four.end());
     const Merit merit = merit_of(four);
-    if (nearest > deepest_ + k_kept_depth * range_ || merit.symmetry_v + tie_ < most_.symmetry_v) return;
-    if (merit.area > k_kept_area * most_.area) best_ = four;
+    const bool nearly_as_good = nearest <= most_kept_gap() && merit.symmetry_v + tie_ >= most_.symmetry_v &&
+                                merit.area > k_kept_area * most_.area;
+    return nearly_as_good ? std::optional(four) : std::nullopt;
   }
-  const Four& best() const { return best_; }
 
  private:
   double closeness(const Four& four) const {
@@ -267,7 +276,33 @@ void cover_the_rest(double tolerance, double cover, const Points& points, Points
   }
 }
 
-/// The four of `points` (in turn around their middle) that spread best.
+Points chosen(const Points& points, const Four& four) {
+  Points of_four;
+  for (int i : four) of_four.push_back(points[i]);
+  return of_four;
+}
+
+/// What stays beside the four of the last call, so that the deepest point is among all and those that took turns in
+/// being it stay: the further ones of that call while they are nearly as deep, and the deepest of the best four where
+/// it is still lacking; it alone when there is no room for all.
+Points beside_the_kept(const SetChoice& choice, const Points& points, const Points& four, double deepest,
+                       std::span<const Feature> last) {
+  const auto is_deepest = [&](const OverlayPoint& p) { return p.gap <= deepest; };
+  Points further;
+  for (const Feature& feature : last.subspan(k_spread_points))
+    if (const auto p = find(points, feature); p != points.end() && p->gap <= choice.most_kept_gap())
+      further.push_back(*p);
+  if (std::any_of(four.begin(), four.end(), is_deepest) || std::any_of(further.begin(), further.end(), is_deepest))
+    return further;
+  Points deep = chosen(points, choice.best());
+  std::erase_if(deep, std::not_fn(is_deepest));
+  if (four.size() + further.size() + deep.size() > k_most_points) return deep;
+  further.insert(further.end(), deep.begin(), deep.end());
+  return further;
+}
+
+/// The four of `points` (in turn around their middle) that spread best, or those of the last call and what stays beside
+/// them.
 Points best_four(const Points& points, double deepest, double margin, double tolerance, std::span<const Feature> last) {
   if (points.size() <= k_spread_points) return points;
   SetChoice choice(points, deepest, margin, tolerance);
@@ -276,16 +311,19 @@ Points best_four(const Points& points, double deepest, double margin, double tol
     for (int j = i + 1; j < count; ++j)
       for (int k = j + 1; k < count; ++k)
         for (int l = k + 1; l < count; ++l) choice.consider({i, j, k, l}, tolerance);
-  choice.prefer(last);
-  Points four;
-  for (int i : choice.best()) four.push_back(points[i]);
+  const std::optional<Four> kept = choice.kept(last);
+  Points four = chosen(points, kept.value_or(choice.best()));
+  if (!kept) return four;
+  const Points further = beside_the_kept(choice, points, four, deepest + tolerance, last);
+  four.insert(four.end(), further.begin(), further.end());
   return four;
 }
 
 }  // namespace
 
-void keep_spread_points(double tolerance, double margin, double cover, Points& points, std::span<const Feature> last) {
-  if (points.size() <= k_spread_points) return;
+std::size_t keep_spread_points(double tolerance, double margin, double cover, Points& points,
+                               std::span<const Feature> last) {
+  if (points.size() <= k_spread_points) return points.size();
   sort_around(mean_of(points), points);
   const auto shallower = [](const OverlayPoint& p, const OverlayPoint& q) { return p.gap < q.gap; };
   const double deepest = std::min_element(points.begin(), points.end(), shallower)->gap;
@@ -293,7 +331,9 @@ void keep_spread_points(double tolerance, double margin, double cover, Points& p
   if (points.size() > k_most_candidates) keep_first_to_touch(deepest + tolerance, tolerance, points);
   drop_flat_corners(points, deepest + tolerance);
   points = best_four(points, deepest, margin, tolerance, last);
+  const std::size_t kept = points.size();
   cover_the_rest(tolerance, cover, all, points);
+  return kept;
 }
 
 }  // namespace nilas

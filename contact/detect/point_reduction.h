@@ -10,7 +10,7 @@ namespace nilas {
 
 /// Well-spread points of a pair ...
 constexpr std::size_t k_spread_points = 4;
-/// ... and with those that the four leave open.
+/// ... and with those that the four leave open or that lie deeper.
 constexpr std::size_t k_most_points = 8;
 
 /// A point that four others leave open by less than this share of the thinner part's inner radius is done without [-]:
@@ -37,10 +37,13 @@ constexpr double k_kept_depth = 1e-3;
 /// is its own image in t2, then the one longest along t1, then the one farther ahead on it. So a mirrored contact keeps
 /// the mirrored points.
 ///
-/// `last`: what was kept of this pair before, or nothing. These stay while they spread nearly as well as the best set
-/// (k_kept_area) and one of them is nearly as deep as the deepest (k_kept_depth), so that a body that rocks by rounding
-/// on more than four corners does not stand now on these, now on those.
-void keep_spread_points(double tolerance, double margin, double cover, std::vector<OverlayPoint>& points,
-                        std::span<const Feature> last = {});
+/// `last`: what was kept of this pair before, or nothing. Its first four stay while they spread nearly as well as the
+/// best set (k_kept_area) and one of them is nearly as deep as the deepest (k_kept_depth), so that a body that rocks by
+/// rounding on more than four corners does not stand now on these, now on those. Where none of them is the deepest,
+/// that one joins them, up to k_most_points in all, and stays while it is nearly as deep.
+///
+/// Returns how many of the first points left are to be the pair's `last` at the next call.
+std::size_t keep_spread_points(double tolerance, double margin, double cover, std::vector<OverlayPoint>& points,
+                               std::span<const Feature> last = {});
 
 }  // namespace nilas

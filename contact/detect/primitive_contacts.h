@@ -24,8 +24,8 @@ struct HostView {
   std::span<const Feature> last{};  ///< what was kept of the pair before (point_reduction.h)
 };
 
-/// Half space z < 0 of the host with any guest but a plane: up to four points of a polytope or cylinder, one of a
-/// sphere.
+/// Half space z < 0 of the host with any guest but a plane: up to four points of a polytope or cylinder and the deeper
+/// ones that join them (point_reduction.h), one of a sphere.
 void plane_contacts(const HostView& view, std::vector<LocalContact>& out);
 
 /// Sphere (guest) on a polytope, cylinder or sphere: one point along the line from the surface point nearest to the
