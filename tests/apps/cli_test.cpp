@@ -188,7 +188,7 @@ TEST(Cli, WhatIsNotBuiltIsRefusedPlainly) {
   const ScratchFolder folder;
   folder.write("fracture.xml", R"(<scene version="1" name="f">
   <ice><floe outline="0 0 1 0 1 1"/></ice>
-  <fracture><bending/></fracture>
+  <fracture><cracks path="curved"/></fracture>
 </scene>
 )");
   const auto result = run_nilas("check fracture.xml", folder.path());
