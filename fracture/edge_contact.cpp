@@ -13,14 +13,18 @@ namespace {
 
 using Group = std::vector<PointLoad>;
 
-/// Loads in the plane's plan below this share of the whole give no direction to a crack [-].
-constexpr double k_least_level = 1e-6;
+/// A load that leans less is vertical: its direction in the plane is chance [-].
+constexpr double k_least_level = 0.05;
+/// Points of less force than this share of the strongest count for nothing [-].
+constexpr double k_least_force = 1e-12;
 
 /// The strongest load that is in no group yet, with all others within `link` of it.
 std::vector<Group> linked(const std::vector<PointLoad>& loads, double link) {
+  double strongest_force = 0;
+  for (const PointLoad& load : loads) strongest_force = std::max(strongest_force, load.force.norm());
   std::vector<std::size_t> order;
   for (std::size_t k = 0; k < loads.size(); ++k)
-    if (!loads[k].force.isZero(0)) order.push_back(k);
+    if (loads[k].force.norm() > k_least_force * strongest_force) order.push_back(k);
   std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t k) {
     return loads[i].force.squaredNorm() > loads[k].force.squaredNorm();
   });
@@ -60,10 +64,12 @@ void find_edge(const std::vector<Vec2>& outline, const Vec2& middle, double whol
   contact.inward = nearest.inward;
   const Vec2 level = contact.force.head<2>();
   contact.pushes_in = level.norm() > k_least_level * whole;
-  if (!contact.pushes_in) return;
-  contact.inward = level.normalized();
-  const std::vector<Chord> ahead = chords(outline, middle, std::atan2(level.y(), level.x()));
-  if (!ahead.empty()) contact.edge_point = ahead.front().start;
+  if (contact.pushes_in) {
+    contact.inward = level.normalized();
+    const std::vector<Chord> ahead = chords(outline, middle, std::atan2(level.y(), level.x()));
+    if (!ahead.empty()) contact.edge_point = ahead.front().start;
+  }
+  contact.from_edge = (middle - contact.edge_point).norm();
 }
 
 EdgeContact contact_of(const std::vector<Vec2>& outline, const Group& group) {

@@ -21,6 +21,7 @@ struct EdgeContact {
   Vec2 inward =
       Vec2::UnitX();          ///< direction of the load in the plane; of a vertical one the edge's normal into the ice
   bool pushes_in = false;     ///< the load is not vertical: a splitting crack runs along `inward`
+  double from_edge = 0;       ///< of the middle of the load to `edge_point` [m]
   Vec3 force = Vec3::Zero();  ///< [N]
   double width = 0;           ///< 2 b: across `inward` [m]
   double depth = 0;           ///< a: along it [m]

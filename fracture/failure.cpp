@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "fracture/splitting_table.h"
 
 namespace nilas {
 
@@ -32,10 +33,10 @@ double breadth(const std::vector<Vec2>& outline, const Vec2& direction) {
   return high - low;
 }
 
-/// Length of ice ahead of the load, up to the first edge [m].
-double room(const std::vector<Vec2>& outline, const EdgeContact& contact) {
+/// The ice ahead of the load, up to the first edge.
+std::optional<Chord> ice_ahead(const std::vector<Vec2>& outline, const EdgeContact& contact) {
   const std::vector<Chord> ahead = chords(outline, contact.edge_point, angle_of(contact.inward));
-  return ahead.empty() ? 0 : (ahead.front().end - contact.edge_point).norm();
+  return ahead.empty() ? std::nullopt : std::optional<Chord>(ahead.front());
 }
 
 }  // namespace
@@ -73,10 +74,12 @@ std::optional<FailureRules::SplittingState> FailureRules::splitting_state(const 
                                                                           const IceAtContact& ice) const {
   NILAS_DEMAND(splitting_.has_value());
   if (!contact.pushes_in) return std::nullopt;
-  const auto chord = shortest_chord(outline, contact.edge_point, angle_of(contact.inward));
+  const auto chord = ice_ahead(outline, contact);
   if (!chord) return std::nullopt;
   const double L = chord->length();
   const SplittingFloe floe{L, breadth(outline, contact.inward), ice.thickness, ice.fracture_toughness};
+  // the table's widest floe is all but half infinite; a chord across a corner is none of it
+  if (floe.width > splitting_table::widest * L) return std::nullopt;
   return SplittingState{contact.opening / splitting_force(*splitting_, floe, k_starter_share * L), *chord};
 }
 
@@ -95,19 +98,18 @@ double FailureRules::link(const IceAtContact& ice) const { return 0.5 * beam_cha
 std::vector<Failure> FailureRules::failures(const std::vector<Vec2>& outline, const EdgeContact& contact,
                                             const IceAtContact& ice) const {
   std::vector<Failure> found;
+  // in the middle of the ice it is no load on an edge
+  if (contact.from_edge > link(ice) + 0.5 * contact.depth) return found;
   const BendingState state = bending_state(outline, contact, ice);
-  bool may_bend = settings_.bending;
   if (settings_.splitting == SplittingModel::seed_geometric)
-    if (auto split = seed_split(outline, contact, state)) {
-      found.push_back(std::move(*split));
-      may_bend = false;
-    }
+    if (auto split = seed_split(outline, contact, state)) found.push_back(std::move(*split));
   if (settings_.splitting == SplittingModel::lefm)
     if (const auto split = splitting_state(outline, contact, ice); split && split->ratio >= 1)
       found.push_back(
           {FailureKind::splitting, split->ratio, contact.edge_point, 0, {{split->chord.start, split->chord.end}}});
   const double bends = std::min(state.radial, state.wedges);
-  if (may_bend && bends >= 1 && room(outline, contact) > state.radius)
+  const auto ahead = ice_ahead(outline, contact);
+  if (settings_.bending && bends >= 1 && ahead && ahead->length() > state.radius)
     found.push_back({FailureKind::bending, bends, state.fan.apex, state.radius, wedge_cracks(state.fan)});
   std::stable_sort(found.begin(), found.end(), [](const Failure& f, const Failure& g) { return f.ratio > g.ratio; });
   return found;

@@ -69,7 +69,8 @@ class FailureRules {
   BendingState bending_state(const std::vector<Vec2>& outline, const EdgeContact& contact,
                              const IceAtContact& ice) const;
   /// F_Y over the largest force that a floe with the crack's length and the width across it bears (splitting_force of a
-  /// short starter crack), and the crack. None where no line leads through the ice.
+  /// short starter crack), and the crack. None where no line leads through the ice,
+  /// or where it is more than eight times wider than long: there a corner is cut off, no floe split.
   struct SplittingState {
     double ratio = 0;
     Chord chord;
@@ -79,10 +80,11 @@ class FailureRules {
 
   /// Loads on the edge this near to each other act as one: half of the wedges' characteristic length [m].
   double link(const IceAtContact& ice) const;
-  /// Ways to break of a ratio of 1 or more, the largest ratio first.
+  /// Ways to break of a ratio of 1 or more, the largest ratio first. None under a load whose middle is farther
+  /// from the edge than link() and half its depth.
   ///   bending: both stages at their strength, where the ice is longer than R_bending ahead of the contact;
-  ///   seed-geometric: radial cracks, and a chord along the load's direction that split_along takes; then it splits,
-  ///     else it may bend;
+  ///   seed-geometric: radial cracks, and a chord along the load's direction that split_along takes; bending then
+  ///     only where that cut is refused;
   ///   lefm: F_Y at what the floe bears. It competes with bending by the ratios: small floes split first.
   std::vector<Failure> failures(const std::vector<Vec2>& outline, const EdgeContact& contact,
                                 const IceAtContact& ice) const;

@@ -73,15 +73,14 @@ std::vector<std::vector<Vec3>> floe_outlines(const std::filesystem::path& bodies
   std::vector<std::vector<Vec3>> outlines;
   const auto poses = poses_near(bodies_csv, t);
   if (poses.empty()) return outlines;
-  const auto pose_of = [&](std::size_t b) {
-    const auto found = poses.find(bodies.id[b]);
-    if (found == poses.end()) throw InputError(bodies_csv.string() + ": lacks body " + std::to_string(bodies.id[b]));
-    return found->second;
-  };
-  const Pose hull = pose_of(static_cast<std::size_t>(vessel));
+  const auto hull_pose = poses.find(bodies.id[static_cast<std::size_t>(vessel)]);
+  if (hull_pose == poses.end()) throw InputError(bodies_csv.string() + ": lacks the vessel");
+  const Pose& hull = hull_pose->second;
   for (std::size_t b = 0; b < bodies.id.size(); ++b) {
-    if (bodies.kind[b] != BodyKind::floe) continue;
-    const Pose pose = pose_of(b);
+    const auto found = poses.find(bodies.id[b]);
+    // a floe that broke has no pose any more
+    if (bodies.kind[b] != BodyKind::floe || found == poses.end()) continue;
+    const Pose& pose = found->second;
     std::vector<Vec3> outline;
     for (const Vec2& corner : bodies.shape[b]->outline) {
       const Vec3 p = pose.p + pose.q * Vec3(corner.x(), corner.y(), 0.5 * bodies.shape[b]->thickness);

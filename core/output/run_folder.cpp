@@ -1,5 +1,6 @@
 #include "core/output/run_folder.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include "core/base/error.h"
@@ -188,6 +189,7 @@ nlohmann::ordered_json RunFolder::finish(SummaryInput input, const Bodies& bodie
   if (out.events) out.events->finish();
   if (out.contacts) out.contacts->finish();
   input.ice_mass_end = free_ice_mass(bodies);
+  input.floes_end = std::count(bodies.kind.begin(), bodies.kind.end(), BodyKind::floe);
   auto summary = summary_json(out.info, out.statistics, input);
   write_summary_json(summary_file(), summary);
   return summary;

@@ -58,9 +58,13 @@ Json summary_json(const RunInfo& info, const RunStatistics& statistics, const Su
   summary["wall_s"] = input.wall_s;
   summary["real_time_factor"] = input.wall_s > 0 ? (statistics.end_time() - statistics.start_time()) / input.wall_s : 0;
   if (info.has_vessel) summary["vessel"] = vessel_json(info.vessel_mass);
-  summary["ice"] = {
-      {"floes", info.floes},          {"mass_kg", info.ice_mass},         {"mass_end_kg", input.ice_mass_end},
-      {"brash_kg", input.brash_mass}, {"crushed_kg", input.crushed_mass}, {"concentration", info.concentration}};
+  summary["ice"] = {{"floes", info.floes},
+                    {"floes_end", input.floes_end},
+                    {"mass_kg", info.ice_mass},
+                    {"mass_end_kg", input.ice_mass_end},
+                    {"brash_kg", input.brash_mass},
+                    {"crushed_kg", input.crushed_mass},
+                    {"concentration", info.concentration}};
   summary["worst"] = worst_json(statistics);
   summary["shortfalls"] = shortfalls_json(statistics.shortfalls());
   summary["loads"] = loads_json(statistics);

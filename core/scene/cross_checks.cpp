@@ -68,15 +68,15 @@ static void check_contacts(const SceneElement& root, const SceneElement& output,
                               "allowed: hull, none"));
 }
 
-/// Ice that bends rests on water.
+/// Ice that bends rests on water, and its pieces float.
 static void check_fracture(const SceneElement& root, const SceneElement& fracture, std::vector<Fault>& faults) {
-  const SceneElement* gravity = child_of(root, "gravity");
+  const SceneElement *gravity = child_of(root, "gravity"), *hydro = child_of(root, "hydro");
   const auto g = gravity ? numbers_of(*gravity, "value") : std::nullopt;
   for (const auto& child : fracture.children) {
     if (child.name != "bending" && child.name != "splitting") continue;
-    if (!child_of(root, "water"))
-      faults.push_back(fault_of(child, "the ice rests on water as it breaks; allowed: with <water>"));
-    if (g && !(g->at(2) < 0))
+    if (!hydro || !child_of(*hydro, "buoyancy"))
+      faults.push_back(fault_of(child, "the ice rests on water as it breaks; allowed: with <hydro><buoyancy>"));
+    if (g && !(g->at(0) == 0 && g->at(1) == 0 && g->at(2) < 0))
       faults.push_back(fault_of(child, "the ice rests on water as it breaks; allowed: <gravity> along -Z, 0 0 -g"));
   }
 }

@@ -129,7 +129,10 @@ class Resolver {
     for (const auto& child : ice->children) {
       const SceneAttribute* property = child.name == "vary" ? attribute_of(child, "property") : nullptr;
       const auto use = property && property->valid ? uses.find(property->value) : uses.end();
-      const auto is_used = [&](const std::string& by) { return fracture && child_of(*fracture, by) != nullptr; };
+      const auto is_used = [&](const std::string& by) {
+        const SceneElement* model = fracture ? child_of(*fracture, by) : nullptr;
+        return model && (use->first != "fracture_toughness" || attribute_of(*model, "model")->value == "lefm");
+      };
       if (use == uses.end() || std::any_of(use->second.begin(), use->second.end(), is_used)) continue;
       note(child.path, use->first + " has no effect in a run without <" +
                            (fracture ? use->second.front() : "fracture") + ">; `nilas field` writes it");
@@ -142,6 +145,9 @@ class Resolver {
     const bool breakable = ice && std::any_of(ice->children.begin(), ice->children.end(),
                                               [](const SceneElement& child) { return is_true(child, "breakable"); });
     if (!breakable) note(fracture->path, "no effect: no <field> or <floe> is breakable");
+    const bool breaks = child_of(*fracture, "bending") || child_of(*fracture, "splitting");
+    if (breaks && !child_of(*fracture, "crushing"))
+      note(fracture->path, "without <crushing> ice breaks by the peaks of rigid contacts, which depend on the step");
     if (fracture->children.empty()) note(fracture->path, "no effect: it names no <crushing>, <bending> or <splitting>");
   }
 

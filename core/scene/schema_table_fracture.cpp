@@ -64,7 +64,8 @@ std::vector<ElementSpec> fracture_elements() {
              .doc = "Power of the contact area in the pressure: the force grows with the area to 1 + exponent."}}},
       {.name = "bending",
        .parent = "fracture",
-       .doc = "Failure of breakable floes in bending where the vessel or a body presses on their edge. Needs <water>. "
+       .doc = "Failure of breakable floes in bending where the vessel or a body presses on their edge. Needs "
+              "<hydro><buoyancy>. "
               "Absent: they do not bend.",
        .attributes =
            {model("model", {"nevel"},
@@ -72,7 +73,7 @@ std::vector<ElementSpec> fracture_elements() {
                   "then wedges of a narrow beam each, which break where their stress is largest."),
             {.name = "wedge_angle_deg",
              .unit = "deg",
-             .range = within(5, 120),
+             .range = within(5, 60),
              .default_value = "45",
              .doc = "Opening of the wedges between radial cracks; as many as span the ice in angles nearest to it."},
             {.name = "speed_slope",
@@ -83,7 +84,8 @@ std::vector<ElementSpec> fracture_elements() {
                     "-0.14 in Su, Riska and Moan (2010). It keeps a quarter of itself at least."}}},
       {.name = "splitting",
        .parent = "fracture",
-       .doc = "Splitting of breakable floes by what the vessel or a body presses on their edge. Needs <water>. Absent: "
+       .doc = "Splitting of breakable floes by what the vessel or a body presses on their edge. Needs "
+              "<hydro><buoyancy>. Absent: "
               "they do not split.",
        .attributes =
            {model("model", {"seed-geometric", "lefm"},

@@ -80,6 +80,7 @@ std::vector<Breaking::Break> Breaking::take_breaks(const Bodies& bodies, const I
 
 /// Whether a piece of a fixed floe that is not its largest is held as well.
 static bool is_held(const FloePiece& piece, const Failure& way) {
+  if (way.kind == FailureKind::splitting) return false;
   const std::vector<Vec2>& outline = piece.state.outline;
   double of_old_edge = 0, of_cracks = 0;
   for (std::size_t i = 0; i < outline.size(); ++i)

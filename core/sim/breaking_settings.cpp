@@ -12,7 +12,7 @@ FailureSettings failure_settings(const Scene& scene) {
   settings.poisson = scene.ice->poisson;
   settings.water_density = scene.water->density;
   settings.gravity = scene.gravity.norm();
-  settings.min_area = fracture.small_pieces == "refuse" ? fracture.min_area : 0;
+  settings.min_area = fracture.min_area;
   settings.max_aspect = fracture.max_aspect;
   if (fracture.bending) {
     settings.bending = true;

@@ -70,9 +70,13 @@ TEST(FractureScene, WhatHasNoEffectIsNamed) {
 
 TEST(FractureScene, BendingAndSplittingTakeTheirSettings) {
   const SceneFolder folder;
-  const std::string water = "<water/>";
+  const std::string water = "<water/><hydro><buoyancy/></hydro>";
   const Scene plain = folder.read(in_scene(water + k_ice + "<fracture><bending/><splitting/></fracture>"));
   ASSERT_TRUE(plain.fracture->bending && plain.fracture->splitting);
+  EXPECT_EQ(count(plain,
+                  "<fracture>: without <crushing> ice breaks by the peaks of rigid contacts, which depend on the "
+                  "step."),
+            1);
   EXPECT_EQ(plain.fracture->bending->model, "nevel");
   EXPECT_EQ(plain.fracture->bending->wedge_angle_deg, 45);
   EXPECT_EQ(plain.fracture->bending->speed_slope, 0);
@@ -89,7 +93,7 @@ TEST(FractureScene, BendingAndSplittingTakeTheirSettings) {
   EXPECT_EQ(given.fracture->small_pieces, "refuse");
   const std::string vary =
       "<ice><floe breakable='true' outline='0 0 1 0 1 1'/><vary property='flexural_strength' cov='0.1'/></ice>";
-  EXPECT_TRUE(folder.read(in_scene(water + vary + "<fracture><splitting/></fracture>")).notes.empty())
+  EXPECT_TRUE(folder.read(in_scene(water + vary + "<fracture><crushing/><splitting/></fracture>")).notes.empty())
       << "radial cracks take the flexural strength";
 }
 
@@ -110,12 +114,10 @@ TEST(FractureScene, FaultsAreFound) {
                {"compliant"});
   expect_fault(faults("<fracture><crushing model='pressure-area' exponent='-1'/></fracture>"), 2,
                "<fracture><crushing exponent>", {">= -0.95"});
-  expect_fault(faults("<fracture><splitting/></fracture>"), 2, "<fracture><splitting>", {"with <water>"});
-  expect_fault(faults("<gravity value='0 0 0'/><water/><fracture><bending/></fracture>"), 2, "<fracture><bending>",
-               {"<gravity> along -Z"});
-  expect_fault(faults("<water/><fracture><bending wedge_angle_deg='0'/></fracture>"), 2,
+  expect_fault(faults("<fracture><splitting/></fracture>"), 2, "<fracture><splitting>", {"with <hydro><buoyancy>"});
+  expect_fault(faults("<water/><hydro><buoyancy/></hydro><fracture><bending wedge_angle_deg='0'/></fracture>"), 2,
                "<fracture><bending wedge_angle_deg>", {">= 5"});
-  expect_fault(faults("<water/><fracture><splitting multiplier='1'/></fracture>"), 2,
+  expect_fault(faults("<water/><hydro><buoyancy/></hydro><fracture><splitting multiplier='1'/></fracture>"), 2,
                "<fracture><splitting multiplier>", {"> 1"});
   expect_fault(faults("<fracture><cracks/></fracture>"), 2, "<fracture><cracks>", {"not built"});
 }

@@ -126,6 +126,16 @@ TEST(Breaking, WedgesFloatFreeAndTheSheetStaysFixed) {
   EXPECT_EQ(rig.simulation->step().floes, 5);
 }
 
+/// No edge is near, so nothing of the models applies.
+TEST(Breaking, ALoadInTheMiddleOfASheetBreaksNothing) {
+  Rig rig(
+      "<body shape='sphere' radius='0.2' mass='200' position='0 0 0.24' velocity='0.01 0 0'/>"
+      "<ice thickness='0.05' density='900' youngs_modulus='1e8'><floe breakable='true' fixed='true' outline='-10 -10 "
+      "10 -10 10 10 -10 10'/></ice>" +
+      fracture("<bending/><splitting model='lefm'/>"));
+  for (int k = 0; k < 60; ++k) EXPECT_TRUE(rig.simulation->step().broken.empty());
+}
+
 /// A floe on its way, which turns: nothing is lost where it breaks.
 TEST(Breaking, AFreeFloeKeepsMassMomentumAndEnergy) {
   Rig rig(bow("outline='0 -2 3 -1.5 3.5 1.5 0.1 2' velocity='-0.3 0.05 0'") +
@@ -179,6 +189,7 @@ TEST(Breaking, LefmSplitsAFloeThatIsHeld) {
   const FractureEvent& event = record.broken[0];
   EXPECT_EQ(event.kind, "splitting");
   EXPECT_EQ(event.pieces.size(), 2u);
+  EXPECT_EQ(std::count(rig.bodies().motion.begin(), rig.bodies().motion.end(), Motion::fixed), 1) << "one half is free";
   EXPECT_NEAR(event.length, 2, 1e-9);
   EXPECT_GE(event.ratio, 1);
   EXPECT_LT(event.ratio, 1.3);
