@@ -7,7 +7,9 @@
 
 #include "contact/detect/broad_phase.h"
 #include "contact/detect/fcl_query.h"
+#include "contact/detect/known_parts.h"
 #include "contact/detect/narrow_phase.h"
+#include "contact/detect/pair_memories.h"
 #include "contact/detect/reach.h"
 #include "contact/detect/seam_points.h"
 #include "core/base/error.h"
@@ -37,25 +39,10 @@ struct alignas(64) Stretch {
 /// Where a pair's points stand.
 struct FoundPoints {
   int stretch = 0, count = 0;
+  bool left = false;  ///< to the caller
   std::ptrdiff_t first = 0;
   double left_depth = 0;  ///< see PairContacts
 };
-
-/// Whether the parts have the features that made the axis.
-bool is_of(const RememberedAxis& axis, const Part& a, const Part& b) {
-  const auto has = [](const auto& features, int i) { return i >= 0 && static_cast<std::size_t>(i) < features.size(); };
-  switch (axis.kind) {
-    case AxisKind::face_a:
-      return a.facets && has(a.facets->polytope->faces, axis.feature_a);
-    case AxisKind::face_b:
-      return b.facets && has(b.facets->polytope->faces, axis.feature_b);
-    case AxisKind::edges:
-      return a.facets && b.facets && has(a.facets->edges, axis.feature_a) && has(b.facets->edges, axis.feature_b);
-    case AxisKind::direction:
-      return true;
-  }
-  return false;
-}
 
 /// Two parts of a fast pair of bodies.
 struct PartsOnTheirWay {
@@ -79,47 +66,35 @@ void demand_finite(const Bodies& bodies) {
     NILAS_DEMAND(bodies.p_GB[b].allFinite() && bodies.R_GB[b].allFinite());
 }
 
-struct BodyOrder {
-  bool operator()(const Part& part, int body) const { return part.body < body; }
-  bool operator()(int body, const Part& part) const { return body < part.body; }
-};
-
 }  // namespace
 
 struct ContactDetector::Implementation {
   int threads = 1;
-  std::vector<std::int64_t> ids;  ///< bodies whose parts are known
-  std::vector<std::shared_ptr<const Shape>> shapes;
-  std::vector<Part> parts;
-  std::vector<double> thickness;  ///< per body: of the widest of the balls inside its parts [m]
-  std::vector<double> touching;  ///< per part: others of its body nearer than this touch it [m]; 0 where there are none
+  KnownParts known;
   BroadPhase broad;
   FclShapes fcl;
-  std::vector<PartPair> pairs, last_pairs;
-  std::vector<PairMemory> memory, last_memory;
+  PairMemories now, before;
   std::vector<std::ptrdiff_t> last_starts;  ///< where the last pairs of each first body begin
   std::vector<int> order;                   ///< in which the pairs are searched
   std::vector<Stretch> stretches;
   std::vector<FoundPoints> found;
+  std::vector<std::pair<int, int>> left_out;  ///< bodies that the caller looks after
   DetectorCounts counts;
 
   void forget_all();
-  void forget_gone(const Bodies& bodies);
-  std::vector<int> keep_parts(const std::vector<char>& gone);
   void learn_bodies(const Bodies& bodies);
   void index_last_pairs();
   /// Moves out what the pair had at the last call, if it was there.
   PairMemory take_remembered(const PartPair& pair);
   void list_pairs(const Bodies& bodies, double margin);
-  void search_pairs(const Bodies& bodies, const std::vector<double>& margins);
+  void search_pairs(const Bodies& bodies, const std::vector<double>& margins, const PairFilter& left);
+  void list_left_out();
   void add_up_counts();
   bool is_deep(std::size_t i) const;
   void find_deep(const Bodies& bodies, std::size_t first, std::size_t last, double margin,
                  std::vector<ContactPoint>& points);
   std::vector<ContactPoint> collect(const Bodies& bodies, const std::vector<double>& margins);
   std::vector<PartsOnTheirWay> parts_of(const Bodies& bodies, const std::vector<FastPair>& fast) const;
-  void save_pairs(StateWriter out) const;
-  void restore_pairs(const StateReader& in);
 };
 
 void ContactDetector::Implementation::forget_all() {
@@ -128,111 +103,78 @@ void ContactDetector::Implementation::forget_all() {
   threads = kept;
 }
 
-/// Parts of bodies that are not gone; returns each part's new place, -1: gone.
-std::vector<int> ContactDetector::Implementation::keep_parts(const std::vector<char>& gone) {
-  std::vector<int> new_body, new_part;
-  int bodies_kept = 0, parts_kept = 0;
-  for (const char body : gone) new_body.push_back(body ? -1 : bodies_kept++);
-  std::vector<char> gone_parts;
-  for (Part& part : parts) {
-    gone_parts.push_back(gone[part.body]);
-    new_part.push_back(gone[part.body] ? -1 : parts_kept++);
-    part.body = new_body[part.body];
-  }
-  remove_marked(gone_parts, parts);
-  remove_marked(gone_parts, touching);
-  remove_marked(gone, ids);
-  remove_marked(gone, shapes);
-  remove_marked(gone, thickness);
-  return new_part;
-}
-
-/// The tree is made anew, as it is for the new bodies.
-void ContactDetector::Implementation::forget_gone(const Bodies& bodies) {
-  std::vector<char> gone;
-  std::size_t kept = 0;
-  for (std::size_t b = 0; b < ids.size(); ++b) {
-    const bool is_there = kept < bodies.id.size() && bodies.id[kept] == ids[b] && bodies.shape[kept] == shapes[b];
-    gone.push_back(is_there ? 0 : 1);
-    kept += is_there ? 1 : 0;
-  }
-  if (kept == ids.size()) return;
-  const std::vector<int> new_part = keep_parts(gone);
-  broad = BroadPhase();
-  fcl = FclShapes();
-  std::vector<PartPair> pairs_kept;
-  std::vector<PairMemory> memory_kept;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const int a = new_part[pairs[i].part_a], b = new_part[pairs[i].part_b];
-    if (a < 0 || b < 0) continue;
-    pairs_kept.push_back({parts[a].body, parts[b].body, a, b});
-    memory_kept.push_back(memory[i]);
-  }
-  pairs.swap(pairs_kept);
-  memory.swap(memory_kept);
-}
-
+/// The tree is made anew where bodies are gone, as it is for new bodies.
 void ContactDetector::Implementation::learn_bodies(const Bodies& bodies) {
   demand_finite(bodies);
-  forget_gone(bodies);
-  for (std::size_t b = ids.size(); b < bodies.id.size(); ++b) {
-    ids.push_back(bodies.id[b]);
-    shapes.push_back(bodies.shape[b]);
-    thickness.push_back(0);
-    for (Part& part : make_parts(bodies, static_cast<int>(b))) {
-      touching.push_back(part.cover ? part.cover->tolerance : 0);
-      thickness.back() = std::max(thickness.back(), 2 * part.inner_radius);
-      parts.push_back(std::move(part));
-    }
+  if (const std::vector<int> new_part = known.forget_gone(bodies); !new_part.empty()) {
+    broad = BroadPhase();
+    fcl = FclShapes();
+    now.forget_gone(new_part, known.parts);
   }
+  known.add_new(bodies);
 }
 
 PairMemory ContactDetector::Implementation::take_remembered(const PartPair& pair) {
-  const auto begin = last_pairs.begin() + last_starts[pair.body_a],
-             end = last_pairs.begin() + last_starts[pair.body_a + 1];
-  const auto last = std::lower_bound(begin, end, pair);
-  return last != end && *last == pair ? std::move(last_memory[last - last_pairs.begin()]) : PairMemory{};
+  const auto begin = before.pairs.begin() + last_starts[pair.body_a],
+             end = before.pairs.begin() + last_starts[pair.body_a + 1];
+  const auto at = std::lower_bound(begin, end, pair);
+  return at != end && *at == pair ? std::move(before.memory[at - before.pairs.begin()]) : PairMemory{};
 }
 
 void ContactDetector::Implementation::index_last_pairs() {
-  last_starts.assign(ids.size() + 1, 0);
-  for (const PartPair& pair : last_pairs) ++last_starts[pair.body_a + 1];
+  last_starts.assign(known.ids.size() + 1, 0);
+  for (const PartPair& pair : before.pairs) ++last_starts[pair.body_a + 1];
   std::partial_sum(last_starts.begin(), last_starts.end(), last_starts.begin());
 }
 
 void ContactDetector::Implementation::list_pairs(const Bodies& bodies, double margin) {
   learn_bodies(bodies);
-  last_pairs.swap(pairs);
-  last_memory.swap(memory);
-  broad.list_pairs(bodies, parts, margin, threads, pairs, order);
+  before.pairs.swap(now.pairs);
+  before.memory.swap(now.memory);
+  broad.list_pairs(bodies, known.parts, margin, threads, now.pairs, order);
   index_last_pairs();
-  memory.resize(pairs.size());
+  now.memory.resize(now.pairs.size());
 }
 
-void ContactDetector::Implementation::search_pairs(const Bodies& bodies, const std::vector<double>& margins) {
-  const auto count = static_cast<std::ptrdiff_t>(pairs.size());
+void ContactDetector::Implementation::search_pairs(const Bodies& bodies, const std::vector<double>& margins,
+                                                   const PairFilter& left) {
+  const auto count = static_cast<std::ptrdiff_t>(now.pairs.size());
   const std::ptrdiff_t wanted = threads > 1 ? threads * k_stretches_per_thread : 1;
   stretches.resize(static_cast<std::size_t>(wanted));
-  found.resize(pairs.size());
+  found.resize(now.pairs.size());
   parallel_pieces(wanted, threads, [&](std::ptrdiff_t s) {
     Stretch& stretch = stretches[s];
     stretch.points.clear();
     stretch.counts = {};
     for (std::ptrdiff_t k = s * count / wanted; k < (s + 1) * count / wanted; ++k) {
       const int i = order[k];
-      memory[i] = take_remembered(pairs[i]);
+      if (left && left(now.pairs[i].body_a, now.pairs[i].body_b)) {
+        now.memory[i] = {};
+        found[i] = {static_cast<int>(s), 0, true, 0, 0};
+        continue;
+      }
+      now.memory[i] = take_remembered(now.pairs[i]);
       const auto first = static_cast<std::ptrdiff_t>(stretch.points.size());
-      const PairContacts contacts = find_pair_contacts(bodies, parts[pairs[i].part_a], parts[pairs[i].part_b],
-                                                       margins[i], fcl, stretch.room, memory[i], stretch.points);
-      found[i] = {static_cast<int>(s), contacts.count, first, contacts.left_depth};
+      const PairContacts contacts =
+          find_pair_contacts(bodies, known.parts[now.pairs[i].part_a], known.parts[now.pairs[i].part_b], margins[i],
+                             fcl, stretch.room, now.memory[i], stretch.points);
+      found[i] = {static_cast<int>(s), contacts.count, false, first, contacts.left_depth};
       stretch.count(contacts);
     }
   });
 }
 
+void ContactDetector::Implementation::list_left_out() {
+  left_out.clear();
+  for (std::size_t i = 0; i < now.pairs.size(); ++i) {
+    const std::pair bodies(now.pairs[i].body_a, now.pairs[i].body_b);
+    if (found[i].left && (left_out.empty() || left_out.back() != bodies)) left_out.push_back(bodies);
+  }
+}
+
 void ContactDetector::Implementation::add_up_counts() {
   counts = {};
-  counts.candidate_pairs = static_cast<long>(pairs.size());
+  counts.candidate_pairs = static_cast<long>(now.pairs.size());
   for (const Stretch& stretch : stretches) {
     counts.cached_separations += stretch.counts.cached_separations;
     counts.kept_axes += stretch.counts.kept_axes;
@@ -245,7 +187,8 @@ void ContactDetector::Implementation::add_up_counts() {
 /// either. Near the end of a seam parts overlap a little along it without being in each other's way.
 bool ContactDetector::Implementation::is_deep(std::size_t i) const {
   constexpr double k_deep_share = 0.25;  // of the thinner body
-  return found[i].left_depth > k_deep_share * std::min(thickness[pairs[i].body_a], thickness[pairs[i].body_b]);
+  return found[i].left_depth >
+         k_deep_share * std::min(known.thickness[now.pairs[i].body_a], known.thickness[now.pairs[i].body_b]);
 }
 
 /// Of two bodies so deep in each other that each of their pairs of parts, [first, last), leaves the contact to another:
@@ -257,7 +200,8 @@ void ContactDetector::Implementation::find_deep(const Bodies& bodies, std::size_
   for (std::size_t i = first; i < last; ++i) {
     PairMemory none;
     if (is_deep(i))
-      find_pair_contacts(bodies, parts[pairs[i].part_a], parts[pairs[i].part_b], margin, fcl, room, none, deep, true);
+      find_pair_contacts(bodies, known.parts[now.pairs[i].part_a], known.parts[now.pairs[i].part_b], margin, fcl, room,
+                         none, deep, true);
   }
   double shallowest = -std::numeric_limits<double>::infinity();
   Vec3 n = Vec3::Zero();
@@ -278,6 +222,7 @@ void ContactDetector::Implementation::find_deep(const Bodies& bodies, std::size_
 std::vector<ContactPoint> ContactDetector::Implementation::collect(const Bodies& bodies,
                                                                    const std::vector<double>& margins) {
   add_up_counts();
+  list_left_out();
   std::size_t count = 0;
   for (const Stretch& stretch : stretches) count += stretch.points.size();
   std::vector<ContactPoint> points;
@@ -286,9 +231,10 @@ std::vector<ContactPoint> ContactDetector::Implementation::collect(const Bodies&
   double touches = 0;
   std::size_t first_pair = 0;
   bool left = false;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
+  for (std::size_t i = 0; i < now.pairs.size(); ++i) {
     const FoundPoints& pair = found[i];
-    const bool same_bodies = i > 0 && pairs[i].body_a == pairs[i - 1].body_a && pairs[i].body_b == pairs[i - 1].body_b;
+    const bool same_bodies =
+        i > 0 && now.pairs[i].body_a == now.pairs[i - 1].body_a && now.pairs[i].body_b == now.pairs[i - 1].body_b;
     if (!same_bodies) {
       of_bodies = points.size();
       touches = 0;
@@ -296,65 +242,17 @@ std::vector<ContactPoint> ContactDetector::Implementation::collect(const Bodies&
       left = false;
     }
     left = left || is_deep(i);
-    touches = std::max({touches, touching[pairs[i].part_a], touching[pairs[i].part_b]});
+    touches = std::max({touches, known.touching[now.pairs[i].part_a], known.touching[now.pairs[i].part_b]});
     const auto first = stretches[pair.stretch].points.begin() + pair.first;
     points.insert(points.end(), first, first + pair.count);
-    const bool last =
-        i + 1 == pairs.size() || pairs[i + 1].body_a != pairs[i].body_a || pairs[i + 1].body_b != pairs[i].body_b;
+    const bool last = i + 1 == now.pairs.size() || now.pairs[i + 1].body_a != now.pairs[i].body_a ||
+                      now.pairs[i + 1].body_b != now.pairs[i].body_b;
     const auto overlaps = [](const ContactPoint& c) { return c.gap < 0; };
     if (last && left && std::none_of(points.begin() + static_cast<std::ptrdiff_t>(of_bodies), points.end(), overlaps))
       find_deep(bodies, first_pair, i + 1, margins[i], points);
     if (last && touches > 0) join_at_seams(bodies, touches, margins[i], of_bodies, points);
   }
   return points;
-}
-
-void ContactDetector::Implementation::save_pairs(StateWriter out) const {
-  std::vector<int> names, axes, kept_counts, kept;
-  std::vector<Vec3> separating;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    names.insert(names.end(), {pairs[i].part_a, pairs[i].part_b});
-    const RememberedAxis& axis = memory[i].contact_axis;
-    axes.insert(axes.end(), {static_cast<int>(axis.kind), axis.feature_a, axis.feature_b});
-    separating.push_back(memory[i].separating);
-    kept_counts.push_back(static_cast<int>(memory[i].kept.size()));
-    for (const Feature& f : memory[i].kept) kept.insert(kept.end(), {static_cast<int>(f.kind), f.first, f.second});
-  }
-  out.add("parts", names);
-  out.add("contact_axis", axes);
-  out.add("separating", separating);
-  out.add("kept_counts", kept_counts);
-  out.add("kept", kept);
-}
-
-void ContactDetector::Implementation::restore_pairs(const StateReader& in) {
-  std::vector<int> names, axes, kept_counts, kept;
-  std::vector<Vec3> separating;
-  in.get("separating", separating);
-  const std::size_t count = separating.size();
-  in.get("parts", names, 2 * count);
-  in.get("contact_axis", axes, 3 * count);
-  in.get("kept_counts", kept_counts, count);
-  const auto is_wrong = [](int n) { return n < 0 || n > static_cast<int>(k_most_points); };
-  if (std::any_of(kept_counts.begin(), kept_counts.end(), is_wrong)) in.refuse("kept_counts", "is out of range");
-  constexpr std::size_t k_kept_numbers = 3;
-  in.get("kept", kept, k_kept_numbers * std::accumulate(kept_counts.begin(), kept_counts.end(), std::size_t{0}));
-  const int* number = kept.data();
-  pairs.clear();
-  memory.clear();
-  for (std::size_t i = 0; i < count; ++i) {
-    const int a = names[2 * i], b = names[2 * i + 1];
-    const auto known = [&](int part) { return part >= 0 && static_cast<std::size_t>(part) < parts.size(); };
-    if (!known(a) || !known(b)) in.refuse("parts", "names a part that this scene does not have");
-    const RememberedAxis axis{static_cast<AxisKind>(axes[3 * i]), axes[3 * i + 1], axes[3 * i + 2]};
-    if (!is_of(axis, parts[a], parts[b])) in.refuse("contact_axis", "names a feature that its parts do not have");
-    pairs.push_back({parts[a].body, parts[b].body, a, b});
-    PairMemory& last = memory.emplace_back();
-    last.separating = separating[i];
-    last.contact_axis = axis;
-    for (int k = 0; k < kept_counts[i]; ++k, number += k_kept_numbers)
-      last.kept.push_back({static_cast<FeatureKind>(number[0]), number[1], number[2]});
-  }
 }
 
 ContactDetector::ContactDetector(int threads) : implementation_(std::make_unique<Implementation>()) {
@@ -364,16 +262,16 @@ ContactDetector::~ContactDetector() = default;
 ContactDetector::ContactDetector(ContactDetector&&) noexcept = default;
 ContactDetector& ContactDetector::operator=(ContactDetector&&) noexcept = default;
 
-std::vector<ContactPoint> ContactDetector::detect(const Bodies& bodies, double margin) {
+std::vector<ContactPoint> ContactDetector::detect(const Bodies& bodies, double margin, const PairFilter& left) {
   Implementation& work = *implementation_;
   work.list_pairs(bodies, margin);
-  const std::vector<double> margins(work.pairs.size(), margin);
-  work.search_pairs(bodies, margins);
+  const std::vector<double> margins(work.now.pairs.size(), margin);
+  work.search_pairs(bodies, margins, left);
   return work.collect(bodies, margins);
 }
 
 std::vector<ContactPoint> ContactDetector::detect(const Bodies& bodies, const std::vector<double>& own_reach,
-                                                  double margin) {
+                                                  double margin, const PairFilter& left) {
   NILAS_DEMAND(own_reach.size() == static_cast<std::size_t>(bodies.size()));
   // pairs farther apart are not listed, however far one that is pushed could reach
   std::vector<double> farthest = own_reach;
@@ -382,22 +280,20 @@ std::vector<ContactPoint> ContactDetector::detect(const Bodies& bodies, const st
   Implementation& work = *implementation_;
   const double listed = std::max(farthest[0] + farthest[1], margin);
   work.list_pairs(bodies, listed);
-  std::vector<double> margins = pair_margins(bodies, own_reach, work.pairs);
+  std::vector<double> margins = pair_margins(bodies, own_reach, work.now.pairs);
   for (double& of_pair : margins) of_pair = std::clamp(of_pair, margin, listed);
-  work.search_pairs(bodies, margins);
+  work.search_pairs(bodies, margins, left);
   std::vector<ContactPoint> points = work.collect(bodies, margins);
   drop_out_of_reach(bodies, own_reach, points, margin);
   return points;
 }
 
-/// The parts of a body follow each other.
 std::vector<PartsOnTheirWay> ContactDetector::Implementation::parts_of(const Bodies& bodies,
                                                                        const std::vector<FastPair>& fast) const {
-  const auto of_body = [&](int b) { return std::equal_range(parts.begin(), parts.end(), b, BodyOrder{}); };
   std::vector<PartsOnTheirWay> on_ways;
   for (const FastPair& pair : fast) {
-    const auto [first_a, last_a] = of_body(pair.a);
-    const auto [first_b, last_b] = of_body(pair.b);
+    const auto [first_a, last_a] = known.of_body(pair.a);
+    const auto [first_b, last_b] = known.of_body(pair.b);
     for (auto a = first_a; a != last_a; ++a)
       for (auto b = first_b; b != last_b; ++b)
         if (const PartsOnTheirWay on_way{&*a, &*b, pair.width, pair.way}; !stay_apart(bodies, on_way))
@@ -451,20 +347,22 @@ std::vector<SweptPair> ContactDetector::sweep(const Bodies& bodies, const std::v
 
 void ContactDetector::follow(const Bodies& bodies) { implementation_->learn_bodies(bodies); }
 
+const std::vector<std::pair<int, int>>& ContactDetector::pairs_left() const { return implementation_->left_out; }
+
 const DetectorCounts& ContactDetector::counts() const { return implementation_->counts; }
 
 void ContactDetector::save(StateWriter out) const {
   const Implementation& work = *implementation_;
   work.broad.save(out.group("boxes"));
-  work.save_pairs(out.group("pairs"));
+  work.now.save(out.group("pairs"));
 }
 
 void ContactDetector::restore(const Bodies& bodies, const StateReader& in) {
   Implementation& work = *implementation_;
   work.forget_all();
   work.learn_bodies(bodies);
-  work.broad.restore(bodies, work.parts, in.group("boxes"));
-  work.restore_pairs(in.group("pairs"));
+  work.broad.restore(bodies, work.known.parts, in.group("boxes"));
+  work.now.restore(work.known.parts, in.group("pairs"));
 }
 
 }  // namespace nilas

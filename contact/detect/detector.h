@@ -1,7 +1,9 @@
 #pragma once
 /// Contacts of all bodies at their present poses: broad phase, narrow phase, manifolds.
+#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "contact/detect/contact_point.h"
@@ -28,6 +30,9 @@ struct SweptPair {
   std::vector<ContactPoint> points;  ///< where they meet, as found with both bodies where they are then; none at t = 0
 };
 
+/// Of two bodies, a < b.
+using PairFilter = std::function<bool(int, int)>;
+
 /// Keeps geometry and coherence caches between calls. Results depend on the poses; where two axes of a pair lie within
 /// its tolerance of each other, on the one it had at the last call; and where several sets of corners of one common
 /// area are nearly as good (k_kept_area, k_kept_depth), on the set it had; the deepest is always among them. They come
@@ -40,11 +45,15 @@ class ContactDetector {
   ContactDetector& operator=(ContactDetector&&) noexcept;
 
   /// All points with gap < margin [m]. Pairs of two bodies that cannot move are left out. Bodies that came or went
-  /// since the last call are noticed; a body whose shape changed must be re-added under a new id.
-  std::vector<ContactPoint> detect(const Bodies& bodies, double margin);
+  /// since the last call are noticed; a body whose shape changed must be re-added under a new id. Pairs that `left`
+  /// names are left to the caller: see pairs_left().
+  std::vector<ContactPoint> detect(const Bodies& bodies, double margin, const PairFilter& left = {});
   /// The points whose gap the bodies' own reach (contact/detect/reach.h, one length per body [m]) may close.
   /// All points with gap < margin enter beside them.
-  std::vector<ContactPoint> detect(const Bodies& bodies, const std::vector<double>& own_reach, double margin = 0);
+  std::vector<ContactPoint> detect(const Bodies& bodies, const std::vector<double>& own_reach, double margin = 0,
+                                   const PairFilter& left = {});
+  /// Of the last detect(): those that its filter named, among the pairs whose boxes overlap; in rising order.
+  const std::vector<std::pair<int, int>>& pairs_left() const;
   /// When the parts of these pairs first touch on the bodies' ways (one motion per body; only those of the pairs are
   /// read), and the points that the rest of their ways may close; with `depth` > 0, when they overlap by this share of
   /// the width that made the pair a fast one. Parts too far apart to meet are left out. Keeps nothing; in an order of

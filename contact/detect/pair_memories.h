@@ -1,0 +1,23 @@
+#pragma once
+/// What the pairs of parts remember of a detector's last call.
+#include <vector>
+
+#include "contact/detect/broad_phase.h"
+#include "contact/detect/narrow_phase.h"
+#include "core/base/state.h"
+
+namespace nilas {
+
+/// One memory per pair, in the order of the pairs (that of the broad phase).
+struct PairMemories {
+  std::vector<PartPair> pairs;
+  std::vector<PairMemory> memory;
+
+  /// Drops the pairs of parts that are gone; `new_part` is that of KnownParts::forget_gone.
+  void forget_gone(const std::vector<int>& new_part, const std::vector<Part>& parts);
+  void save(StateWriter out) const;
+  /// Throws InputError when the state is one of other parts.
+  void restore(const std::vector<Part>& parts, const StateReader& in);
+};
+
+}  // namespace nilas
