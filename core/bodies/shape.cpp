@@ -28,11 +28,12 @@ TriangleMesh convex_prism_surface(const std::vector<Vec2>& outline, double half)
   return prism_surface(outline, {all}, half);
 }
 
-ConvexPolytope prism_part(const std::vector<Vec2>& outline, const std::vector<int>& piece, double half) {
+/// Corners of a convex piece; fewer than three where it has no width, as the ice between the sides of a needle.
+std::vector<Vec2> turning_points(const std::vector<Vec2>& outline, const std::vector<int>& piece) {
   std::vector<Vec2> points, turning;
   for (const int i : piece) points.push_back(outline[at(i)]);
   for (const int k : corners(points)) turning.push_back(points[at(k)]);
-  return make_prism(turning, -half, half);
+  return turning;
 }
 
 }  // namespace
@@ -44,7 +45,10 @@ Shape prism_shape(const std::vector<Vec2>& outline, double thickness) {
   s.kind = ShapeKind::prism;
   s.outline = outline;
   s.thickness = thickness;
-  for (const auto& piece : pieces) s.parts.push_back(prism_part(outline, piece, 0.5 * thickness));
+  for (const auto& piece : pieces)
+    if (const auto loop = turning_points(outline, piece); loop.size() >= 3)
+      s.parts.push_back(make_prism(loop, -0.5 * thickness, 0.5 * thickness));
+  NILAS_DEMAND(!s.parts.empty());
   s.surface = prism_surface(outline, pieces, 0.5 * thickness);
   s.bounding_radius = reach(s.surface.vertices);
   return s;

@@ -62,6 +62,20 @@ TEST(PrismShape, StraightVerticesMakeNeitherSliversNorFaces) {
   }
 }
 
+/// Cracks that meet an old one under rounding leave ice without width between them.
+TEST(PrismShape, ANeedleHasNoPart) {
+  int without = 0;
+  for (const double width : {1e-16, 1e-14, 1e-12, 1e-9, 1e-3}) {
+    std::vector<Vec2> outline{{-1, -0.5}, {1, -0.5}, {1, 0.5}, {0.2 + width, 0.5}, {0.6, 0.9}, {0, 0.3}, {-1, 0.5}};
+    if (!is_simple(outline)) continue;
+    const Shape shape = prism_shape(outline, 0.1);
+    const double area = polygon_moments(outline).area;
+    EXPECT_NEAR(parts_volume(shape), 0.1 * area, 1e-9 * area) << width;
+    without += shape.parts.size() < convex_piece_indices(outline).size() ? 1 : 0;
+  }
+  EXPECT_GT(without, 0);
+}
+
 TEST(PrismShape, WrongFloesAreRefused) {
   EXPECT_THROW(prism_shape(l_outline(), 0), ContractError);
   EXPECT_THROW(prism_shape({{0, 0}, {1, 1}, {1, 0}, {0, 1}}, 1), InputError);
