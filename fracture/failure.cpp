@@ -33,6 +33,17 @@ double breadth(const std::vector<Vec2>& outline, const Vec2& direction) {
   return high - low;
 }
 
+/// How far the ice goes from the apex, at most of the wedges' middles [m].
+double reach(const std::vector<Vec2>& outline, const WedgeFan& fan) {
+  double farthest = 0;
+  for (int i = 0; i < fan.wedges; ++i) {
+    const std::vector<Chord> ahead =
+        chords(outline, fan.apex, fan.direction + (i + 0.5 - 0.5 * fan.wedges) * fan.wedge_angle);
+    if (!ahead.empty()) farthest = std::max(farthest, (ahead.front().end - fan.apex).norm());
+  }
+  return farthest;
+}
+
 /// The ice ahead of the load, up to the first edge.
 std::optional<Chord> ice_ahead(const std::vector<Vec2>& outline, const EdgeContact& contact) {
   const std::vector<Chord> ahead = chords(outline, contact.edge_point, angle_of(contact.inward));
@@ -108,8 +119,7 @@ std::vector<Failure> FailureRules::failures(const std::vector<Vec2>& outline, co
       found.push_back(
           {FailureKind::splitting, split->ratio, contact.edge_point, 0, {{split->chord.start, split->chord.end}}});
   const double bends = std::min(state.radial, state.wedges);
-  const auto ahead = ice_ahead(outline, contact);
-  if (settings_.bending && bends >= 1 && ahead && ahead->length() > state.radius)
+  if (settings_.bending && bends >= 1 && reach(outline, state.fan) > state.radius)
     found.push_back({FailureKind::bending, bends, state.fan.apex, state.radius, wedge_cracks(state.fan)});
   std::stable_sort(found.begin(), found.end(), [](const Failure& f, const Failure& g) { return f.ratio > g.ratio; });
   return found;

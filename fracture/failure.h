@@ -82,7 +82,8 @@ class FailureRules {
   double link(const IceAtContact& ice) const;
   /// Ways to break of a ratio of 1 or more, the largest ratio first. None under a load whose middle is farther
   /// from the edge than link() and half its depth.
-  ///   bending: both stages at their strength, where the ice is longer than R_bending ahead of the contact;
+  ///   bending: both stages at their strength, where the ice goes farther than R_bending from the contact in the
+  ///     middle of one of the wedges at least (a tongue breaks off, however narrow it is across the load);
   ///   seed-geometric: radial cracks, and a chord along the load's direction that split_along takes; bending then
   ///     only where that cut is refused;
   ///   lefm: F_Y at what the floe bears. It competes with bending by the ratios: small floes split first.

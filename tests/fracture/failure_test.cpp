@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "core/bodies/mass_properties.h"
 #include "fracture/cut_outline.h"
 
 namespace nilas {
@@ -96,9 +98,12 @@ TEST(Failure, BendsOnlyWhereBothStagesFailAndTheIceIsLongEnough) {
   EXPECT_NEAR(found[0].ratio, 1.001, 1e-9);
   EXPECT_TRUE(rules.failures(k_sheet, load(-1.001 * bears), ice()).size() == 1) << "lifted ice bends as well";
   const double R = at_one.radius;
-  for (const double length : {0.99 * R, 1.01 * R}) {
-    const std::vector<Vec2> strip{{-100, 0}, {100, 0}, {100, length}, {-100, length}};
-    EXPECT_EQ(rules.failures(strip, load(2 * bears), ice()).size(), length > R ? 1u : 0u);
+  const double outermost = std::cos(1.5 * k_pi / 4);  // middle of the first of four wedges, from the edge's normal
+  ASSERT_EQ(rules.bending_state(k_sheet, load(1), ice()).fan.wedges, 4);
+  for (const double share : {0.99, 1.01}) {
+    const double depth = share * outermost * R;
+    const std::vector<Vec2> strip{{-100, 0}, {100, 0}, {100, depth}, {-100, depth}};
+    EXPECT_EQ(rules.failures(strip, load(2 * bears), ice()).size(), share > 1 ? 1u : 0u);
   }
   // a narrow tongue of the same ice far behind is no reason to hold
   const std::vector<Vec2> tongued{{-100, 0},           {100, 0},  {100, 152}, {-90, 152}, {-90, 152 - 0.1 * R},
@@ -107,6 +112,26 @@ TEST(Failure, BendsOnlyWhereBothStagesFailAndTheIceIsLongEnough) {
   const CutResult cut = cut_outline(k_sheet, found[0].cracks);
   ASSERT_EQ(cut.status, CutStatus::cut);
   EXPECT_EQ(cut.pieces.size(), 5u) << "four wedges and the rest";
+}
+
+/// Left between two breaks and pressed from the side: across the load there is less ice than R_bending.
+TEST(Failure, ATongueBreaksOff) {
+  const FailureRules rules(bending());
+  const BendingState at_one = rules.bending_state(k_sheet, load(1), ice());
+  const double R = at_one.radius, P = 2 / std::min(at_one.radial, at_one.wedges), half = 0.2 * R;
+  const std::vector<Vec2> sheet{{-100, 0}, {-half, 0}, {-half, -2 * R}, {half, -2 * R},
+                                {half, 0}, {100, 0},   {100, 200},      {-100, 200}};
+  EdgeContact from_left = load(P);
+  from_left.inward = Vec2::UnitX();
+  from_left.edge_point = {-half, -1.5 * R};
+  const auto found = rules.failures(sheet, from_left, ice());
+  ASSERT_EQ(found.size(), 1u);
+  const CutResult cut = cut_outline(sheet, found[0].cracks);
+  ASSERT_EQ(cut.status, CutStatus::cut);
+  double largest = 0;
+  for (const auto& piece : cut.pieces) largest = std::max(largest, polygon_moments(piece.outline).area);
+  EXPECT_GT(largest, 200.0 * 200);
+  EXPECT_LT(largest, 200.0 * 200 + 2 * half * R) << "most of the tongue is off";
 }
 
 TEST(Failure, WedgesBreakShorterUnderASpeedThatShortensThem) {
