@@ -92,11 +92,18 @@ HullFace make_hull_face(int part, std::vector<Vec3> loop) {
   return face;
 }
 
+/// Whether a ball lies outside one of the solid's planes.
+static bool misses(const ConvexPolytope& solid, const Vec3& centre, double radius) {
+  for (std::size_t f = 0; f < solid.normals.size(); ++f)
+    if (solid.normals[f].dot(centre) - solid.offsets[f] > radius) return true;
+  return false;
+}
+
 std::optional<FaceInIce> face_in_ice(const HullFace& face, const Placement& hull_in_floe, const ConvexPolytope& piece) {
   const Vec3 centre = hull_in_floe.point(face.centre);
   const double reach = face.radius + piece.radius;
   const Vec3 apart = centre - piece.centre;
-  if (apart.squaredNorm() > reach * reach) return std::nullopt;
+  if (apart.squaredNorm() > reach * reach || misses(piece, centre, face.radius)) return std::nullopt;
   const Vec3 normal = hull_in_floe.R * face.normal;
   if (std::abs(normal.dot(apart)) > piece.radius) return std::nullopt;  // its plane passes by
   Loop loop, room;
@@ -132,7 +139,7 @@ double total_area(const std::vector<FaceInIce>& faces) {
 /// other, and where both coincide by one of them. Only the planes of A that cut the ball around B matter.
 double overlap_volume(const ConvexPolytope& a, const ConvexPolytope& b, const Placement& a_in_b) {
   const Vec3 centre = a_in_b.point(a.centre);
-  if ((centre - b.centre).norm() > a.radius + b.radius) return 0;
+  if ((centre - b.centre).norm() > a.radius + b.radius || misses(b, centre, a.radius)) return 0;
   const double rounding = k_rounding * (a.radius + b.radius + centre.norm());
   ConvexPolytope near;
   std::vector<std::size_t> near_faces;

@@ -89,6 +89,7 @@ static FractureScene build_fracture(const SceneElement& element) {
     assign(fracture.crushing->model, *crushing, "model");
     assign(fracture.crushing->coefficient, *crushing, "coefficient");
     assign(fracture.crushing->exponent, *crushing, "exponent");
+    assign(fracture.crushing->between_floes, *crushing, "between_floes");
   }
   if (const auto* bending = child_of(element, "bending")) {
     fracture.bending.emplace();

@@ -179,6 +179,7 @@ struct IceScene {
 struct CrushingScene {
   std::string model = "seed-limit";
   double coefficient = 1e5, exponent = -0.7;  ///< of model pressure-area [Pa m^(-2 exponent), -]
+  bool between_floes = false;
 };
 struct BendingScene {
   std::string model = "nevel";

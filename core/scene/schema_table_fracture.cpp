@@ -61,7 +61,12 @@ std::vector<ElementSpec> fracture_elements() {
              .range = within(-0.95, 1),
              .default_value = "-0.7",
              .applies = {"model", {"pressure-area"}},
-             .doc = "Power of the contact area in the pressure: the force grows with the area to 1 + exponent."}}},
+             .doc = "Power of the contact area in the pressure: the force grows with the area to 1 + exponent."},
+            {.name = "between_floes",
+             .type = ValueType::boolean,
+             .default_value = "false",
+             .doc = "Breakable floes crush each other too, where the weaker ice gives way. Without it they are rigid "
+                    "against each other."}}},
       {.name = "bending",
        .parent = "fracture",
        .doc = "Failure of breakable floes in bending where the vessel or a body presses on their edge. Needs "

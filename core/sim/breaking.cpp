@@ -36,8 +36,7 @@ FloeState state_of(const Bodies& bodies, std::size_t b) {
 
 }  // namespace
 
-Breaking::Breaking(const Scene& scene)
-    : rules_(failure_settings(scene)), limits_(piece_limits(scene)), description_(breaking_description(scene)) {}
+Breaking::Breaking(const Scene& scene) : rules_(failure_settings(scene)), limits_(piece_limits(scene)) {}
 
 void Breaking::note_loads(const Bodies& bodies, const IceProperties& ice, const StepMotion& motion) {
   for (std::size_t i = 0; i < motion.points.size(); ++i) {

@@ -43,8 +43,6 @@ class Breaking {
   FractureEvent put_pieces(const Break& broken, Bodies& bodies, IceProperties& ice, WarningCounts& warnings);
 
   double brash_mass() const { return brash_mass_; }  ///< since the start [kg]
-  /// For the list of what was built.
-  const std::string& description() const { return description_; }
 
   /// Where the pieces of earlier breaks come from; between two steps.
   void save(const Bodies& bodies, StateWriter out) const;
@@ -76,7 +74,6 @@ class Breaking {
 
   FailureRules rules_;
   PieceLimits limits_;
-  std::string description_;
   std::map<std::int64_t, std::vector<PointLoad>> loads_;  ///< by floe; forces as impulses [N s]
   std::map<std::int64_t, Origin> origins_;                ///< of pieces that are there
   std::map<std::int64_t, Intact> intact_;                 ///< by id

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "contact/detect/contact_key.h"
-#include "contact/detect/part.h"
 #include "core/base/error.h"
 #include "core/bodies/mass_properties.h"
 
@@ -19,8 +19,6 @@ constexpr double k_point_share = 0.1;
 constexpr double k_rest_share = 1e-12;
 /// Halvings that find when a face first touches ice: to 1e-9 of the step.
 constexpr int k_touch_halvings = 30;
-/// A cylinder's facets are flat within this share of its radius [-].
-constexpr double k_facet_tolerance = 1e-9;
 
 CrushingLaw law_of(const FractureScene& fracture) {
   NILAS_DEMAND(fracture.crushing.has_value());
@@ -78,7 +76,7 @@ struct Crushing::FaceLoad {
 };
 
 struct Crushing::Pair {
-  const HullSurface& hull;
+  const CrushingSurface& hull;
   const Bodies& bodies;
   int floe;
   double h, ahead;
@@ -135,39 +133,26 @@ ContactPoint Crushing::Pair::point_on(const FaceInIce& face) const {
 }
 
 Crushing::Crushing(const Scene& scene, const Bodies& bodies, const IceProperties& ice)
-    : law_(law_of(scene.fracture.value())), model_(scene.fracture->crushing->model), ice_(ice) {
+    : law_(law_of(scene.fracture.value())),
+      model_(scene.fracture->crushing->model),
+      ice_(ice),
+      between_floes_(scene.fracture->crushing->between_floes) {
   is_hull_.assign(bodies.id.size(), 0);
   for (int body = 0; body < bodies.size(); ++body) learn(bodies, body);
 }
 
 void Crushing::learn(const Bodies& bodies, int body) {
   const auto b = static_cast<std::size_t>(body);
-  const Shape& shape = *bodies.shape[b];
   if (bodies.kind[b] != BodyKind::vessel && bodies.kind[b] != BodyKind::rigid) return;
-  HullSurface hull;
-  hull.body = body;
-  hull.id = bodies.id[b];
-  if (shape.kind == ShapeKind::cylinder) {
-    hull.parts.push_back(make_polytope(shape.surface, k_facet_tolerance * shape.radius));
-    for (const auto& face : hull.parts.front().faces) {
-      std::vector<Vec3> loop;
-      for (const int v : face) loop.push_back(hull.parts.front().vertices[static_cast<std::size_t>(v)]);
-      hull.faces.push_back(make_hull_face(0, std::move(loop)));
-    }
-  } else {
-    if (shape.parts.empty()) return;
-    hull.parts = shape.parts;
-    for (const Part& part : make_parts(bodies, body))
-      for (std::size_t f = 0; f < part.facets->polytope->faces.size(); ++f)
-        for (auto& loop : shown_pieces(part, f)) hull.faces.push_back(make_hull_face(part.index, std::move(loop)));
-  }
+  auto surface = crushing_surface(bodies, body);
+  if (!surface) return;
   is_hull_[b] = 1;
-  hulls_.push_back(std::move(hull));
+  hulls_.push_back(std::move(*surface));
 }
 
 void Crushing::follow(const Bodies& bodies, const std::vector<std::int64_t>& pieces) {
   is_hull_.assign(bodies.id.size(), 0);
-  for (HullSurface& hull : hulls_) {
+  for (CrushingSurface& hull : hulls_) {
     const std::size_t b = bodies.index_of(hull.id);
     hull.body = static_cast<int>(b);
     is_hull_[b] = 1;
@@ -178,11 +163,37 @@ void Crushing::follow(const Bodies& bodies, const std::vector<std::int64_t>& pie
       if (volume > 0) volume_[{hull.id, piece}] = volume;
     }
   }
+  if (between_floes_) follow_floes(bodies, pieces);
+}
+
+/// Neighbours of a floe that broke stand in its pieces as they did in it.
+void Crushing::follow_floes(const Bodies& bodies, const std::vector<std::int64_t>& pieces) {
+  const auto is_there = [&](std::int64_t id) { return std::binary_search(bodies.id.begin(), bodies.id.end(), id); };
+  std::erase_if(floes_, [&](const auto& floe) { return !is_there(floe.first); });
+  std::set<std::int64_t> neighbours;
+  for (const auto& [ids, volume] : volume_)
+    if (is_there(ids.first) != is_there(ids.second)) neighbours.insert(is_there(ids.first) ? ids.first : ids.second);
+  for (const std::int64_t neighbour : neighbours)
+    for (const std::int64_t piece : pieces) {
+      const auto [first, second] = std::minmax(neighbour, piece);
+      const int a = static_cast<int>(bodies.index_of(first)), b = static_cast<int>(bodies.index_of(second));
+      if (first == second || is_hull(a) || is_hull(b)) continue;
+      const double volume = common_volume(bodies, floe_surface(bodies, a), b);
+      if (volume > 0) volume_[{first, second}] = volume;
+    }
+}
+
+/// Kept from step to step.
+const CrushingSurface& Crushing::floe_surface(const Bodies& bodies, int floe) {
+  CrushingSurface& surface = floes_[bodies.id[static_cast<std::size_t>(floe)]];
+  if (surface.parts.empty()) surface = crushing_surface(bodies, floe).value();
+  surface.body = floe;
+  return surface;
 }
 
 bool Crushing::crushes(int a, int b) const {
-  const auto hull = [&](int body) { return is_hull_[static_cast<std::size_t>(body)] != 0; };
-  return (hull(a) && ice_.is_breakable(b)) || (hull(b) && ice_.is_breakable(a));
+  if (between_floes_ && ice_.is_breakable(a) && ice_.is_breakable(b)) return true;
+  return (is_hull(a) && ice_.is_breakable(b)) || (is_hull(b) && ice_.is_breakable(a));
 }
 
 /// A body's points go no farther than this in a time [m].
@@ -191,8 +202,19 @@ static double way(const Bodies& bodies, std::size_t b, double time) {
   return time * (bodies.v_GB[b].norm() + bodies.w_GB[b].norm() * bodies.shape[b]->bounding_radius);
 }
 
+bool Crushing::balls_meet(const Bodies& bodies, int a, int b, double ahead) {
+  const auto i = static_cast<std::size_t>(a), k = static_cast<std::size_t>(b);
+  const double reach = bodies.shape[i]->bounding_radius + bodies.shape[k]->bounding_radius + way(bodies, i, ahead) +
+                       way(bodies, k, ahead);
+  return (bodies.p_GB[k] - bodies.p_GB[i]).norm() <= reach;
+}
+
+const CrushingSurface& Crushing::hull_of(int body) const {
+  return *std::find_if(hulls_.begin(), hulls_.end(), [&](const CrushingSurface& hull) { return hull.body == body; });
+}
+
 /// The floe's ball, with what both go until the step's end, against the hull's ball and its parts.
-bool Crushing::may_meet(const Bodies& bodies, const HullSurface& hull, int floe, double ahead) {
+bool Crushing::may_meet(const Bodies& bodies, const CrushingSurface& hull, int floe, double ahead) {
   const auto k = static_cast<std::size_t>(hull.body), b = static_cast<std::size_t>(floe);
   if (bodies.motion[k] == Motion::fixed && bodies.motion[b] == Motion::fixed) return false;
   const double reach = bodies.shape[b]->bounding_radius + way(bodies, k, ahead) + way(bodies, b, ahead);
@@ -201,24 +223,38 @@ bool Crushing::may_meet(const Bodies& bodies, const HullSurface& hull, int floe,
   return reaches(hull.parts, bodies.R_GB[k].transpose() * between, reach);
 }
 
-std::vector<ContactPoint> Crushing::points(const Bodies& bodies, double h, double ahead) {
+std::vector<ContactPoint> Crushing::points(const Bodies& bodies, const std::vector<std::pair<int, int>>& near, double h,
+                                           double ahead) {
   std::vector<ContactPoint> points;
-  for (const HullSurface& hull : hulls_)
-    for (int floe = 0; floe < bodies.size(); ++floe)
-      if (ice_.is_breakable(floe) && may_meet(bodies, hull, floe, ahead))
-        add_pair(bodies, hull, floe, h, ahead, points);
+  for (const auto& [a, b] : near) {
+    if (!is_hull(a) && !is_hull(b)) {
+      if (balls_meet(bodies, a, b, ahead)) add_floes(bodies, a, b, h, ahead, points);
+      continue;
+    }
+    const CrushingSurface& hull = hull_of(is_hull(a) ? a : b);
+    const int floe = is_hull(a) ? b : a;
+    if (may_meet(bodies, hull, floe, ahead)) add_pair(bodies, hull, floe, h, ahead, points);
+  }
   depth_.forget_others();
+  faces_of_first_.swap(new_faces_of_first_);
+  new_faces_of_first_.clear();
   volume_.swap(new_volume_);
   new_volume_.clear();
   return points;
 }
 
 double Crushing::force(const Pair& pair, const FaceInIce& face, double total) const {
-  const double strength = ice_.compressive_strength[static_cast<std::size_t>(pair.floe)].at(face.centroid);
+  double strength = ice_.compressive_strength[static_cast<std::size_t>(pair.floe)].at(face.centroid);
+  if (ice_.is_breakable(pair.hull.body)) {  // the weaker ice gives way
+    const Placement in_other = pair.hull_in_floe(0);
+    const Vec3 place = in_other.R.transpose() * (face.centroid - in_other.p);
+    strength = std::min(strength, ice_.compressive_strength[static_cast<std::size_t>(pair.hull.body)].at(place));
+  }
   return law_.pressure(strength, total) * face.area;
 }
 
-void Crushing::add_pair(const Bodies& bodies, const HullSurface& hull, int floe, double h, double ahead,
+/// Whether they touch now or at the step's end.
+bool Crushing::add_pair(const Bodies& bodies, const CrushingSurface& hull, int floe, double h, double ahead,
                         std::vector<ContactPoint>& points) {
   Pair pair{hull, bodies, floe, h, ahead, Moving(bodies, hull.body), Moving(bodies, floe), {}, 0, 0};
   const Placement present = pair.hull_in_floe(0);
@@ -241,6 +277,29 @@ void Crushing::add_pair(const Bodies& bodies, const HullSurface& hull, int floe,
     if (load.next) load.growth = force(pair, *j++, area_next) - load.force;
     add_face(pair, load, points);
   }
+  return !now.empty() || !next.empty();
+}
+
+/// Area of one body's faces in a floe, the larger of those at both ends of the step [m^2].
+double Crushing::area_in(const Bodies& bodies, const CrushingSurface& surface, int floe, double ahead) const {
+  const Moving of_surface(bodies, surface.body), of_floe(bodies, floe);
+  const auto area = [&](double t) {
+    return total_area(faces_in_ice(surface.faces, between(of_surface.after(t), of_floe.after(t)),
+                                   bodies.shape[static_cast<std::size_t>(floe)]->parts));
+  };
+  return law_.is_implicit() ? std::max(area(0), area(ahead)) : area(0);
+}
+
+void Crushing::add_floes(const Bodies& bodies, int a, int b, double h, double ahead,
+                         std::vector<ContactPoint>& points) {
+  constexpr double k_same = 1e-9;  // areas nearer than this differ by rounding [-]
+  const Ids ids(bodies.id[static_cast<std::size_t>(a)], bodies.id[static_cast<std::size_t>(b)]);
+  const CrushingSurface &of_a = floe_surface(bodies, a), &of_b = floe_surface(bodies, b);
+  const auto known = faces_of_first_.find(ids);
+  const bool first = known != faces_of_first_.end()
+                         ? known->second != 0
+                         : area_in(bodies, of_a, b, ahead) <= area_in(bodies, of_b, a, ahead) * (1 + k_same);
+  if (add_pair(bodies, first ? of_a : of_b, first ? b : a, h, ahead, points)) new_faces_of_first_[ids] = first ? 1 : 0;
 }
 
 void Crushing::add_face(const Pair& pair, const FaceLoad& load, std::vector<ContactPoint>& points) {
@@ -273,7 +332,7 @@ void Crushing::add_face(const Pair& pair, const FaceLoad& load, std::vector<Cont
   points.back().gap += out * closing * pair.h;
 }
 
-double Crushing::common_volume(const Bodies& bodies, const HullSurface& hull, int floe) const {
+double Crushing::common_volume(const Bodies& bodies, const CrushingSurface& hull, int floe) const {
   const Placement hull_in_floe = between(Moving(bodies, hull.body).after(0), Moving(bodies, floe).after(0));
   double volume = 0;
   for (const ConvexPolytope& part : hull.parts)
@@ -284,7 +343,8 @@ double Crushing::common_volume(const Bodies& bodies, const HullSurface& hull, in
 
 void Crushing::note_volume(const Pair& pair) {
   const double volume = common_volume(pair.bodies, pair.hull, pair.floe);
-  const std::pair key(pair.hull.id, pair.id(pair.floe));
+  Ids key(pair.hull.id, pair.id(pair.floe));
+  if (ice_.is_breakable(pair.hull.body) && key.first > key.second) std::swap(key.first, key.second);
   const auto known = volume_.find(key);
   const double before = known == volume_.end() ? 0 : known->second;
   const auto floe = static_cast<std::size_t>(pair.floe);
@@ -314,6 +374,9 @@ void Crushing::save(StateWriter out) const {
   }
   out.add("pair", ids);
   out.add("pair_volume", volumes);
+  std::vector<std::int64_t> floes;
+  for (const auto& [pair, first] : faces_of_first_) floes.insert(floes.end(), {pair.first, pair.second, first});
+  out.add("floes", floes);
   out.add("crushed_mass", crushed_mass_);
 }
 
@@ -324,6 +387,13 @@ void Crushing::restore(const StateReader& in) {
   in.get("pair_volume", volumes);
   in.get("pair", ids);
   if (ids.size() != 2 * volumes.size()) in.refuse("pair", "it has another length than pair_volume");
+  std::vector<std::int64_t> floes;
+  in.get("floes", floes);
+  constexpr std::size_t k_numbers = 3;
+  if (floes.size() % k_numbers != 0) in.refuse("floes", "it has no whole number of pairs");
+  faces_of_first_.clear();
+  for (std::size_t k = 0; k < floes.size(); k += k_numbers)
+    faces_of_first_[{floes[k], floes[k + 1]}] = floes[k + 2] != 0 ? 1 : 0;
   in.get("crushed_mass", crushed_mass_);
   volume_.clear();
   for (std::size_t k = 0; k < volumes.size(); ++k) volume_[{ids[2 * k], ids[2 * k + 1]}] = volumes[k];

@@ -12,7 +12,7 @@
 #include "core/bodies/bodies.h"
 #include "core/bodies/ice_properties.h"
 #include "core/scene/scene.h"
-#include "fracture/contact_area.h"
+#include "core/sim/crushing_surface.h"
 #include "fracture/crushed_depth.h"
 #include "fracture/crushing_law.h"
 
@@ -28,7 +28,8 @@ class Crushing {
   /// which is no ice crushed anew.
   void follow(const Bodies& bodies, const std::vector<std::int64_t>& pieces);
 
-  /// Whether the contact of two bodies is one of crushing: a breakable floe and the vessel or a body.
+  /// Whether the contact of two bodies is one of crushing: a breakable floe and the vessel or a body, or, where the
+  /// scene says so, two breakable floes.
   bool crushes(int a, int b) const;
 
   /// The points of all such pairs at the present poses, for a step of length h whose motion after the impulses takes
@@ -39,7 +40,12 @@ class Crushing {
   /// the ice within the step the way until then is a gap, and c_0 the closing speed less what that takes. A face that
   /// has backed off in ice it crushed has that as its gap. Remembers how deep the faces are, and the volume that has
   /// come between hull and floe: calls at the same poses change nothing.
-  std::vector<ContactPoint> points(const Bodies& bodies, double h, double ahead);
+  /// `near`: pairs of bodies that crush and may touch within the step, each once, the first before the second. Of two
+  /// floes the one
+  /// with the smaller area in the other when they meet has the faces that count, for as long as they touch; by Gauss'
+  /// theorem force and moment of an even pressure are those of the other's faces too.
+  std::vector<ContactPoint> points(const Bodies& bodies, const std::vector<std::pair<int, int>>& near, double h,
+                                   double ahead);
 
   /// Of the ice that hulls have taken the place of since the start [kg].
   double crushed_mass() const { return crushed_mass_; }
@@ -51,32 +57,37 @@ class Crushing {
   void restore(const StateReader& in);
 
  private:
-  struct HullSurface {
-    int body = -1;
-    std::int64_t id = 0;
-    std::vector<HullFace> faces;
-    std::vector<ConvexPolytope> parts;
-  };
   struct FaceLoad;
   struct Pair;
 
   void learn(const Bodies& bodies, int body);
-  static bool may_meet(const Bodies& bodies, const HullSurface& hull, int floe, double ahead);
-  void add_pair(const Bodies& bodies, const HullSurface& hull, int floe, double h, double ahead,
+  bool is_hull(int body) const { return is_hull_[static_cast<std::size_t>(body)] != 0; }
+  const CrushingSurface& hull_of(int body) const;
+  static bool balls_meet(const Bodies& bodies, int a, int b, double ahead);
+  const CrushingSurface& floe_surface(const Bodies& bodies, int floe);
+  void add_floes(const Bodies& bodies, int a, int b, double h, double ahead, std::vector<ContactPoint>& points);
+  void follow_floes(const Bodies& bodies, const std::vector<std::int64_t>& pieces);
+  static bool may_meet(const Bodies& bodies, const CrushingSurface& hull, int floe, double ahead);
+  double area_in(const Bodies& bodies, const CrushingSurface& surface, int floe, double ahead) const;
+  bool add_pair(const Bodies& bodies, const CrushingSurface& hull, int floe, double h, double ahead,
                 std::vector<ContactPoint>& points);
   void add_face(const Pair& pair, const FaceLoad& load, std::vector<ContactPoint>& points);
   double force(const Pair& pair, const FaceInIce& face, double total) const;
-  double common_volume(const Bodies& bodies, const HullSurface& hull, int floe) const;
+  double common_volume(const Bodies& bodies, const CrushingSurface& hull, int floe) const;
   void note_volume(const Pair& pair);
 
   CrushingLaw law_;
   std::string model_;
   const IceProperties& ice_;
-  std::vector<HullSurface> hulls_;
+  std::vector<CrushingSurface> hulls_;
   std::vector<char> is_hull_;  ///< per body
+  using Ids = std::pair<std::int64_t, std::int64_t>;
+  bool between_floes_ = false;
+  std::map<std::int64_t, CrushingSurface> floes_;            ///< by id: those that came near another
+  std::map<Ids, char> faces_of_first_, new_faces_of_first_;  ///< of floes that touch: whose faces count
   CrushedDepth depth_;
-  std::map<std::pair<std::int64_t, std::int64_t>, double> volume_, new_volume_;  ///< largest overlap, by ids [m^3]
-  double crushed_mass_ = 0;                                                      ///< [kg]
+  std::map<Ids, double> volume_, new_volume_;  ///< largest overlap, by ids [m^3]
+  double crushed_mass_ = 0;                    ///< [kg]
 };
 
 }  // namespace nilas

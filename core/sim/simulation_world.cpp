@@ -7,6 +7,7 @@
 #include "contact/detect/reach.h"
 #include "core/base/error.h"
 #include "core/sim/advance.h"
+#include "core/sim/step_modules.h"
 
 namespace nilas {
 
@@ -30,20 +31,11 @@ Simulation::World::World(const Scene& scene, int thread_count, WarningCounts& wa
       detector(thread_count),
       model(build_contact_model(scene.contact, scene.time.step, thread_count)),
       energy(parts.info.work_names, 0, 0) {
-  parts.info.modules.emplace_back("contact", "law " + scene.contact.law + ", solver " + scene.contact.solver +
-                                                 ", stabilisation " + scene.contact.stabilisation + ", detection " +
-                                                 scene.contact.detection + ", integrator " + scene.contact.integrator +
-                                                 (model.static_friction ? ", static friction above kinetic" : ""));
+  list_step_modules(scene, parts);
   follow_bodies({});
   energy = EnergyAccount(parts.info.work_names, kinetic_energy(parts.bodies), potential());
-  if (scene.fracture && scene.fracture->crushing && parts.ice_properties) {
-    crushing.emplace(scene, parts.bodies, *parts.ice_properties);
-    parts.info.modules.emplace_back("crushing", crushing->description(parts.bodies));
-  }
-  if (scene.fracture && (scene.fracture->bending || scene.fracture->splitting) && parts.ice_properties) {
-    breaking.emplace(scene);
-    parts.info.modules.emplace_back("breaking", breaking->description());
-  }
+  if (has_crushing(scene, parts)) crushing.emplace(scene, parts.bodies, *parts.ice_properties);
+  if (has_breaking(scene, parts)) breaking.emplace(scene);
   if (scene.contact.integrator == "reference") reference.emplace(scene, thread_count, parts, model);
 }
 
@@ -106,10 +98,12 @@ std::vector<ArticulatedBlock> Simulation::World::begin_vessel(const Wrenches& fr
 
 std::vector<ContactPoint> Simulation::World::find_contacts() {
   const bool by_margin = model.detection == Detection::discrete && model.margin > 0;
+  PairFilter crushes;
+  if (crushing) crushes = [this](int a, int b) { return crushing->crushes(a, b); };
   std::vector<ContactPoint> points =
-      by_margin ? detector.detect(parts.bodies, model.margin)
-                : detector.detect(parts.bodies, own_reach(parts.bodies, free_loads, h, k_reach_share), model.margin);
-  if (crushing) std::erase_if(points, [&](const ContactPoint& c) { return crushing->crushes(c.a, c.b); });
+      by_margin
+          ? detector.detect(parts.bodies, model.margin, crushes)
+          : detector.detect(parts.bodies, own_reach(parts.bodies, free_loads, h, k_reach_share), model.margin, crushes);
   if (model.detection == Detection::discrete && !by_margin)
     std::erase_if(points, [&](const ContactPoint& c) {
       return c.gap > std::min(width[static_cast<std::size_t>(c.a)], width[static_cast<std::size_t>(c.b)]);
@@ -123,7 +117,7 @@ std::vector<ContactPoint> Simulation::World::find_contacts() {
 
 void Simulation::World::add_crush_points(std::vector<ContactPoint>& points) {
   if (!crushing) return;
-  const std::vector<ContactPoint> crush = crushing->points(parts.bodies, h, model.theta * h);
+  const std::vector<ContactPoint> crush = crushing->points(parts.bodies, detector.pairs_left(), h, model.theta * h);
   if (crush.empty()) return;
   points.insert(points.end(), crush.begin(), crush.end());
   sort_as_detected(points);

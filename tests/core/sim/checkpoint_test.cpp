@@ -113,6 +113,17 @@ const std::vector<Case> k_cases{
      "</field><vary property='flexural_strength' mean='5e3' cov='0.2' correlation_length='0.3'/></ice>"
      "<fracture flexural_strength='5e3' compressive_strength='2e4' min_area='1e-3'><crushing model='seed-limit'/>"
      "<bending/><splitting/></fracture>"},
+    {"BreakingIceThatCrushesItself",
+     "<contact law='coulomb' solver='nsgs' tolerance='1e-4' max_iterations='200' "
+     "stabilisation='split-impulse'>" NILAS_FRICTION "</contact>" NILAS_WATER
+     "<vessel name='ship' position='0.3 0'>" NILAS_HULL
+     "<mass draught='0.2'/><carriage speed='0.8' free='heave'/></vessel><ice thickness='0.02'>"
+     "<field kind='packed' region='3 -1.5 5.7 1.5' concentration='0.75' breakable='true'>"
+     "<size distribution='lognormal' mean='0.6' sd='0.1' min='0.4' max='0.8'/><shape kind='polygon' vertices='5 8'/>"
+     "</field><vary property='flexural_strength' mean='5e3' cov='0.2' correlation_length='0.3'/></ice>"
+     "<fracture flexural_strength='5e3' compressive_strength='2e4' min_area='1e-3'><crushing model='compliant' "
+     "between_floes='true'/>"
+     "<bending/><splitting/></fracture>"},
     {"PitchingOnACarriage",
      "<contact law='pyramid' solver='pgs' tolerance='0' max_iterations='30' "
      "stabilisation='split-impulse'>" NILAS_FRICTION "</contact>" NILAS_WATER

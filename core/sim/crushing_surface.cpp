@@ -1,0 +1,37 @@
+#include "core/sim/crushing_surface.h"
+
+#include "contact/detect/part.h"
+
+namespace nilas {
+
+namespace {
+
+/// A cylinder's facets are flat within this share of its radius [-].
+constexpr double k_facet_tolerance = 1e-9;
+
+}  // namespace
+
+std::optional<CrushingSurface> crushing_surface(const Bodies& bodies, int body) {
+  const auto b = static_cast<std::size_t>(body);
+  const Shape& shape = *bodies.shape[b];
+  CrushingSurface surface;
+  surface.body = body;
+  surface.id = bodies.id[b];
+  if (shape.kind == ShapeKind::cylinder) {
+    surface.parts.push_back(make_polytope(shape.surface, k_facet_tolerance * shape.radius));
+    for (const auto& face : surface.parts.front().faces) {
+      std::vector<Vec3> loop;
+      for (const int v : face) loop.push_back(surface.parts.front().vertices[static_cast<std::size_t>(v)]);
+      surface.faces.push_back(make_hull_face(0, std::move(loop)));
+    }
+    return surface;
+  }
+  if (shape.parts.empty()) return std::nullopt;
+  surface.parts = shape.parts;
+  for (const Part& part : make_parts(bodies, body))
+    for (std::size_t f = 0; f < part.facets->polytope->faces.size(); ++f)
+      for (auto& loop : shown_pieces(part, f)) surface.faces.push_back(make_hull_face(part.index, std::move(loop)));
+  return surface;
+}
+
+}  // namespace nilas

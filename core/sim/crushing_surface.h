@@ -1,0 +1,23 @@
+#pragma once
+/// The outer faces of a body that ice crushes against, or of a floe.
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/bodies/bodies.h"
+#include "fracture/contact_area.h"
+
+namespace nilas {
+
+/// In the frame of the body. Faces, and parts of faces, inside or against other parts of the body are left out.
+struct CrushingSurface {
+  int body = -1;
+  std::int64_t id = 0;
+  std::vector<HullFace> faces;
+  std::vector<ConvexPolytope> parts;
+};
+
+/// Of a body with flat faces, or of a cylinder by its facets; none of spheres and planes.
+std::optional<CrushingSurface> crushing_surface(const Bodies& bodies, int body);
+
+}  // namespace nilas

@@ -1,0 +1,30 @@
+#include "core/sim/step_modules.h"
+
+#include "core/sim/breaking_settings.h"
+#include "core/sim/contact_model.h"
+#include "core/sim/crushing.h"
+
+namespace nilas {
+
+bool has_crushing(const Scene& scene, const WorldParts& parts) {
+  return scene.fracture && scene.fracture->crushing && parts.ice_properties;
+}
+
+bool has_breaking(const Scene& scene, const WorldParts& parts) {
+  return scene.fracture && (scene.fracture->bending || scene.fracture->splitting) && parts.ice_properties;
+}
+
+void list_step_modules(const Scene& scene, WorldParts& parts) {
+  const ContactScene& contact = scene.contact;
+  const bool two_coefficients = build_contact_model(contact, scene.time.step, 1).static_friction.has_value();
+  parts.info.modules.emplace_back("contact", "law " + contact.law + ", solver " + contact.solver + ", stabilisation " +
+                                                 contact.stabilisation + ", detection " + contact.detection +
+                                                 ", integrator " + contact.integrator +
+                                                 (two_coefficients ? ", static friction above kinetic" : ""));
+  if (has_crushing(scene, parts))
+    parts.info.modules.emplace_back("crushing",
+                                    Crushing(scene, parts.bodies, *parts.ice_properties).description(parts.bodies));
+  if (has_breaking(scene, parts)) parts.info.modules.emplace_back("breaking", breaking_description(scene));
+}
+
+}  // namespace nilas
