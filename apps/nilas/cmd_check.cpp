@@ -8,6 +8,7 @@
 #include "apps/nilas/commands.h"
 #include "apps/nilas/scene_flags.h"
 #include "contact/detect/detector.h"
+#include "core/sim/step_modules.h"
 #include "core/sim/world.h"
 
 namespace nilas {
@@ -51,7 +52,8 @@ Estimate estimate(const WorldParts& parts) {
 int check(const CheckOptions& options) {
   const Scene scene = read_flagged_scene(options.scene);
   WarningCounts warnings(make_logger(options.json ? "off" : "warn", ""));
-  const WorldParts parts = build_world(scene, 1, warnings);
+  WorldParts parts = build_world(scene, 1, warnings);
+  list_step_modules(scene, parts);
   const Estimate e = estimate(parts);
   const auto equilibrium = vessel_equilibrium(scene, parts);
   if (options.json) {
@@ -72,7 +74,6 @@ int check(const CheckOptions& options) {
   }
   std::cout << fmt::format("{}: valid\n\nrequired by the scene:\n", scene.file.string());
   for (const auto& [name, why] : parts.info.modules) std::cout << fmt::format("  {:<26} {}\n", name, why);
-  std::cout << fmt::format("  {:<26} law {}, solver {}\n", "contact", scene.contact.law, scene.contact.solver);
   std::cout << "not asked for, so not built:\n ";
   for (const auto& name : parts.info.not_built) std::cout << " " << name;
   std::cout << "\n";

@@ -4,6 +4,7 @@
 #include "apps/nilas/commands.h"
 #include "apps/nilas/field_picture.h"
 #include "apps/nilas/field_report.h"
+#include "apps/nilas/scene_flags.h"
 #include "core/base/error.h"
 #include "core/scene/read_scene.h"
 
@@ -12,7 +13,8 @@ namespace nilas {
 namespace {
 
 struct FieldOptions {
-  std::string spec, out = "field.geojson", picture;
+  SceneFlags scene;
+  std::string out = "field.geojson", picture;
   int threads = 1;
   bool no_picture = false, json = false;
 };
@@ -45,8 +47,8 @@ std::string picture_file(const FieldOptions& options) {
 }
 
 int make_field(const FieldOptions& options) {
-  const Scene scene = read_scene(options.spec);
-  if (!scene.ice) throw InputError(options.spec + ": the scene has no <ice>");
+  const Scene scene = read_flagged_scene(options.scene);
+  if (!scene.ice) throw InputError(options.scene.file + ": the scene has no <ice>");
   WarningCounts warnings(make_logger("warn", ""));
   const WorldParts parts = build_world(scene, options.threads, warnings);
   const std::vector<FieldReport> reports = field_reports(scene, parts);
@@ -80,10 +82,15 @@ void add_field(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand(
       "field", "generates the ice of a scene; writes it as a reusable file with a picture, and prints its statistics");
   auto options = std::make_shared<FieldOptions>();
-  command->add_option("spec", options->spec, "scene file whose ice is generated, clear of its vessel")->required();
+  command->add_option("spec", options->scene.file, "scene file whose ice is generated, clear of its vessel")
+      ->required();
+  add_value_flags(*command, options->scene);
   command->add_option("--out", options->out, "GeoJSON file to write")->capture_default_str();
   auto* picture = command->add_option("--picture", options->picture,
                                       "PNG file to write, by gnuplot (default: beside the GeoJSON file)");
+  picture->check([](const std::string& file) {
+    return std::filesystem::path(file).extension() == ".png" ? "" : "'" + file + "': must end in .png";
+  });
   command->add_flag("--no-picture", options->no_picture, "draws none")->excludes(picture);
   command->add_option("--threads", options->threads, "threads; the results do not depend on it")
       ->check(at_least(1))

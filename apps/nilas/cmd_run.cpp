@@ -94,13 +94,19 @@ class Run {
     SummaryInput input = summary_input(ending, wall);
     input.brash_mass = simulation.brash_mass();
     input.crushed_mass = simulation.crushed_mass();
+    std::optional<BrokenIce> ice;
+    if (scene_.fracture && simulation.info().floes > 0)
+      ice = {simulation.info().floes, floes_of(simulation.bodies()), input.crushed_mass, input.brash_mass};
     const auto summary = folder_.finish(std::move(input), simulation.bodies());
-    console.close(closing_account(folder_.statistics(), wall, folder_.path()));
+    console.close(closing_account(folder_.statistics(), wall, folder_.path(), ice));
     if (options_.json) std::cout << summary.dump(2) << "\n";
     return ending.exit_code;
   }
 
  private:
+  static long floes_of(const Bodies& bodies) {
+    return std::count(bodies.kind.begin(), bodies.kind.end(), BodyKind::floe);
+  }
   std::string console_level() const { return options_.quiet ? "warn" : options_.log_level; }
   /// Of all sessions of the run.
   double wall_seconds() const { return wall_before_ + steady_seconds() - started_; }

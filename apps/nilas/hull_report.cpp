@@ -53,6 +53,15 @@ void add_hydrostatics(Json& report, const TriangleMesh& mesh, double draught, do
   report["waterplane_area_m2"] = plane.area;
 }
 
+/// Six digits: hull.json has them all.
+std::string short_text(const Json& value) {
+  if (value.is_number_float()) return fmt::format("{:.6g}", value.get<double>());
+  if (!value.is_array()) return value.dump();
+  std::string text;
+  for (const Json& one : value) text += (text.empty() ? "" : " ") + short_text(one);
+  return text;
+}
+
 std::string list_text(const Json& notes) {
   std::string text;
   constexpr std::size_t k_shown = 3;
@@ -135,7 +144,7 @@ Json hull_report(const PreparedHull& prepared) {
 std::string report_text(const Json& report) {
   std::string text;
   for (const auto& [name, value] : report.items())
-    if (name != "mended" && name != "part_counts") text += fmt::format("  {:<24} {}\n", name, value.dump());
+    if (name != "mended" && name != "part_counts") text += fmt::format("  {:<24} {}\n", name, short_text(value));
   text +=
       report["mended"].empty() ? "  mended                   nothing\n" : "  mended\n" + list_text(report["mended"]);
   if (report["part_counts"].empty()) return text;

@@ -6,18 +6,22 @@
 
 namespace nilas {
 
-CLI::Option* add_scene_flags(CLI::App& command, SceneFlags& flags) {
-  auto* scene = command.add_option("scene", flags.file, "scene file (XML)")->required();
-  command.add_option("--until", flags.until, "end time instead of the scene's [s]");
-  command.add_option("--dt", flags.dt, "time step instead of the scene's [s]");
-  command.add_option("--solver", flags.solver, "contact solver instead of the scene's (see `nilas solvers`)");
-  command.add_option("--law", flags.law, "contact law instead of the scene's");
+void add_value_flags(CLI::App& command, SceneFlags& flags) {
   command.add_option("--seed", flags.seed, "random seed instead of the scene's");
   command
       .add_option("--set", flags.set,
                   "PATH=VALUE: overrides one attribute, e.g. contact/@tolerance=1e-8 or "
                   "\"body[@name='box']/@mass=2\" (repeatable)")
       ->allow_extra_args(false);
+}
+
+CLI::Option* add_scene_flags(CLI::App& command, SceneFlags& flags) {
+  auto* scene = command.add_option("scene", flags.file, "scene file (XML)")->required();
+  command.add_option("--until", flags.until, "end time instead of the scene's [s]");
+  command.add_option("--dt", flags.dt, "time step instead of the scene's [s]");
+  command.add_option("--solver", flags.solver, "contact solver instead of the scene's (see `nilas solvers`)");
+  command.add_option("--law", flags.law, "contact law instead of the scene's");
+  add_value_flags(command, flags);
   return scene;
 }
 

@@ -47,7 +47,8 @@ std::string shortfall_lines(const Shortfalls& shortfalls, long steps) {
 
 }  // namespace
 
-std::string closing_account(const RunStatistics& statistics, double wall_s, const std::filesystem::path& outputs) {
+std::string closing_account(const RunStatistics& statistics, double wall_s, const std::filesystem::path& outputs,
+                            const std::optional<BrokenIce>& ice) {
   const double simulated = statistics.end_time() - statistics.start_time();
   std::string text = fmt::format("{:<22}{:g} s in {} steps\n", "simulated", simulated, statistics.steps());
   text += fmt::format("{:<22}{}, {:.3g} x real time\n", "wall-clock", duration_text(wall_s),
@@ -58,6 +59,9 @@ std::string closing_account(const RunStatistics& statistics, double wall_s, cons
   const Worst& imbalance = statistics.worst("imbalance_J");
   text += fmt::format("{:<22}{:.3g} J at {:g} s, {:.2g} of the energy put in\n", "worst energy error", imbalance.value,
                       imbalance.time, statistics.relative_imbalance());
+  if (ice)
+    text += fmt::format("{:<22}{} floes became {}; {:.3g} kg crushed, {:.3g} kg brash\n", "ice", ice->floes,
+                        ice->floes_end, ice->crushed_mass, ice->brash_mass);
   text += shortfall_lines(statistics.shortfalls(), statistics.steps());
   return text + fmt::format("{:<22}{}\n", "outputs", outputs.string());
 }
