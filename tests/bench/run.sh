@@ -3,9 +3,10 @@
 # `solvers` times every contact solver and Siconos' on stored problems and draws what it finds.
 # `collision TABLE` shows what contact search gets right, what it costs and how it grows; without TABLE all of them.
 # `presawn` runs the pre-sawn scenes to their ends on two hull meshes, with twins.
+# `level-ice TABLE` tows through ice that breaks, over thicknesses and speeds, steps, hull meshes, and in broken ice.
 # `hull` prepares five hulls from users' files, stage by stage, and fails where one takes too long or is worse than recorded.
 # `cut` makes random cuts of floes, ordinary and adversarial, and shows what each kind keeps and costs.
-# usage: tests/bench/run.sh [packed|exact|solvers|scaling|threads|collision|field|presawn|hull|cut|kernels|help]      (through ./dev bench)
+# usage: tests/bench/run.sh [packed|exact|solvers|scaling|threads|collision|field|presawn|level-ice|hull|cut|kernels|help]      (through ./dev bench)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 bin=build/bench
@@ -87,15 +88,17 @@ case "${1:-packed}" in
   scaling) "$bin/bench_scaling" "${LIMIT:-60}" "${TOLERANCE:-1e-6}" ${SIZES:-100 1000 10000 100000} ;;
   threads) "$bin/bench_threads" "${SIZES:-10000}" "${THREADS:-2}" "${ROUNDS:-5}" ;;
   field) "$bin/bench_field" ${SIZES:-1000 3000 10000} ;;
+  level-ice) "$bin/bench_level_ice" "${2:-loads}" "${TWINS:-2}" "${THREADS:-2}" ;;
   presawn) "$bin/bench_presawn" "${TWINS:-7}" "${THREADS:-2}" ;;
   hull) shift; "$bin/bench_hull" "$bin/hull" "${THREADS:-$(nproc)}" "$@" ;;
   cut) "$bin/bench_cut_study" "${CUTS:-100000}" ;;
   kernels) shift; "$bin/bench_kernels" "$@" ;;
-  *) echo "usage: ./dev bench [packed|exact|solvers|scaling|threads|collision [TABLE]|field|presawn|hull [SHAPE ...]|cut|kernels]
+  *) echo "usage: ./dev bench [packed|exact|solvers|scaling|threads|collision [TABLE]|field|presawn|level-ice [TABLE]|hull [SHAPE ...]|cut|kernels]
 collision: classes (against the oracle, BATCHES=100 of 1000 pairs in each class, CLASS=name for one), peers (beside FCL and
 Bullet, PAIRS=1000 of each class), steps (a field that moves, SIZES, STEPS=100), threads, swept (missed and false first
 contacts of PAIRS=100000 random pairs on their way); without TABLE all; field: packing time (SIZES); presawn: TWINS=n further
-runs of each scene (7), with pieces moved by up to a micrometre; hull: wedge, cone, moon-pool, semi-submersible, ship-with-bulb,
+runs of each scene (7), with pieces moved by up to a micrometre; level-ice: loads (thicknesses and speeds, beside Lindqvist),
+steps, meshes, field (broken ice that may and may not break), TWINS=n (2); hull: wedge, cone, moon-pool, semi-submersible, ship-with-bulb,
 on THREADS (all cores), ends with 1 where 18 000 triangles take over 60 s or parts stand further off than recorded; cut: CUTS=100000 random cuts of floes;
 ROUNDS=n: how often packed (3), threads and collision peers (5) are measured; THREADS=n;
 LIMIT=s: seconds that a solver has for a problem (solvers 5, scaling 60) or a scene (exact 600, MuJoCo in it 300);

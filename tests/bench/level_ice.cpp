@@ -1,0 +1,209 @@
+/// Towing through level ice: mean load against Lindqvist's formula at several thicknesses and speeds, and its
+/// convergence over steps and hull meshes; every row has twins whose ship starts up to a tenth of a millimetre beside
+/// the middle. And a field of broken floes with ice that may break and that may not.
+/// usage: bench_level_ice loads|steps|meshes|field [TWINS] [THREADS]
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "core/base/parallel.h"
+#include "core/base/random.h"
+#include "core/scene/read_scene.h"
+#include "core/sim/simulation.h"
+#include "core/vessel/hull.h"
+#include "fracture/plate.h"
+#include "fracture/resistance.h"
+
+namespace {
+
+using namespace nilas;
+
+constexpr double k_moved = 1e-4;    // [m]
+constexpr double k_measured = 1.5;  // way over which the load is measured, once the bow is in the ice [m]
+
+struct Setting {
+  double thickness = 0.04, speed = 0.3, step = 0.01;
+  int triangles = 6000;
+};
+
+struct Course {
+  double load = 0, peak = 0;        ///< mean and largest force against the way [N]
+  double radius = 0;                ///< mean R_bending [m]
+  double events = 0, floes = 0;     ///< of the whole run
+  double fastest = 0;               ///< speed of the fastest floe [m/s]
+  double ms = 0, ms_breaking = 0;   ///< mean of a step
+  double imbalance = 0, scale = 0;  ///< largest energy error, and energy put in [J]
+};
+
+double aside(std::uint64_t twin) {
+  RandomStream random(twin, "level-ice");
+  return twin == 0 ? 0 : random.uniform(-k_moved, k_moved);
+}
+
+Scene scene_of(const Setting& setting, std::uint64_t twin) {
+  const auto text = [](double x) { return std::to_string(x); };
+  Scene scene = read_scene(std::string(NILAS_SOURCE_DIR) + "/apps/scenes/level-ice.xml",
+                           {{"ice/@thickness", text(setting.thickness)},
+                            {"vessel/carriage/@speed", text(setting.speed)},
+                            {"time/@step", text(setting.step)}});
+  scene.vessel->position.y() += aside(twin);
+  scene.vessel->hull.clear();
+  scene.vessel->generate = {"icebreaker", {{"triangles", setting.triangles}}};
+  return scene;
+}
+
+double speed_of_fastest_floe(const Bodies& bodies) {
+  double fastest = 0;
+  for (std::size_t b = 0; b < bodies.id.size(); ++b)
+    if (bodies.kind[b] == BodyKind::floe) fastest = std::max(fastest, bodies.v_GB[b].norm());
+  return fastest;
+}
+
+/// Up to the scene's end, or until the ship has gone so far in the ice.
+Course run(const Scene& scene, double way_in_ice, double way_before_load) {
+  WarningCounts warnings(make_logger("off", ""));
+  Simulation simulation(scene, 1, warnings);
+  const double start = simulation.bodies().p_GB[static_cast<std::size_t>(simulation.vessel_index())].x();
+  const auto begun = std::chrono::steady_clock::now();
+  Course course;
+  long measured = 0, steps = 0;
+  double first_touch = -1;
+  const long last = std::lround((scene.time.end - scene.time.start) / scene.time.step);
+  for (double way = 0; steps < last && (first_touch < 0 || way < first_touch + way_in_ice); ++steps) {
+    const StepRecord record = simulation.step();
+    way = simulation.bodies().p_GB[static_cast<std::size_t>(simulation.vessel_index())].x() - start;
+    const double against = -record.vessel->contact.force.x();
+    if (first_touch < 0 && against > 0) first_touch = way;
+    course.peak = std::max(course.peak, against);
+    if (first_touch >= 0 && way >= first_touch + way_before_load) {
+      course.load += against;
+      ++measured;
+    }
+    for (const FractureEvent& event : record.broken) {
+      course.events += 1;
+      course.radius += event.radius;
+    }
+    course.fastest = std::max(course.fastest, speed_of_fastest_floe(simulation.bodies()));
+    course.ms_breaking += record.ms[static_cast<std::size_t>(Phase::fracture)];
+    course.imbalance = std::max(course.imbalance, std::abs(record.ledger.imbalance));
+    course.scale = 0;
+    for (const double work : record.ledger.works) course.scale += std::abs(work);
+  }
+  const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begun;
+  course.load /= static_cast<double>(std::max(measured, 1L));
+  course.radius /= std::max(course.events, 1.0);
+  course.floes = static_cast<double>(simulation.bodies().size());
+  course.ms = took.count() / static_cast<double>(steps);
+  course.ms_breaking /= static_cast<double>(steps);
+  return course;
+}
+
+struct Mean {
+  double value = 0, error = 0;  ///< standard error of the mean
+};
+
+template <class Value>
+Mean mean_of(const std::vector<Course>& courses, const Value& value) {
+  Mean mean;
+  const auto n = static_cast<double>(courses.size());
+  for (const auto& course : courses) mean.value += value(course) / n;
+  double squares = 0;
+  for (const auto& course : courses) squares += std::pow(value(course) - mean.value, 2);
+  if (n > 1) mean.error = std::sqrt(squares / (n - 1) / n);
+  return mean;
+}
+
+double lindqvist(const Scene& scene, const Setting& setting) {
+  const HullForm form = hull_form("icebreaker", {});
+  LevelIce ice;
+  ice.thickness = setting.thickness;
+  ice.flexural_strength = scene.fracture->flexural_strength;
+  ice.youngs_modulus = scene.ice->youngs_modulus;
+  ice.poisson = scene.ice->poisson;
+  ice.density = scene.ice->density;
+  ice.water_density = scene.water->density;
+  ice.friction = 0.1;
+  return lindqvist_resistance({form.length, form.beam, form.draught, form.stem_angle, form.entrance_angle}, ice,
+                              setting.speed)
+      .total;
+}
+
+template <class Run>
+std::vector<Course> with_twins(int twins, int threads, const Run& run_twin) {
+  std::vector<Course> courses(static_cast<std::size_t>(twins) + 1);
+  parallel_for(twins + 1, threads, [&](std::ptrdiff_t k) {
+    courses[static_cast<std::size_t>(k)] = run_twin(static_cast<std::uint64_t>(k));
+  });
+  return courses;
+}
+
+void print_rest(const std::vector<Course>& courses) {
+  const auto mean = [&](auto value) { return mean_of(courses, value).value; };
+  std::printf(" %.0f | %.3f | %.0f | %.0f | %.2f | %.1e | %.1f | %.2f |\n",
+              mean([](const Course& c) { return c.peak; }), mean([](const Course& c) { return c.radius; }),
+              mean([](const Course& c) { return c.events; }), mean([](const Course& c) { return c.floes; }),
+              mean([](const Course& c) { return c.fastest; }),
+              mean([](const Course& c) { return c.imbalance / c.scale; }), mean([](const Course& c) { return c.ms; }),
+              mean([](const Course& c) { return c.ms_breaking; }));
+  std::fflush(stdout);
+}
+
+constexpr const char* k_rest_of_head =
+    " peak [N] | R_bending [m] | breaks | bodies | fastest floe [m/s] | energy error | ms per step | of these crushing "
+    "and breaking |\n";
+
+void level_ice(const std::vector<Setting>& rows, int twins, int threads) {
+  std::printf("| h [mm] | v [m/s] | step [s] | triangles | mean load [N] | Lindqvist [N] | ratio |%s", k_rest_of_head);
+  std::printf("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+  const double bow = hull_form("icebreaker", {}).bow_length;
+  for (const Setting& row : rows) {
+    const std::vector<Course> courses =
+        with_twins(twins, threads, [&](std::uint64_t twin) { return run(scene_of(row, twin), bow + k_measured, bow); });
+    const Mean load = mean_of(courses, [](const Course& c) { return c.load; });
+    const double formula = lindqvist(scene_of(row, 0), row);
+    std::printf("| %g | %g | %g | %d | %.1f +- %.1f | %.1f | %.2f |", 1000 * row.thickness, row.speed, row.step,
+                row.triangles, load.value, load.error, formula, load.value / formula);
+    print_rest(courses);
+  }
+}
+
+/// The seed's scene.
+void broken_field(int twins, int threads) {
+  std::printf("| breakable | mean load [N] |%s|---|---|---|---|---|---|---|---|---|---|\n", k_rest_of_head);
+  for (const char* breakable : {"false", "true"}) {
+    const std::vector<Course> courses = with_twins(twins, threads, [&](std::uint64_t twin) {
+      Scene scene = read_scene(std::string(NILAS_SOURCE_DIR) + "/apps/scenes/seed-2014.xml",
+                               {{"ice/field/@breakable", breakable}});
+      scene.vessel->position.y() += aside(twin);
+      return run(scene, 1e9, 0);
+    });
+    const Mean load = mean_of(courses, [](const Course& c) { return c.load; });
+    std::printf("| %s | %.1f +- %.1f |", breakable, load.value, load.error);
+    print_rest(courses);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string table = argc > 1 ? argv[1] : "loads";
+  const int twins = argc > 2 ? std::atoi(argv[2]) : 2, threads = argc > 3 ? std::atoi(argv[3]) : 2;
+  std::vector<Setting> rows;
+  if (table == "loads")
+    for (const double thickness : {0.03, 0.04, 0.05})
+      for (const double speed : {0.2, 0.4}) rows.push_back({.thickness = thickness, .speed = speed});
+  if (table == "steps")
+    for (const double step : {0.02, 0.01, 0.005, 0.0025}) rows.push_back({.step = step});
+  if (table == "meshes")
+    for (const int triangles : {2000, 6000, 18000}) rows.push_back({.triangles = triangles});
+  if (!rows.empty()) {
+    level_ice(rows, twins, threads);
+  } else if (table == "field") {
+    broken_field(twins, threads);
+  } else {
+    std::fprintf(stderr, "level_ice knows the tables loads, steps, meshes and field\n");
+    return 2;
+  }
+}
