@@ -356,6 +356,7 @@ void Crushing::note_volume(const Pair& pair) {
 
 std::string Crushing::description(const Bodies& bodies) const {
   std::string text = "<fracture><crushing>: " + model_;
+  if (between_floes_) text += ", of floes by each other too";
   for (int body = 0; body < bodies.size(); ++body) {
     const auto b = static_cast<std::size_t>(body);
     if (bodies.kind[b] == BodyKind::rigid && is_hull_[b] == 0)

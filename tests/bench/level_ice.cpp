@@ -8,17 +8,17 @@
 #include <cstdlib>
 #include <string>
 
-#include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/scene/read_scene.h"
 #include "core/sim/simulation.h"
 #include "core/vessel/hull.h"
-#include "fracture/plate.h"
 #include "fracture/resistance.h"
+#include "tests/bench/twins.h"
 
 namespace {
 
 using namespace nilas;
+using namespace nilas::bench;
 
 constexpr double k_moved = 1e-4;    // [m]
 constexpr double k_measured = 1.5;  // way over which the load is measured, once the bow is in the ice [m]
@@ -100,21 +100,6 @@ Course run(const Scene& scene, double way_in_ice, double way_before_load) {
   return course;
 }
 
-struct Mean {
-  double value = 0, error = 0;  ///< standard error of the mean
-};
-
-template <class Value>
-Mean mean_of(const std::vector<Course>& courses, const Value& value) {
-  Mean mean;
-  const auto n = static_cast<double>(courses.size());
-  for (const auto& course : courses) mean.value += value(course) / n;
-  double squares = 0;
-  for (const auto& course : courses) squares += std::pow(value(course) - mean.value, 2);
-  if (n > 1) mean.error = std::sqrt(squares / (n - 1) / n);
-  return mean;
-}
-
 double lindqvist(const Scene& scene, const Setting& setting) {
   const HullForm form = hull_form("icebreaker", {});
   LevelIce ice;
@@ -128,15 +113,6 @@ double lindqvist(const Scene& scene, const Setting& setting) {
   return lindqvist_resistance({form.length, form.beam, form.draught, form.stem_angle, form.entrance_angle}, ice,
                               setting.speed)
       .total;
-}
-
-template <class Run>
-std::vector<Course> with_twins(int twins, int threads, const Run& run_twin) {
-  std::vector<Course> courses(static_cast<std::size_t>(twins) + 1);
-  parallel_for(twins + 1, threads, [&](std::ptrdiff_t k) {
-    courses[static_cast<std::size_t>(k)] = run_twin(static_cast<std::uint64_t>(k));
-  });
-  return courses;
 }
 
 void print_rest(const std::vector<Course>& courses) {

@@ -7,11 +7,12 @@
 #include <cstdlib>
 #include <string>
 
-#include "core/base/parallel.h"
+#include "tests/bench/twins.h"
 
 namespace {
 
 using namespace nilas;
+using namespace nilas::bench;
 
 constexpr double k_moved = 1e-6, k_thickness = 0.04;  // [m]
 
@@ -50,21 +51,6 @@ Course run(char letter, int triangles, std::uint64_t seed) {
   return course;
 }
 
-struct Mean {
-  double value = 0, error = 0;  ///< standard error of the mean
-};
-
-template <class Value>
-Mean mean_of(const std::vector<Course>& courses, const Value& value) {
-  Mean mean;
-  const auto n = static_cast<double>(courses.size());
-  for (const auto& course : courses) mean.value += value(course) / n;
-  double squares = 0;
-  for (const auto& course : courses) squares += std::pow(value(course) - mean.value, 2);
-  if (n > 1) mean.error = std::sqrt(squares / (n - 1) / n);
-  return mean;
-}
-
 template <class Value>
 double worst(const std::vector<Course>& courses, const Value& value) {
   double most = 0;
@@ -96,11 +82,9 @@ int main(int argc, char** argv) {
   for (const char letter : {'a', 'b', 'c'}) {
     std::vector<Mean> loads;
     for (const int triangles : {6000, 18000}) {
-      std::vector<Course> courses(static_cast<std::size_t>(twins) + 1);
-      parallel_for(twins + 1, threads, [&](std::ptrdiff_t k) {
-        courses[static_cast<std::size_t>(k)] = run(letter, triangles, static_cast<std::uint64_t>(k));
-      });
-      loads.push_back(report(letter, triangles, courses));
+      loads.push_back(report(letter, triangles, with_twins(twins, threads, [&](std::uint64_t twin) {
+                               return run(letter, triangles, twin);
+                             })));
     }
     const double scale = 0.005 * std::abs(loads[0].value + loads[1].value);  // so that quotients are in percent
     char line[128];

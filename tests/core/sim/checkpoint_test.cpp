@@ -75,6 +75,18 @@ void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
 #define NILAS_WATER "<water density='1005'/><hydro><buoyancy/><drag form='1' skin='0.005'/></hydro>"
 #define NILAS_FRICTION "<friction between='* *' static='0.3' kinetic='0.3'/>"
+/// `crushing`: an element.
+#define NILAS_BREAKING_ICE(crushing)                                                                               \
+  "<contact law='coulomb' solver='nsgs' tolerance='1e-4' max_iterations='200' "                                    \
+  "stabilisation='split-impulse'>" NILAS_FRICTION "</contact>" NILAS_WATER                                         \
+  "<vessel name='ship' position='0.3 0'>" NILAS_HULL                                                               \
+  "<mass draught='0.2'/><carriage speed='0.8' free='heave'/></vessel><ice thickness='0.02'>"                       \
+  "<field kind='packed' region='3 -1.5 5.7 1.5' concentration='0.75' breakable='true'>"                            \
+  "<size distribution='lognormal' mean='0.6' sd='0.1' min='0.4' max='0.8'/><shape kind='polygon' vertices='5 8'/>" \
+  "</field><vary property='flexural_strength' mean='5e3' cov='0.2' correlation_length='0.3'/></ice>"               \
+  "<fracture flexural_strength='5e3' compressive_strength='2e4' min_area='1e-3'>" crushing                         \
+  "<bending/><splitting/></fracture>"
+
 #define NILAS_PACKED                                                                                                \
   "<ice thickness='0.05'><field kind='packed' region='3 -1.5 5.7 1.5' concentration='0.75'>"                        \
   "<size distribution='lognormal' mean='0.35' sd='0.1' min='0.2' max='0.6'/><shape kind='polygon' vertices='5 8'/>" \
@@ -103,27 +115,8 @@ const std::vector<Case> k_cases{
      "<size distribution='lognormal' mean='0.35' sd='0.1' min='0.2' max='0.6'/><shape kind='polygon' vertices='5 8'/>"
      "</field><vary property='compressive_strength' cov='0.2' correlation_length='0.3'/></ice>"
      "<fracture compressive_strength='2e3'><crushing model='compliant'/></fracture>"},
-    {"BreakingIce",
-     "<contact law='coulomb' solver='nsgs' tolerance='1e-4' max_iterations='200' "
-     "stabilisation='split-impulse'>" NILAS_FRICTION "</contact>" NILAS_WATER
-     "<vessel name='ship' position='0.3 0'>" NILAS_HULL
-     "<mass draught='0.2'/><carriage speed='0.8' free='heave'/></vessel><ice thickness='0.02'>"
-     "<field kind='packed' region='3 -1.5 5.7 1.5' concentration='0.75' breakable='true'>"
-     "<size distribution='lognormal' mean='0.6' sd='0.1' min='0.4' max='0.8'/><shape kind='polygon' vertices='5 8'/>"
-     "</field><vary property='flexural_strength' mean='5e3' cov='0.2' correlation_length='0.3'/></ice>"
-     "<fracture flexural_strength='5e3' compressive_strength='2e4' min_area='1e-3'><crushing model='seed-limit'/>"
-     "<bending/><splitting/></fracture>"},
-    {"BreakingIceThatCrushesItself",
-     "<contact law='coulomb' solver='nsgs' tolerance='1e-4' max_iterations='200' "
-     "stabilisation='split-impulse'>" NILAS_FRICTION "</contact>" NILAS_WATER
-     "<vessel name='ship' position='0.3 0'>" NILAS_HULL
-     "<mass draught='0.2'/><carriage speed='0.8' free='heave'/></vessel><ice thickness='0.02'>"
-     "<field kind='packed' region='3 -1.5 5.7 1.5' concentration='0.75' breakable='true'>"
-     "<size distribution='lognormal' mean='0.6' sd='0.1' min='0.4' max='0.8'/><shape kind='polygon' vertices='5 8'/>"
-     "</field><vary property='flexural_strength' mean='5e3' cov='0.2' correlation_length='0.3'/></ice>"
-     "<fracture flexural_strength='5e3' compressive_strength='2e4' min_area='1e-3'><crushing model='compliant' "
-     "between_floes='true'/>"
-     "<bending/><splitting/></fracture>"},
+    {"BreakingIce", NILAS_BREAKING_ICE("<crushing model='seed-limit'/>")},
+    {"BreakingIceThatCrushesItself", NILAS_BREAKING_ICE("<crushing model='compliant' between_floes='true'/>")},
     {"PitchingOnACarriage",
      "<contact law='pyramid' solver='pgs' tolerance='0' max_iterations='30' "
      "stabilisation='split-impulse'>" NILAS_FRICTION "</contact>" NILAS_WATER

@@ -1,0 +1,36 @@
+#pragma once
+/// Runs of one scene that differ by next to nothing, and what is the same in all of them.
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "core/base/parallel.h"
+
+namespace nilas::bench {
+
+struct Mean {
+  double value = 0, error = 0;  ///< standard error of the mean
+};
+
+/// Of value(course) over the courses.
+template <class Course, class Value>
+Mean mean_of(const std::vector<Course>& courses, const Value& value) {
+  Mean mean;
+  const auto n = static_cast<double>(courses.size());
+  for (const auto& course : courses) mean.value += value(course) / n;
+  double squares = 0;
+  for (const auto& course : courses) squares += std::pow(value(course) - mean.value, 2);
+  if (n > 1) mean.error = std::sqrt(squares / (n - 1) / n);
+  return mean;
+}
+
+/// What run(k) gives for the scene as it stands (k = 0) and for its twins 1 to `twins`, a thread for each at a time.
+template <class Run>
+auto with_twins(int twins, int threads, const Run& run) {
+  std::vector<decltype(run(std::uint64_t{0}))> courses(static_cast<std::size_t>(twins) + 1);
+  parallel_for(twins + 1, threads,
+               [&](std::ptrdiff_t k) { courses[static_cast<std::size_t>(k)] = run(static_cast<std::uint64_t>(k)); });
+  return courses;
+}
+
+}  // namespace nilas::bench
