@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <fstream>
 #include <map>
 
@@ -60,11 +62,46 @@ void write_face(std::ofstream& out, const std::array<Vec3, 3>& p, int rgb, doubl
   out << "\n\n";
 }
 
-void write_faces(std::ofstream& out, const TriangleMesh& mesh, const Colour& colour, double light, double longest) {
+/// Edges that do not join two triangles: around holes, and where several sheets meet.
+void write_open_edges(const fs::path& file, const TriangleMesh& mesh) {
+  std::map<std::pair<int, int>, int> sides;
+  for (const auto& t : mesh.triangles)
+    for (std::size_t k = 0; k < 3; ++k) ++sides[std::minmax(t[k], t[(k + 1) % 3])];
+  std::ofstream out(file);
+  for (const auto& [edge, count] : sides) {
+    if (count == 2) continue;
+    for (const int v : {edge.first, edge.second}) {
+      const Vec3& x = mesh.vertices[static_cast<std::size_t>(v)];
+      out << fmt::format("{:.6g} {:.6g} {:.6g}\n", x.x(), x.y(), x.z());
+    }
+    out << "\n\n";
+  }
+}
+
+/// A panel's view: rotation about the horizontal and about the vertical [deg], as gnuplot counts them.
+struct View {
+  const char* title;
+  const char* data;
+  double tilt, turn;
+
+  /// Towards the eye.
+  Vec3 direction() const {
+    const double t = tilt * k_deg, r = turn * k_deg;
+    return {std::sin(t) * std::sin(r), -std::sin(t) * std::cos(r), std::cos(t)};
+  }
+};
+
+/// Faces of a closed surface that look at the eye; others would show through at the edges, because whole triangles are
+/// sorted by depth. Of an open one (`two_sided`) all.
+void write_faces(std::ofstream& out, const TriangleMesh& mesh, const Colour& colour, const View& view, double longest,
+                 bool two_sided = false) {
+  const Vec3 eye = view.direction();
+  const double light = eye.z() > 0 ? 1 : -1;
   for (const auto& t : mesh.triangles) {
     std::array<Vec3, 3> p;
     for (std::size_t k = 0; k < 3; ++k) p[k] = mesh.vertices[static_cast<std::size_t>(t[k])];
-    write_face(out, p, shaded(colour, (p[1] - p[0]).cross(p[2] - p[0]).normalized(), light), longest);
+    const Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
+    if (two_sided || normal.dot(eye) > 0) write_face(out, p, shaded(colour, normal, light), longest);
   }
 }
 
@@ -128,13 +165,6 @@ void write_waterline(const fs::path& file, const TriangleMesh& mesh, double leve
     }
 }
 
-/// A panel's view: rotation about the horizontal and about the vertical [deg], as gnuplot counts them.
-struct View {
-  const char* title;
-  const char* data;
-  double tilt, turn;
-};
-
 constexpr double k_width = 1100, k_height = 430;  // of a panel [px]
 
 /// gnuplot's zoom at which the box fills a panel with equal scales, whichever of its sides is long.
@@ -159,6 +189,14 @@ std::string panel(const View& view, const Eigen::AlignedBox3d& box, std::size_t 
   return text + fmt::format("set title ' '\nsplot {}\n", marks);
 }
 
+/// About two steps to a short side, of 1, 2 or 5 times a power of ten [m].
+double tics(double side) {
+  const double rough = 0.45 * side, power = std::pow(10, std::floor(std::log10(rough)));
+  const double share = rough / power;
+  return power * (share < 2 ? 1 : share < 5 ? 2 : 5);
+}
+
+/// gnuplot leaves the title of the y axis out of such views: its tics name it.
 std::string script(const std::string& picture, const TriangleMesh& mesh, const std::vector<View>& views,
                    const std::string& marks) {
   Eigen::AlignedBox3d box = box_of(mesh);
@@ -171,10 +209,10 @@ std::string script(const std::string& picture, const TriangleMesh& mesh, const s
       "set terminal pngcairo size {},{} font ',11'\nset output '{}'\nset multiplot\n"
       "set pm3d depthorder noborder\nunset colorbox\nunset key\n"
       "set xrange [{}:{}]\nset yrange [{}:{}]\nset zrange [{}:{}]\n"
-      "set xyplane relative 0\nset xlabel 'x [m]'\nset ylabel 'y [m]'\nset zlabel 'z [m]'\n"
-      "set xtics offset 0,-0.3\nset ytics autofreq\nset ztics autofreq\nunset border\n",
+      "set xyplane relative 0\nset xlabel 'x [m]'\nset format y 'y %g m'\nset zlabel 'z [m]'\n"
+      "set xtics offset 0,-0.3\nset ytics {}\nset ztics {}\nunset border\n",
       k_width, k_height * static_cast<double>(views.size()), picture, box.min().x(), box.max().x(), box.min().y(),
-      box.max().y(), box.min().z(), box.max().z());
+      box.max().y(), box.min().z(), box.max().z(), tics(box.sizes().y()), tics(box.sizes().z()));
   for (std::size_t k = 0; k < views.size(); ++k) text += panel(views[k], box, k, views.size(), marks);
   return text + "unset multiplot\n";
 }
@@ -185,38 +223,41 @@ void draw_hull(const Hull& hull, double level, const fs::path& folder) {
   const double longest = longest_drawn(hull.fluid);
   const DataFiles removed(folder, {".above.dat", ".below.dat", ".parts.dat", ".water.dat"});
   const TriangleMesh drawn = drawable(hull.fluid);
+  const std::string parts_title =
+      fmt::format("{} convex part{}, from below", hull.parts.size(), hull.parts.size() == 1 ? "" : "s");
+  const std::vector<View> views{{"mesh from above; waterline in blue", ".above.dat", 60, 30},
+                                {"mesh from below", ".below.dat", 115, 30},
+                                {parts_title.c_str(), ".parts.dat", 115, 30}};
   {
     std::ofstream above(folder / ".above.dat"), below(folder / ".below.dat"), parts(folder / ".parts.dat");
-    write_faces(above, drawn, k_steel, 1, longest);
-    write_faces(below, drawn, k_steel, -1, longest);
+    write_faces(above, drawn, k_steel, views[0], longest);
+    write_faces(below, drawn, k_steel, views[1], longest);
     for (std::size_t k = 0; k < hull.parts.size(); ++k)
-      write_faces(parts, drawable(hull.parts[k]), k_colours[k % k_colours.size()], -1, longest);
+      write_faces(parts, drawable(hull.parts[k]), k_colours[k % k_colours.size()], views[2], longest);
     if (!above || !below || !parts) throw FileError((folder / "hull.png").string() + ": cannot be written");
   }
   write_waterline(folder / ".water.dat", hull.fluid, level);
-  const std::string parts_title = fmt::format("{} convex parts, from below", hull.parts.size());
-  plot(folder, script("hull.png", hull.fluid,
-                      {{"mesh from above; waterline in blue", ".above.dat", 60, 30},
-                       {"mesh from below", ".below.dat", 115, 30},
-                       {parts_title.c_str(), ".parts.dat", 115, 30}},
-                      "'.water.dat' with lines lw 2 lc rgb '#0040ff' notitle"));
+  plot(folder, script("hull.png", hull.fluid, views, "'.water.dat' with lines lw 2 lc rgb '#0040ff' notitle"));
 }
 
 void draw_faults(const MendedMesh& mesh, const fs::path& folder) {
   const double longest = longest_drawn(mesh.mesh);
-  const DataFiles removed(folder, {".faces.dat", ".marks.dat"});
+  const DataFiles removed(folder, {".faces.dat", ".marks.dat", ".edges.dat"});
   {
     std::ofstream faces(folder / ".faces.dat"), marks(folder / ".marks.dat");
-    write_faces(faces, drawable(mesh.mesh), k_steel, 1, longest);
+    write_faces(faces, drawable(mesh.mesh), k_steel, {"", "", 60, 30}, longest, true);
     for (const auto& note : mesh.open)
       for (const auto& p : note.places) marks << fmt::format("{:.6g} {:.6g} {:.6g}\n", p.x(), p.y(), p.z());
     if (!faces || !marks) throw FileError((folder / "faults.png").string() + ": cannot be written");
   }
+  write_open_edges(folder / ".edges.dat", mesh.mesh);
   plot(folder, script("faults.png", mesh.mesh,
                       {{"from above; faults in red", ".faces.dat", 60, 30},
                        {"from below", ".faces.dat", 115, 30},
                        {"from the other side", ".faces.dat", 60, 210}},
-                      "'.marks.dat' with points pt 6 ps 2 lw 2 lc rgb '#e00000' notitle"));
+                      "'.edges.dat' with lines lw 2 lc rgb '#e00000' notitle, '.marks.dat' with points pt 6 ps 2 lw 2 "
+                      "lc rgb '#e00000' "
+                      "notitle"));
 }
 
 }  // namespace nilas
