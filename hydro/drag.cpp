@@ -50,6 +50,7 @@ class Drag : public ForceModule {
       : water_(water), coefficients_(coefficients), threads_(threads), order_free_(order_free) {}
   std::string name() const override { return "drag"; }
   void add_forces(const Bodies& bodies, double t, Wrenches& out) override;
+  void limit(const Bodies& bodies, double h, Wrenches& out) const override;
 
  private:
   struct NoResult {};
@@ -87,6 +88,20 @@ void Drag::add_forces(const Bodies& bodies, double /*t*/, Wrenches& out) {
     if (!takes_water(bodies, static_cast<int>(i))) return;
     out[b] += order_free_ ? drag_on<OrderFreeVectorSum>(bodies, b) : drag_on<PlainVectorSum>(bodies, b);
   });
+}
+
+void Drag::limit(const Bodies& bodies, double h, Wrenches& out) const {
+  for (std::size_t b = 0; b < out.size(); ++b) {
+    Wrench& drag = out[b];
+    if (!bodies.is_free(static_cast<int>(b)) || (drag.force.isZero(0) && drag.torque.isZero(0))) continue;
+    const double power = drag.force.dot(water_.current - bodies.v_GB[b]) - drag.torque.dot(bodies.w_GB[b]);
+    const double gain = drag.force.squaredNorm() / bodies.mass[b] +
+                        drag.torque.dot(bodies.inertia_G(static_cast<int>(b)).ldlt().solve(drag.torque));
+    if (!(power > 0 && h * gain > power)) continue;
+    const double share = power / (h * gain);
+    drag.force *= share;
+    drag.torque *= share;
+  }
 }
 
 }  // namespace

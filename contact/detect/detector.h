@@ -30,7 +30,7 @@ struct SweptPair {
   std::vector<ContactPoint> points;  ///< where they meet, as found with both bodies where they are then; none at t = 0
 };
 
-/// Of two bodies, a < b.
+/// Of two bodies, a < b. Called from several threads, for each pair of their parts: the answer must be the same.
 using PairFilter = std::function<bool(int, int)>;
 
 /// Keeps geometry and coherence caches between calls. Results depend on the poses; where two axes of a pair lie within

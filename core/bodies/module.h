@@ -19,6 +19,8 @@ class ForceModule {
   virtual bool conservative() const { return false; }
   /// Adds this module's wrenches at time t [s] for the present poses and velocities. `out` has one entry per body.
   virtual void add_forces(const Bodies& bodies, double t, Wrenches& out) = 0;
+  /// Leaves of its own wrenches (`out` holds no others) what an explicit step of length h [s] bears. By default all.
+  virtual void limit(const Bodies& /*bodies*/, double /*h*/, Wrenches& /*out*/) const {}
   /// Potential energy of the present poses [J]; zero for a module that is not conservative.
   virtual double potential_energy(const Bodies& /*bodies*/) { return 0; }
 };

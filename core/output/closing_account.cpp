@@ -60,8 +60,8 @@ std::string closing_account(const RunStatistics& statistics, double wall_s, cons
   text += fmt::format("{:<22}{:.3g} J at {:g} s, {:.2g} of the energy put in\n", "worst energy error", imbalance.value,
                       imbalance.time, statistics.relative_imbalance());
   if (ice)
-    text += fmt::format("{:<22}{} floes became {}; {:.3g} kg crushed, {:.3g} kg brash\n", "ice", ice->floes,
-                        ice->floes_end, ice->crushed_mass, ice->brash_mass);
+    text += fmt::format("{:<22}{} at the start, {} at the end\n{:<22}{:.3g} kg crushed, {:.3g} kg brash\n", "floes",
+                        ice->floes, ice->floes_end, "ice lost", ice->crushed_mass, ice->brash_mass);
   text += shortfall_lines(statistics.shortfalls(), statistics.steps());
   return text + fmt::format("{:<22}{}\n", "outputs", outputs.string());
 }

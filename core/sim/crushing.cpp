@@ -243,11 +243,10 @@ std::vector<ContactPoint> Crushing::points(const Bodies& bodies, const std::vect
   return points;
 }
 
-double Crushing::force(const Pair& pair, const FaceInIce& face, double total) const {
+double Crushing::force(const Pair& pair, const FaceInIce& face, const Placement& hull_in_floe, double total) const {
   double strength = ice_.compressive_strength[static_cast<std::size_t>(pair.floe)].at(face.centroid);
   if (ice_.is_breakable(pair.hull.body)) {  // the weaker ice gives way
-    const Placement in_other = pair.hull_in_floe(0);
-    const Vec3 place = in_other.R.transpose() * (face.centroid - in_other.p);
+    const Vec3 place = hull_in_floe.R.transpose() * (face.centroid - hull_in_floe.p);
     strength = std::min(strength, ice_.compressive_strength[static_cast<std::size_t>(pair.hull.body)].at(place));
   }
   return law_.pressure(strength, total) * face.area;
@@ -273,8 +272,8 @@ bool Crushing::add_pair(const Bodies& bodies, const CrushingSurface& hull, int f
     FaceLoad load;
     if (j == next.end() || (i != now.end() && place(*i) <= place(*j))) load.now = &*i;
     if (i == now.end() || (j != next.end() && place(*j) <= place(*i))) load.next = &*j;
-    if (load.now) load.force = force(pair, *i++, area);
-    if (load.next) load.growth = force(pair, *j++, area_next) - load.force;
+    if (load.now) load.force = force(pair, *i++, present, area);
+    if (load.next) load.growth = force(pair, *j++, pair.next, area_next) - load.force;
     add_face(pair, load, points);
   }
   return !now.empty() || !next.empty();
@@ -295,11 +294,16 @@ void Crushing::add_floes(const Bodies& bodies, int a, int b, double h, double ah
   constexpr double k_same = 1e-9;  // areas nearer than this differ by rounding [-]
   const Ids ids(bodies.id[static_cast<std::size_t>(a)], bodies.id[static_cast<std::size_t>(b)]);
   const CrushingSurface &of_a = floe_surface(bodies, a), &of_b = floe_surface(bodies, b);
-  const auto known = faces_of_first_.find(ids);
-  const bool first = known != faces_of_first_.end()
-                         ? known->second != 0
-                         : area_in(bodies, of_a, b, ahead) <= area_in(bodies, of_b, a, ahead) * (1 + k_same);
-  if (add_pair(bodies, first ? of_a : of_b, first ? b : a, h, ahead, points)) new_faces_of_first_[ids] = first ? 1 : 0;
+  const auto add = [&](bool first) {
+    const bool touch = add_pair(bodies, first ? of_a : of_b, first ? b : a, h, ahead, points);
+    if (touch) new_faces_of_first_[ids] = first ? 1 : 0;
+    return touch;
+  };
+  if (const auto known = faces_of_first_.find(ids); known != faces_of_first_.end() && add(known->second != 0)) return;
+  // what stands in the other with all its sides has none of the other's in it
+  const double a_in_b = area_in(bodies, of_a, b, ahead), b_in_a = area_in(bodies, of_b, a, ahead);
+  if (a_in_b == 0 && b_in_a == 0) return;
+  add(b_in_a == 0 || (a_in_b > 0 && a_in_b <= b_in_a * (1 + k_same)));
 }
 
 void Crushing::add_face(const Pair& pair, const FaceLoad& load, std::vector<ContactPoint>& points) {

@@ -72,7 +72,7 @@ class Crushing {
   bool add_pair(const Bodies& bodies, const CrushingSurface& hull, int floe, double h, double ahead,
                 std::vector<ContactPoint>& points);
   void add_face(const Pair& pair, const FaceLoad& load, std::vector<ContactPoint>& points);
-  double force(const Pair& pair, const FaceInIce& face, double total) const;
+  double force(const Pair& pair, const FaceInIce& face, const Placement& hull_in_floe, double total) const;
   double common_volume(const Bodies& bodies, const CrushingSurface& hull, int floe) const;
   void note_volume(const Pair& pair);
 

@@ -81,6 +81,7 @@ const Wrenches& Simulation::World::evaluate_loads() {
   for (std::size_t k = 0; k < parts.modules.size(); ++k) {
     std::fill(module_loads[k].begin(), module_loads[k].end(), Wrench{});
     parts.modules[k]->add_forces(parts.bodies, time() + (1 - model.theta) * h, module_loads[k]);
+    parts.modules[k]->limit(parts.bodies, h, module_loads[k]);
     for (std::size_t b = 0; b < size(); ++b) free_loads[b] += module_loads[k][b];
   }
   for (std::size_t b = 0; b < size(); ++b)

@@ -82,6 +82,26 @@ TEST(CrushingOfFloes, FacesOfTheSmallerAreaCountAndTheWeakerIceYields) {
   }
 }
 
+/// All its sides are in the sheet, none of the sheet's in it.
+TEST(CrushingOfFloes, ASplinterWithinASheetIsBraked) {
+  const std::vector<Vec2> splinter{{-0.4, -0.1}, {-0.2, -0.1}, {-0.2, 0.1}, {-0.4, 0.1}};
+  for (const std::string& model : {k_seed, k_compliant}) {
+    Rig rig(ice(splinter, k_flat) + between_floes(model), 0.01);
+    Bodies bodies = rig.bodies();
+    bodies.set_pose(0, bodies.p_GB[0] + Vec3(1, 0, 0), bodies.q_GB[0]);
+    bodies.v_GB[0] = Vec3(1, 0, 0);
+    IceProperties ice;
+    ice.resize(2);
+    ice.breakable = {1, 1};
+    ice.compressive_strength = {{2e5, {}}, {3e5, {}}};
+    Crushing crush(rig.scene, bodies, ice);
+    double force = 0;
+    for (const ContactPoint& c : crush.points(bodies, {{0, 1}}, 0.01, 0.01))
+      if (c.n.x() > 0.5) force += c.force_limit;
+    EXPECT_NEAR(force, 2e5 * 0.2 * k_thickness, 1e-6 * force) << model;
+  }
+}
+
 TEST(CrushingOfFloes, WithoutItTheyAreRigid) {
   Rig rig(ice(k_pointed, k_flat) + crushing(k_compliant), 1e-3, 1, "", 0, {20, 0, 0});
   const double start = rig.bodies().p_GB[0].x();
