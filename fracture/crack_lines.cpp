@@ -121,9 +121,12 @@ Split split_along(const std::vector<Vec2>& outline, const Vec2& breaking_point, 
   const double length = chord->length();
   if (length <= rule.bending_radius) return {SplitVerdict::below_bending, *chord};
   if (length >= rule.multiplier * rule.bending_radius) return {SplitVerdict::above_reach, *chord};
-  const CutResult cut = cut_outline(outline, {{chord->start, chord->end}});
-  if (cut.status != CutStatus::cut) return {SplitVerdict::not_cut, *chord};
-  return {judge_pieces(cut.pieces, rule), *chord};
+  return {verdict_on_cut(outline, {chord->start, chord->end}, rule), *chord};
+}
+
+SplitVerdict verdict_on_cut(const std::vector<Vec2>& outline, const std::vector<Vec2>& crack, const SplitRule& rule) {
+  const CutResult cut = cut_outline(outline, {crack});
+  return cut.status == CutStatus::cut ? judge_pieces(cut.pieces, rule) : SplitVerdict::not_cut;
 }
 
 WedgeFan fan_across(const std::vector<Vec2>& outline, const Vec2& point, double wedge_angle, double radius,
@@ -147,6 +150,21 @@ std::vector<std::vector<Vec2>> wedge_cracks(const WedgeFan& fan) {
   std::vector<std::vector<Vec2>> cracks;
   for (int i = 0; i <= last; i += steps) cracks.push_back({fan.apex, arc[static_cast<std::size_t>(i)]});
   cracks.push_back(std::move(arc));
+  return cracks;
+}
+
+double ray_angle(const WedgeFan& fan, int k) { return fan.direction + 0.5 * (k - fan.wedges) * fan.wedge_angle; }
+
+std::vector<std::vector<Vec2>> wedge_cracks(const WedgeFan& fan, const std::vector<double>& radii) {
+  NILAS_DEMAND(fan.wedges > 0 && fan.wedge_angle > 0 && fan.wedges * fan.wedge_angle < 2 * k_pi);
+  NILAS_DEMAND(static_cast<int>(radii.size()) == 2 * fan.wedges + 1);
+  NILAS_DEMAND(*std::min_element(radii.begin(), radii.end()) > 0);
+  std::vector<Vec2> around;
+  for (int k = 0; k <= 2 * fan.wedges; ++k)
+    around.emplace_back(fan.apex + radii[static_cast<std::size_t>(k)] * direction_of(ray_angle(fan, k)));
+  std::vector<std::vector<Vec2>> cracks;
+  for (std::size_t k = 0; k < around.size(); k += 2) cracks.push_back({fan.apex, around[k]});
+  cracks.push_back(std::move(around));
   return cracks;
 }
 

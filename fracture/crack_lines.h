@@ -63,6 +63,9 @@ struct Split {
 Split split_along(const std::vector<Vec2>& outline, const Vec2& breaking_point, double crack_angle,
                   const SplitRule& rule);
 
+/// Whether a crack cuts an outline into pieces that the rule takes, however long it is.
+SplitVerdict verdict_on_cut(const std::vector<Vec2>& outline, const std::vector<Vec2>& crack, const SplitRule& rule);
+
 /// Wedges that break off in bending around a loaded point of the edge.
 struct WedgeFan {
   Vec2 apex = Vec2::Zero();  ///< on the edge [m]
@@ -85,5 +88,12 @@ WedgeFan fan_across(const std::vector<Vec2>& outline, const Vec2& point, double 
 /// outside the floe. Throws ContractError unless there is a wedge, angle, radius and tolerance are positive, and the
 /// fan spans less than a full turn.
 std::vector<std::vector<Vec2>> wedge_cracks(const WedgeFan& fan);
+
+/// The same with a circumferential crack at `radii` [m] of the rays that part the fan into 2 wedges equal angles, its
+/// two sides included; the radius and arc_tolerance of the fan have no part in it. Throws ContractError also unless
+/// there are 2 wedges + 1 radii, all positive.
+std::vector<std::vector<Vec2>> wedge_cracks(const WedgeFan& fan, const std::vector<double>& radii);
+/// Direction of ray k of those, from x [rad].
+double ray_angle(const WedgeFan& fan, int k);
 
 }  // namespace nilas

@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "fracture/splitting_table.h"
+#include "fracture/weakest_sections.h"
 
 namespace nilas {
 
@@ -33,15 +34,24 @@ double breadth(const std::vector<Vec2>& outline, const Vec2& direction) {
   return high - low;
 }
 
-/// How far the ice goes from the apex, at most of the wedges' middles [m].
-double reach(const std::vector<Vec2>& outline, const WedgeFan& fan) {
-  double farthest = 0;
+/// Whether the ice goes farther from the apex than the circumferential crack in the middle of one of the wedges.
+bool reaches_beyond(const std::vector<Vec2>& outline, const BendingState& state) {
+  const WedgeFan& fan = state.fan;
   for (int i = 0; i < fan.wedges; ++i) {
     const std::vector<Chord> ahead =
         chords(outline, fan.apex, fan.direction + (i + 0.5 - 0.5 * fan.wedges) * fan.wedge_angle);
-    if (!ahead.empty()) farthest = std::max(farthest, (ahead.front().end - fan.apex).norm());
+    const double radius = state.radii.empty() ? state.radius : state.radii[static_cast<std::size_t>(2 * i + 1)];
+    if (!ahead.empty() && (ahead.front().end - fan.apex).norm() > radius) return true;
   }
-  return farthest;
+  return false;
+}
+
+double farthest_radius(const BendingState& state) {
+  return state.radii.empty() ? state.radius : *std::max_element(state.radii.begin(), state.radii.end());
+}
+
+std::vector<std::vector<Vec2>> bending_cracks(const BendingState& state) {
+  return state.radii.empty() ? wedge_cracks(state.fan) : wedge_cracks(state.fan, state.radii);
 }
 
 /// The ice ahead of the load, up to the first edge.
@@ -56,7 +66,7 @@ std::string name_of(FailureKind kind) { return kind == FailureKind::bending ? "b
 
 FailureRules::FailureRules(const FailureSettings& settings)
     : settings_(settings), edge_(settings.poisson), wedge_(TipLoad::pressure) {
-  NILAS_DEMAND(settings.wedge_angle > 0 && settings.wedge_angle < k_pi);
+  NILAS_DEMAND(settings.wedge_angle > 0 && settings.wedge_angle < k_pi && settings.segment > 0);
   if (settings.splitting == SplittingModel::lefm) splitting_.emplace();
 }
 
@@ -77,7 +87,36 @@ BendingState FailureRules::bending_state(const std::vector<Vec2>& outline, const
   state.radial = P / radial_crack_load(edge_, b, l_sheet, h, ice.flexural_strength);
   state.wedges =
       P / wedges_failure_load(wedge_, a_over_l, state.fan.wedge_angle, state.fan.wedges, h, ice.flexural_strength);
+  if (state.radial < 1 || !curves(ice)) return state;
+  WeakestSections weakest = weakest_sections(state.fan, a_over_l, ice.flexural_strength, *ice.around);
+  state.wedges /= weakest.strength;
+  state.radii = std::move(weakest.radii);
   return state;
+}
+
+bool FailureRules::curves(const IceAtContact& ice) const {
+  return settings_.curved && ice.around != nullptr && !ice.around->is_uniform();
+}
+
+CrackPath FailureRules::path_from(const Vec2& start, const std::vector<Vec2>& outline, const EdgeContact& contact,
+                                  const IceAtContact& ice) const {
+  return crack_path(outline, start, angle_of(contact.inward), settings_.segment * ice.thickness, ice.fracture_toughness,
+                    *ice.around);
+}
+
+/// Largest force on the crack's way; H alone is least somewhere, so that of a segment lies at its ends or there.
+double FailureRules::bearable_force(const CrackPath& path, const SplittingFloe& floe) const {
+  const double all = path.length(), easiest = splitting_->least(floe.width / floe.length).crack;
+  SplittingFloe segment = floe;
+  double most = 0, from = 0;
+  for (std::size_t i = 0; i < path.toughness.size(); ++i) {
+    const double to = std::min(1 - k_starter_share, from + (path.points[i + 1] - path.points[i]).norm() / all);
+    segment.toughness = path.toughness[i];
+    for (const double share : {std::max(from, k_starter_share), std::clamp(easiest, from, to), to})
+      if (share >= k_starter_share) most = std::max(most, growth_force(*splitting_, segment, share * floe.length));
+    from = to;
+  }
+  return most;
 }
 
 std::optional<FailureRules::SplittingState> FailureRules::splitting_state(const std::vector<Vec2>& outline,
@@ -91,17 +130,25 @@ std::optional<FailureRules::SplittingState> FailureRules::splitting_state(const 
   const SplittingFloe floe{L, breadth(outline, contact.inward), ice.thickness, ice.fracture_toughness};
   // the table's widest floe is all but half infinite; a chord across a corner is none of it
   if (floe.width > splitting_table::widest * L) return std::nullopt;
-  return SplittingState{contact.opening / splitting_force(*splitting_, floe, k_starter_share * L), *chord};
+  if (!curves(ice))
+    return SplittingState{contact.opening / splitting_force(*splitting_, floe, k_starter_share * L),
+                          {chord->start, chord->end}};
+  CrackPath path = path_from(chord->start, outline, contact, ice);
+  return SplittingState{contact.opening / bearable_force(path, floe), std::move(path.points)};
 }
 
 std::optional<Failure> FailureRules::seed_split(const std::vector<Vec2>& outline, const EdgeContact& contact,
-                                                const BendingState& state) const {
+                                                const BendingState& state, const IceAtContact& ice) const {
   if (state.radial < 1 || !contact.pushes_in) return std::nullopt;
-  const Split split = split_along(outline, contact.edge_point, angle_of(contact.inward),
-                                  {state.radius, settings_.multiplier, settings_.min_area, settings_.max_aspect});
+  const SplitRule rule{state.radius, settings_.multiplier, settings_.min_area, settings_.max_aspect};
+  const Split split = split_along(outline, contact.edge_point, angle_of(contact.inward), rule);
   if (split.verdict != SplitVerdict::splits) return std::nullopt;
-  return Failure{
-      FailureKind::splitting, state.radial, contact.edge_point, state.radius, {{split.chord.start, split.chord.end}}};
+  std::vector<Vec2> crack{split.chord.start, split.chord.end};
+  if (curves(ice)) {
+    crack = path_from(split.chord.start, outline, contact, ice).points;
+    if (verdict_on_cut(outline, crack, rule) != SplitVerdict::splits) return std::nullopt;
+  }
+  return Failure{FailureKind::splitting, state.radial, contact.edge_point, state.radius, {std::move(crack)}};
 }
 
 double FailureRules::link(const IceAtContact& ice) const { return 0.5 * beam_characteristic_length(plate(ice)); }
@@ -113,14 +160,13 @@ std::vector<Failure> FailureRules::failures(const std::vector<Vec2>& outline, co
   if (contact.from_edge > link(ice) + 0.5 * contact.depth) return found;
   const BendingState state = bending_state(outline, contact, ice);
   if (settings_.splitting == SplittingModel::seed_geometric)
-    if (auto split = seed_split(outline, contact, state)) found.push_back(std::move(*split));
+    if (auto split = seed_split(outline, contact, state, ice)) found.push_back(std::move(*split));
   if (settings_.splitting == SplittingModel::lefm)
-    if (const auto split = splitting_state(outline, contact, ice); split && split->ratio >= 1)
-      found.push_back(
-          {FailureKind::splitting, split->ratio, contact.edge_point, 0, {{split->chord.start, split->chord.end}}});
+    if (auto split = splitting_state(outline, contact, ice); split && split->ratio >= 1)
+      found.push_back({FailureKind::splitting, split->ratio, contact.edge_point, 0, {std::move(split->crack)}});
   const double bends = std::min(state.radial, state.wedges);
-  if (settings_.bending && bends >= 1 && reach(outline, state.fan) > state.radius)
-    found.push_back({FailureKind::bending, bends, state.fan.apex, state.radius, wedge_cracks(state.fan)});
+  if (settings_.bending && bends >= 1 && reaches_beyond(outline, state))
+    found.push_back({FailureKind::bending, bends, state.fan.apex, farthest_radius(state), bending_cracks(state)});
   std::stable_sort(found.begin(), found.end(), [](const Failure& f, const Failure& g) { return f.ratio > g.ratio; });
   return found;
 }

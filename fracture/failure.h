@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "fracture/crack_lines.h"
+#include "fracture/crack_path.h"
 #include "fracture/edge_contact.h"
 #include "fracture/edge_load.h"
+#include "fracture/local_ice.h"
 #include "fracture/plate.h"
 #include "fracture/splitting_lefm.h"
 #include "fracture/wedge.h"
@@ -27,13 +29,16 @@ struct FailureSettings {
   double multiplier = 2.5;  ///< S_k of seed_geometric
   double min_area = 0;      ///< of a piece that splitting leaves [m^2]
   double max_aspect = 8;    ///< R_size, of seed_geometric
+  bool curved = false;      ///< cracks go where the ice around the contact is weak
+  double segment = 2;       ///< longest segment of curved splitting cracks [thicknesses]
 };
 
 /// What a floe bears near a contact.
 struct IceAtContact {
-  double thickness = 0;           ///< [m]
-  double flexural_strength = 0;   ///< [Pa]
-  double fracture_toughness = 0;  ///< [Pa sqrt(m)]
+  double thickness = 0;              ///< [m]
+  double flexural_strength = 0;      ///< [Pa]
+  double fracture_toughness = 0;     ///< [Pa sqrt(m)]
+  const LocalIce* around = nullptr;  ///< for curved cracks; none: alike everywhere
 };
 
 enum class FailureKind { bending, splitting };
@@ -44,7 +49,7 @@ struct Failure {
   FailureKind kind = FailureKind::bending;
   double ratio = 0;                       ///< load over what the ice bears; it breaks from 1 on
   Vec2 point = Vec2::Zero();              ///< of the edge where it starts, in B [m]
-  double radius = 0;                      ///< of the circumferential crack, R_bending [m]; 0 of splitting by lefm
+  double radius = 0;                      ///< of the circumferential crack, where it is farthest [m]; 0 of splitting by lefm
   std::vector<std::vector<Vec2>> cracks;  ///< for cut_floe
 };
 
@@ -54,6 +59,7 @@ struct BendingState {
   double wedges = 0;  ///< of the wedges between radial cracks: the circumferential crack from 1 on
   double radius = 0;  ///< R_bending [m]
   WedgeFan fan;
+  std::vector<double> radii;  ///< of the circumferential crack where it is curved, as wedge_cracks takes them [m]
 };
 
 /// Tables of the models that are asked for, built once; then pure.
@@ -65,15 +71,18 @@ class FailureRules {
   /// vertical load P, spread over the contact's width, cracks radially at its flexural strength (EdgeLoad); then the
   /// wedges between those cracks, as many as span the ice from edge to edge in angles nearest to `wedge_angle`, share P
   /// over the contact's depth and break at x_max (WedgeTable, bending_radius). Half the width, and the depth, are
-  /// Westergaard's equivalent lengths of loads narrower than 1.724 h, sqrt(1.6 x^2 + h^2) - 0.675 h.
+  /// Westergaard's equivalent lengths of loads narrower than 1.724 h, sqrt(1.6 x^2 + h^2) - 0.675 h. With curved cracks
+  /// each wedge breaks at its weakest section (weakest_sections), once the edge has cracked.
   BendingState bending_state(const std::vector<Vec2>& outline, const EdgeContact& contact,
                              const IceAtContact& ice) const;
   /// F_Y over the largest force that a floe with the crack's length and the width across it bears (splitting_force of a
   /// short starter crack), and the crack. None where no line leads through the ice,
-  /// or where it is more than eight times wider than long: there a corner is cut off, no floe split.
+  /// or where it is more than eight times wider than long: there a corner is cut off, no floe split. A curved crack
+  /// (crack_path) runs through at the largest force that its ice bears on the way: of K_IC(A) h sqrt(L) / H(A/L, W/L),
+  /// A measured along it, L its straight length.
   struct SplittingState {
     double ratio = 0;
-    Chord chord;
+    std::vector<Vec2> crack;
   };
   std::optional<SplittingState> splitting_state(const std::vector<Vec2>& outline, const EdgeContact& contact,
                                                 const IceAtContact& ice) const;
@@ -92,8 +101,12 @@ class FailureRules {
 
  private:
   IcePlate plate(const IceAtContact& ice) const;
+  bool curves(const IceAtContact& ice) const;
+  CrackPath path_from(const Vec2& start, const std::vector<Vec2>& outline, const EdgeContact& contact,
+                      const IceAtContact& ice) const;
+  double bearable_force(const CrackPath& path, const SplittingFloe& floe) const;
   std::optional<Failure> seed_split(const std::vector<Vec2>& outline, const EdgeContact& contact,
-                                    const BendingState& state) const;
+                                    const BendingState& state, const IceAtContact& ice) const;
 
   FailureSettings settings_;
   EdgeLoad edge_;

@@ -134,4 +134,13 @@ WedgeResponse solve_wedge(TipLoad load, double a) {
   return {wedge.at(x)(2), x, wedge.tip()};
 }
 
+std::vector<double> wedge_curvatures(TipLoad load, double a, const std::vector<double>& at) {
+  NILAS_DEMAND(a > 0 && a <= k_longest_tip_load);
+  const Wedge wedge(load, a);
+  const double x_max = steepest(wedge, a), largest = wedge.at(x_max)(2);
+  std::vector<double> shares;
+  for (const double x : at) shares.push_back(wedge.at(x * x_max)(2) / largest);
+  return shares;
+}
+
 }  // namespace nilas

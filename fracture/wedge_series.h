@@ -1,5 +1,6 @@
 #pragma once
 /// Nevel's narrow infinite wedge on an elastic foundation, solved by its power series.
+#include <vector>
 
 namespace nilas {
 
@@ -23,5 +24,8 @@ constexpr double k_longest_tip_load = 2;
 /// x = 20, which alters w at x by exp(-sqrt(2) (20 - x)). Deflection and curvature are exact to 1e-9 of their largest
 /// values, x_max to 1e-8. 0 <= a <= k_longest_tip_load, else ContractError; a = 0 is a point load at the tip.
 WedgeResponse solve_wedge(TipLoad load, double a);
+
+/// Curvatures w'' at the places `at` > 0 [of x_max], over the largest. 0 < a <= k_longest_tip_load, else ContractError.
+std::vector<double> wedge_curvatures(TipLoad load, double a, const std::vector<double>& at);
 
 }  // namespace nilas

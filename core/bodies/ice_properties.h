@@ -15,10 +15,17 @@ struct FloeStrength {
   double at(const Vec3& x_B) const { return at_xy ? at_xy(x_B.x(), x_B.y()) : mean; }
 };
 
+/// A line along which the ice of a floe is weaker: a refrozen crack, the seam between floes frozen together.
+struct WeakLine {
+  std::vector<Vec2> points;  ///< polyline in the floe's frame B [m]
+  double strength = 1;       ///< share of flexural strength and fracture toughness that is left on it, in (0, 1]
+};
+
 /// One entry per body, in the order of the bodies; bodies that are no floes have zeros.
 struct IceProperties {
   std::vector<char> breakable;
   std::vector<FloeStrength> flexural_strength, compressive_strength, fracture_toughness;
+  std::vector<std::vector<WeakLine>> weak_lines;
 
   bool is_breakable(int b) const {
     return static_cast<std::size_t>(b) < breakable.size() && breakable[static_cast<std::size_t>(b)] != 0;
@@ -26,7 +33,7 @@ struct IceProperties {
   /// Takes the entries that are marked out.
   void remove(const std::vector<char>& gone) {
     const auto drop = [&](auto&... lists) { (remove_marked(gone, lists), ...); };
-    drop(breakable, flexural_strength, compressive_strength, fracture_toughness);
+    drop(breakable, flexural_strength, compressive_strength, fracture_toughness, weak_lines);
   }
   /// Gives entries to all bodies up to `count`.
   void resize(std::size_t count) {
@@ -34,6 +41,7 @@ struct IceProperties {
     flexural_strength.resize(count);
     compressive_strength.resize(count);
     fracture_toughness.resize(count);
+    weak_lines.resize(count);
   }
 };
 
