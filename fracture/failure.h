@@ -87,6 +87,8 @@ class FailureRules {
   std::optional<SplittingState> splitting_state(const std::vector<Vec2>& outline, const EdgeContact& contact,
                                                 const IceAtContact& ice) const;
 
+  bool has_curved_cracks() const { return settings_.curved; }
+
   /// Loads on the edge this near to each other act as one: half of the wedges' characteristic length [m].
   double link(const IceAtContact& ice) const;
   /// Ways to break of a ratio of 1 or more, the largest ratio first. None under a load whose middle is farther

@@ -28,6 +28,8 @@ FieldResult as_one_field(const WorldParts& parts, const std::vector<FieldReport>
       all.floes.push_back(one.floe);
       all.floes.back().fixed = one.fixed;
     }
+  for (const PlannedIce& ice : parts.ice)
+    all.weak_lines.insert(all.weak_lines.end(), ice.weak_lines.begin(), ice.weak_lines.end());
   double ice_area = 0, free_area = 0;
   for (const FieldReport& report : reports) {
     all.worst_overlap = std::max(all.worst_overlap, report.deepest_overlap);

@@ -51,11 +51,17 @@ void add_ring(std::string& data, const std::vector<Vec2>& outline, double value)
   data += "\n";
 }
 
+void add_line(std::string& data, const std::vector<Vec2>& points) {
+  for (const Vec2& p : points) data += fmt::format("{:.9g} {:.9g} 0\n", p.x(), p.y());
+  data += "\n";
+}
+
 /// Blocks of outlines for gnuplot.
 std::string data_of(const std::vector<PlannedIce>& ice) {
-  std::string floes, hull, keep_out, regions;
+  std::string floes, weak, hull, keep_out, regions;
   for (const auto& group : ice) {
     for (const auto& one : group.floes) add_ring(floes, one.floe.outline, one.floe.thickness);
+    for (const auto& line : group.weak_lines) add_line(weak, line.points);
     for (const auto& outline : group.hull) add_ring(hull, outline, 0);
     for (const auto& outline : group.keep_out) add_ring(keep_out, outline, 0);
     if (has_region(group)) add_ring(regions, region_outline(*group.field), 0);
@@ -64,7 +70,7 @@ std::string data_of(const std::vector<PlannedIce>& ice) {
   const auto block = [](const char* name, const std::string& lines) {
     return fmt::format("${} << EOD\n{}EOD\n", name, lines.empty() ? "NaN NaN NaN\n" : lines);
   };
-  return block("floes", floes) + block("hull", hull) + block("keep_out", keep_out) + block("regions", regions);
+  return block("floes", floes) + block("weak", weak) + block("hull", hull) + block("keep_out", keep_out) + block("regions", regions);
 }
 
 bool thickness_varies(const std::vector<PlannedIce>& ice) {
@@ -89,6 +95,7 @@ std::string map_script(const std::string& title, const std::vector<PlannedIce>& 
       k_map_share - (coloured ? 0.11 : 0.02), box.low.x(), box.high.x(), box.low.y(), box.high.y(), title);
   script += fmt::format(
       "plot $floes using 1:2{} with filledcurves closed {}, \\\n"
+      "  $weak using 1:2 with lines lw 1 lc rgb '#7090a8', \\\n"
       "  $regions using 1:2 with lines lw 1.5 dt 2 lc rgb '#808080', \\\n"
       "  $keep_out using 1:2 with lines lw 1.5 dt 3 lc rgb '#c04000', \\\n"
       "  $hull using 1:2 with lines lw 2 lc rgb '#c04000'\n",

@@ -96,6 +96,7 @@ FieldReport field_report(const Scene& scene, const PlannedIce& ice, const FloeVa
   report.concentration = ice.concentration;
   report.deepest_overlap = ice.worst_overlap;
   report.left_out = ice.left_out;
+  report.weak_lines = ice.weak_lines.size();
   report.seconds = ice.seconds;
   report.quantities.push_back(size_report(ice));
   for (const FloeProperty property : k_floe_properties) {
@@ -167,6 +168,7 @@ Json report_json(const FieldReport& report) {
   json["concentration"] = report.concentration;
   json["worst_overlap_m"] = report.deepest_overlap;
   json["left_out"] = report.left_out;
+  json["weak_lines"] = report.weak_lines;
   json["seconds"] = report.seconds;
   for (const auto& quantity : report.quantities) json[quantity.column] = quantity_json(quantity);
   json["correlations"] = Json::array();
@@ -187,6 +189,7 @@ std::string report_text(const FieldReport& report) {
   }
   text += fmt::format("  deepest overlap {:g} m; {} floes left out for the hull\n", report.deepest_overlap,
                       report.left_out);
+  if (report.weak_lines > 0) text += fmt::format("  {} weak lines, seams of floes frozen together\n", report.weak_lines);
   text += fmt::format("{:<10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}\n", "", "mean", "sd", "min", "5 %", "50 %",
                       "95 %", "max");
   for (const auto& quantity : report.quantities) text += quantity_text(quantity);

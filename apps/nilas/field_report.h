@@ -37,6 +37,7 @@ struct FieldReport {
   double concentration = 0;    ///< 0: not known
   double deepest_overlap = 0;  ///< [m]
   int left_out = 0;
+  std::size_t weak_lines = 0;  ///< of its sheet
   double seconds = 0;
   std::vector<QuantityReport> quantities;  ///< sizes first
   std::vector<CorrelationReport> correlations;

@@ -1,5 +1,6 @@
 #pragma once
 /// What the ice of breakable floes can bear, in arrays beside Bodies.
+#include <Eigen/Geometry>
 #include <functional>
 #include <vector>
 
@@ -20,6 +21,10 @@ struct WeakLine {
   std::vector<Vec2> points;  ///< polyline in the floe's frame B [m]
   double strength = 1;       ///< share of flexural strength and fracture toughness that is left on it, in (0, 1]
 };
+
+/// Those segments that may meet the outline, about `centre` of theirs: both in frames of the same axes.
+std::vector<WeakLine> lines_near(const std::vector<WeakLine>& lines, const Vec2& centre,
+                                 const std::vector<Vec2>& outline);
 
 /// One entry per body, in the order of the bodies; bodies that are no floes have zeros.
 struct IceProperties {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/math.h"
+#include "core/bodies/ice_properties.h"
 
 namespace nilas {
 
@@ -48,6 +49,7 @@ struct FieldResult {
   int passes = 0;            ///< relaxation passes used
   int fitted = 0;            ///< polygon floes whose outline was fitted to its neighbours, see pack_field
   int left_out = 0;          ///< floes dropped because they met a keep-out outline
+  std::vector<WeakLine> weak_lines;  ///< along which the floes are weaker, in G
 };
 /// Overlap relaxation [van den Berg, IceFieldCreator]: random floes start with overlaps and are pushed apart; floes
 /// that block each other change places and are shaken. Floes keep their areas. Rectangles, squares, parallelograms and
@@ -78,6 +80,10 @@ struct LevelSpec {
 /// `aft`: a floe has no holes. The concentration counts the track as free water. Throws InputError.
 FieldResult level_field(const LevelSpec& spec);
 
+/// The cells of voronoi_field frozen together: the sheet of level_field, whose weak lines are the cells' common edges,
+/// with `strength` left on them. The spec's concentration has no part in it. Throws InputError.
+FieldResult frozen_field(const PackedSpec& spec, const Vec2& aft, double strength);
+
 /// A channel of broken ice along X between two sheets.
 struct ChannelSpec {
   PackedSpec ice;             ///< of the whole region; its concentration is that of the channel
@@ -105,7 +111,8 @@ struct GridSpec {
 /// at their ends. Throws InputError.
 FieldResult grid_field(const GridSpec& spec);
 
-/// GeoJSON FeatureCollection, one Polygon without holes per floe, in metres, its first point repeated at the end;
+/// GeoJSON FeatureCollection, in metres: a LineString with the property strength per weak line, and one Polygon without
+/// holes per floe, its first point repeated at the end;
 /// properties thickness_m, density_kg_m3, flexural_strength_Pa, compressive_strength_Pa, fracture_toughness_Pa_sqrt_m
 /// where not the scene's, written to the last bit; `fixed` where true. Clockwise rings are turned. worst_overlap is
 /// measured on reading. Throws FileError, InputError naming file and feature (counted from 1).

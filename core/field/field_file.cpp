@@ -34,7 +34,11 @@ class FieldReader {
     FieldResult result;
     for (const json& feature : root["features"]) {
       ++feature_;
-      result.floes.push_back(floe(feature));
+      const json& geometry = geometry_of(feature);
+      if (geometry.value("type", json()) == "LineString")
+        result.weak_lines.push_back(weak_line(feature, geometry));
+      else
+        result.floes.push_back(floe(feature, geometry));
     }
     feature_ = 0;
     if (root.contains("properties")) result.concentration = number(root["properties"], "concentration");
@@ -47,12 +51,23 @@ class FieldReader {
     throw InputError(file_.string() + place + ": " + message);
   }
 
-  FieldFloe floe(const json& feature) const {
+  const json& geometry_of(const json& feature) const {
     if (!feature.is_object() || !feature.contains("geometry") || !feature["geometry"].is_object())
       refuse("expected a Feature with a geometry");
-    const json& geometry = feature["geometry"];
+    return feature["geometry"];
+  }
+
+  WeakLine weak_line(const json& feature, const json& geometry) const {
+    const json line = geometry.value("coordinates", json());
+    if (!line.is_array() || line.size() < 2) refuse("expected coordinates: an array of two points or more");
+    const double strength = feature.contains("properties") ? number(feature["properties"], "strength") : 0;
+    if (!(strength > 0 && strength <= 1)) refuse("strength of a weak line: allowed a number > 0 and <= 1");
+    return {points(line), strength};
+  }
+
+  FieldFloe floe(const json& feature, const json& geometry) const {
     const json type = geometry.value("type", json());
-    if (type != "Polygon") refuse("geometry type: found " + type.dump() + ", allowed \"Polygon\"");
+    if (type != "Polygon") refuse("geometry type: found " + type.dump() + ", allowed \"Polygon\", \"LineString\"");
     const json rings = geometry.value("coordinates", json());
     if (!rings.is_array() || rings.empty()) refuse("expected coordinates: an array with one ring of points");
     if (rings.size() > 1) refuse(fmt::format("found {} rings, allowed 1: a floe has no holes", rings.size()));
@@ -66,15 +81,20 @@ class FieldReader {
     return floe;
   }
 
+  std::vector<Vec2> points(const json& list) const {
+    std::vector<Vec2> all;
+    for (const json& p : list) {
+      if (!p.is_array() || p.size() != 2 || !p[0].is_number() || !p[1].is_number())
+        refuse("point " + std::to_string(all.size() + 1) + ": found " + p.dump() + ", allowed [x, y] in metres");
+      all.emplace_back(p[0].get<double>(), p[1].get<double>());
+      if (!all.back().allFinite()) refuse("point " + std::to_string(all.size()) + " is not finite");
+    }
+    return all;
+  }
+
   std::vector<Vec2> outline(const json& ring) const {
     if (!ring.is_array()) refuse("expected a ring: an array of points");
-    std::vector<Vec2> points;
-    for (const json& p : ring) {
-      if (!p.is_array() || p.size() != 2 || !p[0].is_number() || !p[1].is_number())
-        refuse("point " + std::to_string(points.size() + 1) + ": found " + p.dump() + ", allowed [x, y] in metres");
-      points.emplace_back(p[0].get<double>(), p[1].get<double>());
-      if (!points.back().allFinite()) refuse("point " + std::to_string(points.size()) + " is not finite");
-    }
+    std::vector<Vec2> points = this->points(ring);
     constexpr std::size_t k_fewest_points = 4;  // a triangle and its closing point
     if (points.size() < k_fewest_points) refuse(fmt::format("found {} points, allowed 4 or more", points.size()));
     if (points.front() != points.back()) refuse("the ring is not closed: its last point must repeat the first");
@@ -134,6 +154,14 @@ json feature_of(const FieldFloe& floe) {
           {"geometry", {{"type", "Polygon"}, {"coordinates", json::array({ring})}}}};
 }
 
+json feature_of(const WeakLine& line) {
+  json points = json::array();
+  for (const Vec2& p : line.points) points.push_back({p.x(), p.y()});
+  return {{"type", "Feature"},
+          {"properties", {{"strength", line.strength}}},
+          {"geometry", {{"type", "LineString"}, {"coordinates", points}}}};
+}
+
 }  // namespace
 
 FieldResult read_field(const std::filesystem::path& file) {
@@ -145,6 +173,7 @@ FieldResult read_field(const std::filesystem::path& file) {
 void write_field(const FieldResult& field, const std::filesystem::path& file) {
   json features = json::array();
   for (const FieldFloe& floe : field.floes) features.push_back(feature_of(floe));
+  for (const WeakLine& line : field.weak_lines) features.push_back(feature_of(line));
   const json root = {{"type", "FeatureCollection"},
                      {"properties", {{"concentration", field.concentration}, {"worst_overlap_m", field.worst_overlap}}},
                      {"features", std::move(features)}};

@@ -82,4 +82,23 @@ FieldResult voronoi_field(const PackedSpec& spec) {
   return result;
 }
 
+/// Cells fill the region whatever is left out of it: a seam ends where the sheet does.
+FieldResult frozen_field(const PackedSpec& spec, const Vec2& aft, double strength) {
+  PackedSpec whole = spec;
+  whole.concentration = 1;
+  whole.keep_out.clear();
+  check_packed_spec(whole);
+  const FieldBounds bounds = field_bounds(whole);
+  const std::vector<double> areas = areas_of(whole, free_area(bounds));
+  PowerSites sites = first_sites(areas, bounds, whole.seed);
+  const std::vector<PowerCell> cells = cells_with_areas(sites, areas, bounds, k_lloyd_rounds, k_area_tolerance);
+  FieldResult result = level_field({spec.low, spec.high, spec.keep_out, spec.keep_out_margin, aft});
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    for (std::size_t k = 0; k < cells[i].outline.size(); ++k)
+      if (cells[i].beyond[k] > static_cast<int>(i))
+        result.weak_lines.push_back(
+            {{cells[i].outline[k], cells[i].outline[(k + 1) % cells[i].outline.size()]}, strength});
+  return result;
+}
+
 }  // namespace nilas

@@ -56,15 +56,29 @@ static FieldScene build_field(const SceneElement& element) {
   build_placement(field, element);
   if (const auto* size = child_of(element, "size")) field.size = build_size(*size);
   if (const auto* shape = child_of(element, "shape")) field.shape = build_shape(*shape);
+  if (const auto* bond = child_of(element, "bond")) field.bond = number_of(*bond, "strength");
   return field;
+}
+
+static std::vector<Vec2> points_of(const SceneElement& element, const std::string& attribute) {
+  const auto numbers = numbers_of(element, attribute).value_or(std::vector<double>{});
+  std::vector<Vec2> points;
+  for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) points.emplace_back(numbers[i], numbers[i + 1]);
+  return points;
+}
+
+static WeakLineScene build_weak_line(const SceneElement& element) {
+  WeakLineScene line;
+  line.points = points_of(element, "points");
+  assign(line.strength, element, "strength");
+  return line;
 }
 
 static FloeScene build_floe(const SceneElement& element) {
   FloeScene floe;
   floe.line = element.place.line;
   assign(floe.name, element, "name");
-  const auto outline = numbers_of(element, "outline").value_or(std::vector<double>{});
-  for (std::size_t i = 0; i + 1 < outline.size(); i += 2) floe.outline.emplace_back(outline[i], outline[i + 1]);
+  floe.outline = points_of(element, "outline");
   build_placement(floe, element);
   return floe;
 }
@@ -103,6 +117,7 @@ IceScene build_ice_scene(const SceneElement& element, const SceneElement* fractu
     if (child.name == "field") ice.fields.push_back(build_field(child));
     if (child.name == "vary") ice.vary.push_back(build_vary(child, fracture));
     if (child.name == "floe") ice.floes.push_back(build_floe(child));
+    if (child.name == "weak_line") ice.weak_lines.push_back(build_weak_line(child));
   }
   return ice;
 }

@@ -102,6 +102,11 @@ static FractureScene build_fracture(const SceneElement& element) {
     assign(fracture.splitting->model, *splitting, "model");
     assign(fracture.splitting->multiplier, *splitting, "multiplier");
   }
+  if (const auto* cracks = child_of(element, "cracks")) {
+    fracture.cracks.emplace();
+    assign(fracture.cracks->path, *cracks, "path");
+    assign(fracture.cracks->segment_thicknesses, *cracks, "segment_thicknesses");
+  }
   return fracture;
 }
 

@@ -69,22 +69,37 @@ static void check_channel(const SceneElement& field, std::vector<Fault>& faults)
                                   format_number(region->at(3) - region->at(1)) + " [m]"));
 }
 
-static void check_outline(const SceneElement& floe, std::vector<Fault>& faults) {
-  const auto outline = numbers_of(floe, "outline");
-  if (outline && outline->size() % 2 != 0)
-    faults.push_back(fault_of(
-        floe, "outline",
-        "found " + std::to_string(outline->size()) + " numbers; allowed: an even number of them, x y per corner"));
+static void check_points(const SceneElement& element, const std::string& attribute, const std::string& each,
+                         std::vector<Fault>& faults) {
+  const auto numbers = numbers_of(element, attribute);
+  if (numbers && numbers->size() % 2 != 0)
+    faults.push_back(
+        fault_of(element, attribute,
+                 "found " + std::to_string(numbers->size()) + " numbers; allowed: an even number of them, x y per " + each));
+}
+
+/// Floes that are frozen together leave no gaps.
+static void check_bond(const SceneElement& field, std::vector<Fault>& faults) {
+  const auto concentration = number_of(field, "concentration");
+  if (child_of(field, "bond") && concentration != 1.0)
+    faults.push_back(fault_of(field, "concentration",
+                              "found " + format_number(concentration.value_or(0)) +
+                                  "; allowed with <bond>: 1, floes that are frozen together leave no gaps"));
 }
 
 void check_ice(const SceneElement& ice, std::vector<Fault>& faults) {
   for (const auto& child : ice.children) {
     if (child.name == "vary") continue;
-    check_placement(child, faults);
-    if (child.name == "floe") {
-      check_outline(child, faults);
+    if (child.name == "weak_line") {
+      check_points(child, "points", "point", faults);
       continue;
     }
+    check_placement(child, faults);
+    if (child.name == "floe") {
+      check_points(child, "outline", "corner", faults);
+      continue;
+    }
+    check_bond(child, faults);
     check_source(child, faults);
     check_library(child, faults);
     check_channel(child, faults);

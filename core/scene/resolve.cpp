@@ -131,7 +131,8 @@ class Resolver {
       const auto use = property && property->valid ? uses.find(property->value) : uses.end();
       const auto is_used = [&](const std::string& by) {
         const SceneElement* model = fracture ? child_of(*fracture, by) : nullptr;
-        return model && (use->first != "fracture_toughness" || attribute_of(*model, "model")->value == "lefm");
+        return model && (use->first != "fracture_toughness" || has_curved_cracks(fracture) ||
+                         attribute_of(*model, "model")->value == "lefm");
       };
       if (use == uses.end() || std::any_of(use->second.begin(), use->second.end(), is_used)) continue;
       note(child.path, use->first + " has no effect in a run without <" +
@@ -139,8 +140,24 @@ class Resolver {
     }
   }
 
+  static bool has_curved_cracks(const SceneElement* fracture) {
+    const SceneElement* cracks = fracture ? child_of(*fracture, "cracks") : nullptr;
+    return cracks && text_of(*cracks, "path") == "curved";
+  }
+
+  /// Cracks that keep straight pass weak lines by.
+  void note_idle_weak_lines(const SceneElement* ice, const SceneElement* fracture) {
+    if (!ice || has_curved_cracks(fracture)) return;
+    const std::string without = "no effect without <fracture><cracks path=\"curved\">";
+    for (const auto& child : ice->children) {
+      if (child.name == "weak_line") note(child.path, without);
+      if (const auto* bond = child.name == "field" ? child_of(child, "bond") : nullptr) note(bond->path, without);
+    }
+  }
+
   void note_idle_fracture(const SceneElement& root) {
     const SceneElement *ice = child_of(root, "ice"), *fracture = child_of(root, "fracture");
+    note_idle_weak_lines(ice, fracture);
     if (!fracture) return;
     const bool breakable = ice && std::any_of(ice->children.begin(), ice->children.end(),
                                               [](const SceneElement& child) { return is_true(child, "breakable"); });
@@ -148,6 +165,8 @@ class Resolver {
     const bool breaks = child_of(*fracture, "bending") || child_of(*fracture, "splitting");
     if (breaks && !child_of(*fracture, "crushing"))
       note(fracture->path, "without <crushing> ice breaks by the peaks of rigid contacts, which depend on the step");
+    const SceneElement* cracks = child_of(*fracture, "cracks");
+    if (cracks && !breaks) note(cracks->path, "no effect without <bending> or <splitting>");
     if (fracture->children.empty()) note(fracture->path, "no effect: it names no <crushing>, <bending> or <splitting>");
   }
 

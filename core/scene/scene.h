@@ -151,6 +151,7 @@ struct FieldScene {
   std::optional<double> thickness;
   SizeScene size;
   ShapeScene shape;
+  std::optional<double> bond;  ///< strength left on the seams of floes that are frozen together
 };
 struct FloeScene {
   std::string name;
@@ -169,10 +170,16 @@ struct VaryScene {
   std::vector<std::pair<std::string, double>> correlations;  ///< with other properties, of the normal scores
   int line = 0;
 };
+/// Ground frame at the start.
+struct WeakLineScene {
+  std::vector<Vec2> points;  ///< [m]
+  double strength = 1;       ///< share left of flexural strength and fracture toughness
+};
 struct IceScene {
   double density = 920, youngs_modulus = 6e7, poisson = 0.3, thickness = 0.04;
   std::vector<FieldScene> fields;
   std::vector<FloeScene> floes;
+  std::vector<WeakLineScene> weak_lines;
   std::vector<VaryScene> vary;
 };
 
@@ -190,6 +197,10 @@ struct SplittingScene {
   std::string model = "seed-geometric";
   double multiplier = 2.5;
 };
+struct CracksScene {
+  std::string path = "straight";
+  double segment_thicknesses = 2;
+};
 struct FractureScene {
   double flexural_strength = 4e4, compressive_strength = 1e5;  ///< [Pa]
   double fracture_toughness = 3e3;                             ///< [Pa sqrt(m)]
@@ -199,6 +210,7 @@ struct FractureScene {
   std::optional<CrushingScene> crushing;
   std::optional<BendingScene> bending;
   std::optional<SplittingScene> splitting;
+  std::optional<CracksScene> cracks;
 };
 
 struct BodyScene {

@@ -270,6 +270,40 @@ static ElementSpec vary() {
   return element;
 }
 
-std::vector<ElementSpec> ice_elements() { return {ice(), field(), size(), shape(), floe(), vary()}; }
+/// Of weak lines and bonds.
+static AttributeSpec strength_left() {
+  return {.name = "strength",
+          .range = {.min = 0, .max = 1, .min_inclusive = false},
+          .required = true,
+          .doc = "Share of flexural strength and fracture toughness that is left there."};
+}
+
+static ElementSpec bond() {
+  return {.name = "bond",
+          .parent = "field",
+          .applies = {"kind", {"voronoi"}},
+          .doc = "The floes are frozen together: one sheet, whose seams between them are weak lines. It needs a "
+                 "concentration of 1. No effect without <cracks path=\"curved\">.",
+          .attributes = {strength_left()}};
+}
+
+static ElementSpec weak_line() {
+  return {.name = "weak_line",
+          .parent = "ice",
+          .count = Count::many,
+          .doc = "A line along which the breakable floes that it crosses at the start are weaker: a refrozen crack, the "
+                 "flank of a ridge. No effect without <cracks path=\"curved\">.",
+          .attributes = {{.name = "points",
+                          .min_count = 4,
+                          .max_count = k_any_count,
+                          .unit = "m",
+                          .required = true,
+                          .doc = "Points x y x y ... in the ground frame, at least two."},
+                         strength_left()}};
+}
+
+std::vector<ElementSpec> ice_elements() {
+  return {ice(), field(), size(), shape(), bond(), floe(), weak_line(), vary()};
+}
 
 }  // namespace nilas::schema_table

@@ -53,9 +53,20 @@ void Breaking::note_loads(const Bodies& bodies, const IceProperties& ice, const 
   }
 }
 
-IceAtContact Breaking::ice_at(const Bodies& bodies, const IceProperties& ice, std::size_t b, const Vec2& x) {
+IceAtContact Breaking::ice_at(const Bodies& bodies, const IceProperties& ice, std::size_t b, const Vec2& x,
+                              const LocalIce* around) {
   const Vec3 place(x.x(), x.y(), 0);
-  return {bodies.shape[b]->thickness, ice.flexural_strength[b].at(place), ice.fracture_toughness[b].at(place)};
+  return {bodies.shape[b]->thickness, ice.flexural_strength[b].at(place), ice.fracture_toughness[b].at(place), around};
+}
+
+/// What the floe's ice is like beyond the load, where cracks may follow it.
+static LocalIce local_ice(const IceProperties& ice, std::size_t b) {
+  const auto in_plane = [](const FloeStrength& strength) {
+    std::function<double(const Vec2&)> at;
+    if (strength.at_xy) at = [&field = strength.at_xy](const Vec2& x) { return field(x.x(), x.y()); };
+    return at;
+  };
+  return {in_plane(ice.flexural_strength[b]), in_plane(ice.fracture_toughness[b]), ice.weak_lines[b]};
 }
 
 std::vector<Breaking::Break> Breaking::take_breaks(const Bodies& bodies, const IceProperties& ice, double step) {
@@ -65,8 +76,10 @@ std::vector<Breaking::Break> Breaking::take_breaks(const Bodies& bodies, const I
     const std::vector<Vec2>& outline = bodies.shape[b]->outline;
     for (PointLoad& load : loads) load.force /= step;
     Break found{id, {}};
-    for (const EdgeContact& contact : edge_contacts(outline, loads, rules_.link(ice_at(bodies, ice, b, {0, 0}))))
-      for (Failure& way : rules_.failures(outline, contact, ice_at(bodies, ice, b, contact.edge_point)))
+    const LocalIce around = rules_.has_curved_cracks() ? local_ice(ice, b) : LocalIce();
+    const double link = rules_.link(ice_at(bodies, ice, b, {0, 0}, &around));
+    for (const EdgeContact& contact : edge_contacts(outline, loads, link))
+      for (Failure& way : rules_.failures(outline, contact, ice_at(bodies, ice, b, contact.edge_point, &around)))
         found.ways.push_back(std::move(way));
     if (found.ways.empty()) continue;
     std::stable_sort(found.ways.begin(), found.ways.end(),
@@ -117,6 +130,7 @@ void Breaking::add_body(BodySpec spec, const Origin& origin, Bodies& bodies, Ice
   ice.flexural_strength[b] = moved(intact.flexural, origin.place);
   ice.compressive_strength[b] = moved(intact.compressive, origin.place);
   ice.fracture_toughness[b] = moved(intact.toughness, origin.place);
+  ice.weak_lines[b] = lines_near(intact.weak_lines, origin.place, bodies.shape[b]->outline);
 }
 
 void Breaking::add_piece(const FloePiece& piece, std::size_t floe, bool fixed, Bodies& bodies, IceProperties& ice) {
@@ -138,7 +152,7 @@ void Breaking::add_piece(const FloePiece& piece, std::size_t floe, bool fixed, B
 void Breaking::keep_intact(std::size_t b, const Bodies& bodies, const IceProperties& ice) {
   if (origins_.count(bodies.id[b]) > 0) return;
   intact_[bodies.id[b]] = {bodies.name[b], bodies.material[b], ice.flexural_strength[b], ice.compressive_strength[b],
-                           ice.fracture_toughness[b]};
+                           ice.fracture_toughness[b], ice.weak_lines[b]};
 }
 
 void Breaking::take_out(std::size_t b, Bodies& bodies, IceProperties& ice) {

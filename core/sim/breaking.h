@@ -55,6 +55,7 @@ class Breaking {
   struct Intact {
     std::string name, material;
     FloeStrength flexural, compressive, toughness;
+    std::vector<WeakLine> weak_lines;
   };
   /// A piece's frame in that of the scene's floe that it was cut from.
   struct Origin {
@@ -62,7 +63,8 @@ class Breaking {
     Vec2 place = Vec2::Zero();  ///< of the piece's centre [m]
   };
 
-  static IceAtContact ice_at(const Bodies& bodies, const IceProperties& ice, std::size_t b, const Vec2& x);
+  static IceAtContact ice_at(const Bodies& bodies, const IceProperties& ice, std::size_t b, const Vec2& x,
+                             const LocalIce* around);
   static std::vector<char> fixed_pieces(const FloeCut& cut, const Failure& way);
   Origin origin_of(std::int64_t id) const;
   void add_piece(const FloePiece& piece, std::size_t floe, bool fixed, Bodies& bodies, IceProperties& ice);

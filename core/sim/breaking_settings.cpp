@@ -24,6 +24,10 @@ FailureSettings failure_settings(const Scene& scene) {
     settings.splitting = geometric ? SplittingModel::seed_geometric : SplittingModel::lefm;
     settings.multiplier = fracture.splitting->multiplier;
   }
+  if (fracture.cracks) {
+    settings.curved = fracture.cracks->path == "curved";
+    settings.segment = fracture.cracks->segment_thicknesses;
+  }
   return settings;
 }
 
@@ -39,8 +43,10 @@ std::string breaking_description(const Scene& scene) {
   NILAS_DEMAND(scene.fracture.has_value());
   std::string text;
   if (scene.fracture->bending) text = "<fracture><bending>: " + scene.fracture->bending->model;
-  if (!scene.fracture->splitting) return text;
-  return text + (text.empty() ? "" : "; ") + "<fracture><splitting>: " + scene.fracture->splitting->model;
+  if (scene.fracture->splitting)
+    text += (text.empty() ? "" : "; ") + ("<fracture><splitting>: " + scene.fracture->splitting->model);
+  if (scene.fracture->cracks) text += "; <fracture><cracks>: " + scene.fracture->cracks->path;
+  return text;
 }
 
 }  // namespace nilas

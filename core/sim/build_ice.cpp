@@ -53,7 +53,7 @@ class IceBuilder {
     if (!ice_.floes.empty()) plan_single_floes();
     if (!ice_.vary.empty()) vary();
     for (auto& planned : parts_.ice)
-      for (auto& floe : planned.floes) add_floe(floe);
+      for (auto& floe : planned.floes) add_floe(floe, planned);
     parts_.info.ice_thickness = ice_.thickness;
     parts_.info.modules.emplace_back("ice", "<ice>: " + std::to_string(parts_.info.floes) + " floes");
     for (const VaryScene& one : ice_.vary) parts_.info.modules.emplace_back("vary " + one.property, reason(one));
@@ -111,6 +111,7 @@ class IceBuilder {
     planned.concentration = result.concentration;
     planned.worst_overlap = result.worst_overlap;
     planned.left_out = result.left_out;
+    planned.weak_lines = std::move(result.weak_lines);
     for (FieldFloe& floe : result.floes) {
       const bool stays = floe.fixed;
       planned.floes.push_back({std::move(floe),
@@ -168,6 +169,7 @@ class IceBuilder {
     spec.high = high;
     spec.keep_out = std::move(keep_out);
     spec.keep_out_margin = margin;
+    if (field.bond) return frozen_field(spec, aft(), *field.bond);
     planned.packed = spec;
     if (field.kind == "voronoi") return voronoi_field(spec);
     if (field.kind == "channel")
@@ -220,7 +222,7 @@ class IceBuilder {
     return floating_mid_plane(parts_, is_buoyant(), thickness, density);
   }
 
-  void add_floe(PlannedFloe& planned) {
+  void add_floe(PlannedFloe& planned, const PlannedIce& group) {
     FieldFloe& floe = planned.floe;
     for (const FloeProperty property : {FloeProperty::thickness, FloeProperty::density})
       if (value_of(floe, property) <= 0) value_of(floe, property) = planned.means[static_cast<std::size_t>(property)];
@@ -239,7 +241,10 @@ class IceBuilder {
     spec.pose.p = {centre.x(), centre.y(), mid_plane(floe.thickness, floe.density) + planned.z};
     if (!planned.fixed) spec.v = planned.velocity;
     const int body = parts_.bodies.add(spec);
-    if (scene_.fracture) add_strengths(planned, body);
+    if (scene_.fracture) {
+      add_strengths(planned, body);
+      add_weak_lines(group, centre, about_centre, body);
+    }
     ++parts_.info.floes;
     if (!planned.fixed) parts_.info.ice_mass += mass.mass;
   }
@@ -261,6 +266,12 @@ class IceBuilder {
     ice.flexural_strength[b] = strength(FloeProperty::flexural_strength);
     ice.compressive_strength[b] = strength(FloeProperty::compressive_strength);
     ice.fracture_toughness[b] = strength(FloeProperty::fracture_toughness);
+  }
+
+  void add_weak_lines(const PlannedIce& group, const Vec2& centre, const std::vector<Vec2>& outline, int body) {
+    std::vector<WeakLine> lines = group.weak_lines;
+    for (const WeakLineScene& line : ice_.weak_lines) lines.push_back({line.points, line.strength});
+    parts_.ice_properties->weak_lines[static_cast<std::size_t>(body)] = lines_near(lines, centre, outline);
   }
 
   void name_breakable() {

@@ -31,6 +31,7 @@ struct PlannedIce {
   double concentration = 0, worst_overlap = 0;  ///< see FieldResult
   int left_out = 0;
   double seconds = 0;  ///< of wall time that its generation took
+  std::vector<WeakLine> weak_lines;  ///< in G
   std::vector<PlannedFloe> floes;
 };
 

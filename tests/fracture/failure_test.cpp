@@ -191,5 +191,57 @@ TEST(Failure, LefmSplitsAtWhatTheFloeBears) {
   EXPECT_FALSE(rules.splitting_state(square(100), EdgeContact{}, ice()).has_value()) << "no direction, no crack";
 }
 
+TEST(Failure, CurvedCracksInIceThatIsAlikeAreStraight) {
+  FailureSettings settings = bending();
+  settings.splitting = SplittingModel::lefm;
+  const FailureRules straight(settings);
+  settings.curved = true;
+  const FailureRules curved(settings);
+  const LocalIce alike;
+  LocalIce stated;
+  stated.flexural_strength = [](const Vec2&) { return 5e5; };
+  stated.fracture_toughness = [](const Vec2&) { return 1.15e5; };
+  IceAtContact none = ice(), same = ice();
+  none.around = &alike;
+  same.around = &stated;
+  EdgeContact contact = load(1e6);
+  contact.opening = 4e5;
+  const auto a = straight.failures(k_sheet, contact, ice()), b = curved.failures(k_sheet, contact, none),
+             c = curved.failures(k_sheet, contact, same);
+  ASSERT_EQ(a.size(), 2u);
+  ASSERT_EQ(b.size(), 2u);
+  ASSERT_EQ(c.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(b[i].ratio, a[i].ratio);
+    EXPECT_EQ(b[i].cracks, a[i].cracks);
+    EXPECT_NEAR(c[i].ratio, a[i].ratio, 1e-9 * a[i].ratio);
+    EXPECT_NEAR(c[i].radius, a[i].radius, 1e-9);
+  }
+}
+
+/// Across all wedges at their breaking length, or along the way of the splitting crack: both loads fall by what is left.
+TEST(Failure, WeakLinesLowerTheLoad) {
+  FailureSettings settings = bending();
+  settings.splitting = SplittingModel::lefm;
+  settings.curved = true;
+  const FailureRules rules(settings);
+  EdgeContact contact = load(1e6);
+  contact.opening = 4e5;
+  const BendingState whole = rules.bending_state(k_sheet, contact, ice());
+  LocalIce around;
+  WeakLine ring{{}, 0.5};
+  for (int k = 0; k <= 8; ++k)
+    ring.points.emplace_back(whole.radius / std::cos(k_pi / 16) * std::cos(k_pi * k / 8),
+                             whole.radius / std::cos(k_pi / 16) * std::sin(k_pi * k / 8));
+  around.weak_lines = {ring};
+  IceAtContact weak = ice();
+  weak.around = &around;
+  const BendingState state = rules.bending_state(k_sheet, contact, weak);
+  EXPECT_NEAR(state.wedges / whole.wedges, 2, 0.01) << "the chords of the ring are 2 % off its circle";
+  around.weak_lines = {{{{0, 0}, {0, 200}}, 0.25}};
+  EXPECT_NEAR(rules.splitting_state(k_sheet, contact, weak)->ratio,
+              4 * rules.splitting_state(k_sheet, contact, ice())->ratio, 1e-6);
+}
+
 }  // namespace
 }  // namespace nilas

@@ -68,6 +68,27 @@ TEST_F(FieldFile, RoundTripKeepsEveryBit) {
   EXPECT_EQ(read.worst_overlap, 0);
 }
 
+TEST_F(FieldFile, WeakLinesGoRoundAndAreChecked) {
+  PackedSpec spec;
+  spec.high = {6, 5};
+  const FieldResult field = frozen_field(spec, -Vec2::UnitX(), 0.1 + 0.2);
+  ASSERT_FALSE(field.weak_lines.empty());
+  write_field(field, folder_ / "f.json");
+  const FieldResult read = read_field(folder_ / "f.json");
+  ASSERT_EQ(read.weak_lines.size(), field.weak_lines.size());
+  for (std::size_t i = 0; i < field.weak_lines.size(); ++i) {
+    EXPECT_EQ(read.weak_lines[i].points, field.weak_lines[i].points);
+    EXPECT_EQ(read.weak_lines[i].strength, field.weak_lines[i].strength);
+  }
+  ASSERT_EQ(read.floes.size(), 1u);
+  const std::string line = R"({"type":"LineString","coordinates":[[0,0],[1,1]]})";
+  EXPECT_EQ(refusal(with_second(line, R"({"strength":0.5})")), "accepted");
+  EXPECT_TRUE(names(refusal(with_second(line)), "feature 2: strength of a weak line"));
+  EXPECT_TRUE(names(refusal(with_second(line, R"({"strength":1.5})")), "> 0 and <= 1"));
+  EXPECT_TRUE(names(refusal(with_second(R"({"type":"LineString","coordinates":[[0,0]]})", R"({"strength":1})")),
+                    "two points or more"));
+}
+
 TEST_F(FieldFile, ClockwiseRingsAreTurned) {
   const auto field = read_field(with_second(R"({"type":"Polygon","coordinates":[[[3,0],[3,1],[4,1],[4,0],[3,0]]]})"));
   const auto& outline = field.floes[1].outline;

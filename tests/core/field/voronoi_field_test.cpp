@@ -67,6 +67,27 @@ TEST(Voronoi, AtHundredPercentCellsShareTheirEdges) {
   EXPECT_GT(touching, -1e-9);
 }
 
+/// One sheet; each cell's perimeter is seams, shared by two, and the region's edge.
+TEST(Voronoi, FrozenFloesAreASheetWithSeams) {
+  const PackedSpec spec = spec_of(0.3, 4);
+  PackedSpec full = spec;
+  full.concentration = 1;
+  const FieldResult cells = voronoi_field(full), frozen = frozen_field(spec, -Vec2::UnitX(), 0.4);
+  ASSERT_EQ(frozen.floes.size(), 1u);
+  EXPECT_NEAR(polygon_moments(frozen.floes[0].outline).area, 180, 1e-9);
+  double perimeters = 0, seams = 0;
+  for (const FieldFloe& cell : cells.floes)
+    for (std::size_t i = 0; i < cell.outline.size(); ++i)
+      perimeters += (cell.outline[(i + 1) % cell.outline.size()] - cell.outline[i]).norm();
+  for (const WeakLine& line : frozen.weak_lines) {
+    ASSERT_EQ(line.points.size(), 2u);
+    EXPECT_EQ(line.strength, 0.4);
+    seams += (line.points[1] - line.points[0]).norm();
+  }
+  EXPECT_NEAR(2 * seams, perimeters - 2 * (18 + 10), 1e-4 * perimeters) << "cells are made smaller by rounding";
+  EXPECT_TRUE(cells.weak_lines.empty());
+}
+
 TEST(Voronoi, SameSeedSameBits) {
   const FieldResult one = voronoi_field(spec_of(0.9, 5)), two = voronoi_field(spec_of(0.9, 5));
   ASSERT_EQ(one.floes.size(), two.floes.size());

@@ -97,6 +97,39 @@ TEST(FractureScene, BendingAndSplittingTakeTheirSettings) {
       << "radial cracks take the flexural strength";
 }
 
+TEST(FractureScene, WeakLinesBondsAndCurvedCracks) {
+  const SceneFolder folder;
+  const std::string water = "<water/><hydro><buoyancy/></hydro>";
+  const std::string ice =
+      "<ice><field kind='voronoi' region='0 0 9 9' concentration='1' breakable='true'><bond strength='0.4'/></field>"
+      "<weak_line points='0 0 1 2 3 4' strength='0.25'/></ice>";
+  const std::string fracture = "<fracture><crushing/><bending/><cracks path='curved' segment_thicknesses='3'/></fracture>";
+  const Scene scene = folder.read(in_scene(water + ice + fracture));
+  EXPECT_EQ(scene.ice->fields.at(0).bond, 0.4);
+  const WeakLineScene& line = scene.ice->weak_lines.at(0);
+  EXPECT_EQ(line.points, (std::vector<Vec2>{{0, 0}, {1, 2}, {3, 4}}));
+  EXPECT_EQ(line.strength, 0.25);
+  EXPECT_EQ(scene.fracture->cracks->path, "curved");
+  EXPECT_EQ(scene.fracture->cracks->segment_thicknesses, 3);
+  EXPECT_TRUE(scene.notes.empty()) << scene.notes.front();
+  EXPECT_EQ(SceneFolder().read(scene.as_run).as_run, scene.as_run);
+
+  const Scene straight = folder.read(in_scene(water + ice + "<fracture><crushing/><bending/></fracture>"));
+  const std::string without = ": no effect without <fracture><cracks path=\"curved\">.";
+  EXPECT_EQ(count(straight, "<ice><weak_line>" + without), 1);
+  EXPECT_EQ(count(straight, "<ice><field><bond>" + without), 1);
+  EXPECT_EQ(count(folder.read(in_scene(k_ice + "<fracture><crushing/><cracks path='curved'/></fracture>")),
+                  "<fracture><cracks>: no effect without <bending> or <splitting>."),
+            1);
+  const auto faults = [&](const std::string& content) { return folder.faults(in_scene("<ice>" + content + "</ice>")); };
+  expect_fault(faults("<weak_line points='0 0 1' strength='0.5'/>"), 2, "<ice><weak_line points>", {"at least 4"});
+  expect_fault(faults("<weak_line points='0 0 1 1 2' strength='0.5'/>"), 2, "<ice><weak_line points>", {"even"});
+  expect_fault(faults("<weak_line points='0 0 1 1'/>"), 2, "<ice><weak_line strength>", {"missing"});
+  expect_fault(faults("<weak_line points='0 0 1 1' strength='0'/>"), 2, "<ice><weak_line strength>", {"> 0"});
+  expect_fault(faults("<field kind='voronoi' region='0 0 1 1'><bond strength='1'/></field>"), 2,
+               "<ice><field concentration>", {"allowed with <bond>: 1"});
+}
+
 TEST(FractureScene, StrengthsVaryAboutItsOwn) {
   const SceneFolder folder;
   const std::string ice =
@@ -119,7 +152,7 @@ TEST(FractureScene, FaultsAreFound) {
                "<fracture><bending wedge_angle_deg>", {">= 5"});
   expect_fault(faults("<water/><hydro><buoyancy/></hydro><fracture><splitting multiplier='1'/></fracture>"), 2,
                "<fracture><splitting multiplier>", {"> 1"});
-  expect_fault(faults("<fracture><cracks/></fracture>"), 2, "<fracture><cracks>", {"not built"});
+  expect_fault(faults("<fracture><cracks path='crooked'/></fracture>"), 2, "<fracture><cracks path>", {"curved"});
 }
 
 }  // namespace

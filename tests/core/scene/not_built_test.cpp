@@ -25,8 +25,7 @@ TEST(NotBuilt, EachIsRefusedWithItsPlace) {
       {"<hydro><radiation model='cummins'/></hydro>", "<hydro><radiation>"},
       {vessel + "<control mode='dp'/></vessel>", "<vessel><control>"},
       {vessel + "<thrusters file='file'/></vessel>", "<vessel><thrusters>"},
-      {vessel + "<mooring file='file'/></vessel>", "<vessel><mooring>"},
-      {"<fracture><cracks path='curved'/></fracture>", "<fracture><cracks>"}};
+      {vessel + "<mooring file='file'/></vessel>", "<vessel><mooring>"}};
   for (const auto& c : cases) {
     SCOPED_TRACE(c.content);
     expect_fault(folder.faults(in_scene(c.content)), 2, c.where, {"not built in this version"});

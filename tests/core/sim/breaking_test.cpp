@@ -200,6 +200,34 @@ TEST(Breaking, LefmSplitsAFloeThatIsHeld) {
   EXPECT_NEAR(F_x / 2 * n.y() / n.x() / bears, event.ratio, 1e-6);
 }
 
+/// The load is that of the weak line's toughness; a second line, far behind, goes with the piece that it crosses.
+TEST(Breaking, AFloeSplitsAlongItsWeakLine) {
+  std::string content = bow("outline='0 -1 2 -1 2 1 0 1' fixed='true'");
+  content.replace(content.find("</ice>"), 6,
+                  "<weak_line points='0 0 2 0.6' strength='0.5'/><weak_line points='1.5 0.8 1.9 0.8' strength='0.7'/></ice>");
+  const auto models = [](const std::string& path) {
+    return fracture("<splitting model='lefm'/><cracks path='" + path + "' segment_thicknesses='1'/>",
+                    "fracture_toughness='2e3'");
+  };
+  Rig straight(content + models("straight"));
+  const StepRecord passed_by = straight.until_broken();
+  EXPECT_NEAR(passed_by.broken[0].length, 2, 1e-9);
+  Rig rig(content + models("curved"));
+  const StepRecord record = rig.until_broken();
+  const FractureEvent& event = record.broken[0];
+  EXPECT_NEAR(event.length, std::hypot(2, 0.6), 1e-6);
+  ASSERT_EQ(event.pieces.size(), 2u);
+  const Vec3 n = Vec3(1, 4, -1).normalized();  // of the bow's face at y > 0
+  const double F_Y = -record.vessel->contact.force.x() / 2 * n.y() / n.x();
+  const double bears = 0.5 * 2e3 * 0.05 * std::sqrt(2) / SplittingTable().least(1).H;
+  EXPECT_NEAR(F_Y / bears, event.ratio, 1e-4) << "H is least at the same share of the crack's length";
+  std::vector<double> areas;
+  for (std::size_t b = 1; b < 3; ++b) areas.push_back(polygon_moments(rig.bodies().shape[b]->outline).area);
+  std::sort(areas.begin(), areas.end());
+  EXPECT_NEAR(areas[0], 1.4, 1e-5);
+  EXPECT_NEAR(areas[1], 2.6, 1e-5);
+}
+
 TEST(Breaking, PiecesKeepTheStrengthsOfTheirPlaces) {
   const std::string vary = "<vary property='flexural_strength' cov='0.3' correlation_length='0.5'/></ice>";
   std::string content = bow();
@@ -220,6 +248,34 @@ TEST(Breaking, PiecesKeepTheStrengthsOfTheirPlaces) {
     for (std::size_t i = 0; i < one.broken.size(); ++i) EXPECT_EQ(one.broken[i].ratio, two.broken[i].ratio);
   }
   EXPECT_TRUE(again) << "pieces break too";
+}
+
+TEST(Breaking, ASheetOfFrozenFloesBreaksAlongItsSeams) {
+  const std::string frozen =
+      "<vessel hull='bow.stl' position='-0.02 0 0'><mass value='1000'/><carriage speed='0.3'/></vessel>"
+      "<ice thickness='0.05' density='900' youngs_modulus='1e8'><field kind='voronoi' region='0 -3 6 3' "
+      "concentration='1' breakable='true' fixed='true'><size distribution='fixed' mean='0.5'/>"
+      "<bond strength='0.3'/></field></ice>" +
+      fracture("<bending/><cracks path='curved'/>");
+  Rig rig(frozen);
+  const double mass = rig.bodies().mass[1];
+  StepRecord record = rig.until_broken();
+  EXPECT_LT(record.broken[0].ratio, 1.5);
+  // saved, and on as if never stopped: the pieces find their seams by their places
+  State state;
+  rig.simulation->save(StateWriter(state));
+  Simulation other(rig.scene, 1, rig.warnings);
+  other.restore(StateReader(state));
+  std::size_t again = 0;
+  for (int k = 0; k < 60; ++k) {
+    const StepRecord one = rig.simulation->step(), two = other.step();
+    ASSERT_EQ(one.state_hash, two.state_hash) << k;
+    again += one.broken.size();
+  }
+  EXPECT_GT(again, 0u);
+  double left = rig.simulation->brash_mass();
+  for (std::size_t b = 1; b < rig.bodies().mass.size(); ++b) left += rig.bodies().mass[b];
+  EXPECT_NEAR(left, mass, 1e-12 * mass);
 }
 
 TEST(Breaking, IceThatNothingBreaksMovesAsIfItCouldNot) {
