@@ -109,6 +109,7 @@ struct BroadPhase::Tree {
   fcl::DynamicAABBTreeCollisionManagerd manager;
   std::vector<std::unique_ptr<Leaf>> leaves;
   std::vector<int> planes;
+  std::vector<char> refitted;  ///< per leaf, by the last call of refit
   std::size_t known_parts = 0;
   std::vector<std::vector<PartPair>> lists;  ///< of the pieces of the tree, and one of the pairs with planes
   std::vector<WalkedPair> sorted;            ///< all of them
@@ -117,10 +118,10 @@ struct BroadPhase::Tree {
   template <class Fit>
   void add_new_parts(const Bodies& bodies, const std::vector<Part>& parts, const Fit& fit);
   std::vector<fcl::AABBd> boxes() const;
-  void refit(const Bodies& bodies, const std::vector<Part>& parts, double margin);
+  void refit(const Bodies& bodies, const std::vector<Part>& parts, double margin, int threads);
   void list_tree_pairs(int threads);
   void list_plane_pairs(const Bodies& bodies, const std::vector<Part>& parts, double margin);
-  void sort_pairs(int bodies);
+  void sort_pairs(int bodies, int threads);
 };
 
 template <class Fit>
@@ -161,14 +162,20 @@ std::vector<fcl::AABBd> BroadPhase::Tree::boxes() const {
   return boxes;
 }
 
-void BroadPhase::Tree::refit(const Bodies& bodies, const std::vector<Part>& parts, double margin) {
+void BroadPhase::Tree::refit(const Bodies& bodies, const std::vector<Part>& parts, double margin, int threads) {
+  refitted.resize(leaves.size());
+  parallel_chunks(static_cast<std::ptrdiff_t>(leaves.size()), k_chunk, threads,
+                  [&](std::ptrdiff_t, std::ptrdiff_t first, std::ptrdiff_t last) {
+                    for (std::ptrdiff_t k = first; k < last; ++k) {
+                      Leaf& leaf = *leaves[k];
+                      leaf.moving = can_move(bodies, parts[leaf.part]);
+                      refitted[k] = leaf.way(bodies) + 0.5 * margin > leaf.fat ? 1 : 0;
+                      if (refitted[k]) leaf.fit(bodies, parts[leaf.part], 0.5 * margin);
+                    }
+                  });
   std::vector<fcl::CollisionObjectd*> moved;
-  for (const auto& leaf : leaves) {
-    leaf->moving = can_move(bodies, parts[leaf->part]);
-    if (leaf->way(bodies) + 0.5 * margin <= leaf->fat) continue;
-    leaf->fit(bodies, parts[leaf->part], 0.5 * margin);
-    moved.push_back(leaf.get());
-  }
+  for (std::size_t k = 0; k < leaves.size(); ++k)
+    if (refitted[k]) moved.push_back(leaves[k].get());
   if (!moved.empty()) manager.update(moved);
 }
 
@@ -213,7 +220,7 @@ void BroadPhase::Tree::list_plane_pairs(const Bodies& bodies, const std::vector<
 }
 
 /// By the first body into buckets, and within those.
-void BroadPhase::Tree::sort_pairs(int bodies) {
+void BroadPhase::Tree::sort_pairs(int bodies, int threads) {
   std::vector<std::size_t> ends(static_cast<std::size_t>(bodies) + 1, 0);  // of the buckets
   for (const auto& list : lists)
     for (const PartPair& pair : list) ++ends[pair.body_a + 1];
@@ -223,9 +230,10 @@ void BroadPhase::Tree::sort_pairs(int bodies) {
   for (const auto& list : lists)
     for (const PartPair& pair : list) sorted[ends[pair.body_a]++] = {pair, place++};
   const auto before = [](const WalkedPair& p, const WalkedPair& q) { return p.pair < q.pair; };
-  std::size_t begin = 0;
-  for (std::size_t b = 0; begin < sorted.size(); begin = ends[b++])
-    std::sort(sorted.data() + begin, sorted.data() + ends[b], before);
+  parallel_chunks(bodies, k_chunk, threads, [&](std::ptrdiff_t, std::ptrdiff_t first, std::ptrdiff_t last) {
+    for (std::ptrdiff_t b = first; b < last; ++b)
+      std::sort(sorted.data() + (b == 0 ? 0 : ends[b - 1]), sorted.data() + ends[b], before);
+  });
 }
 
 BroadPhase::BroadPhase() : tree_(std::make_unique<Tree>()) {}
@@ -235,17 +243,20 @@ BroadPhase& BroadPhase::operator=(BroadPhase&&) noexcept = default;
 
 void BroadPhase::list_pairs(const Bodies& bodies, const std::vector<Part>& parts, double margin, int threads,
                             std::vector<PartPair>& pairs, std::vector<int>& walk) {
-  tree_->refit(bodies, parts, margin);
+  tree_->refit(bodies, parts, margin, threads);
   tree_->add_new_parts(bodies, parts, [&](Leaf& leaf) { leaf.fit(bodies, parts[leaf.part], 0.5 * margin); });
   tree_->list_tree_pairs(threads);
   tree_->list_plane_pairs(bodies, parts, margin);
-  tree_->sort_pairs(bodies.size());
+  tree_->sort_pairs(bodies.size(), threads);
   pairs.resize(tree_->sorted.size());
   walk.resize(pairs.size());
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    pairs[i] = tree_->sorted[i].pair;
-    walk[tree_->sorted[i].place] = static_cast<int>(i);
-  }
+  parallel_chunks(static_cast<std::ptrdiff_t>(pairs.size()), k_chunk, threads,
+                  [&](std::ptrdiff_t, std::ptrdiff_t first, std::ptrdiff_t last) {
+                    for (std::ptrdiff_t i = first; i < last; ++i) {
+                      pairs[i] = tree_->sorted[i].pair;
+                      walk[tree_->sorted[i].place] = static_cast<int>(i);
+                    }
+                  });
 }
 
 void BroadPhase::save(StateWriter out) const {

@@ -61,9 +61,11 @@ bool stay_apart(const Bodies& bodies, const PartsOnTheirWay& pair) {
 }
 
 /// A search among numbers that are none need not end.
-void demand_finite(const Bodies& bodies) {
-  for (std::size_t b = 0; b < bodies.id.size(); ++b)
-    NILAS_DEMAND(bodies.p_GB[b].allFinite() && bodies.R_GB[b].allFinite());
+void demand_finite(const Bodies& bodies, int threads) {
+  parallel_chunks(bodies.size(), k_chunk, threads, [&](std::ptrdiff_t, std::ptrdiff_t first, std::ptrdiff_t last) {
+    for (std::ptrdiff_t b = first; b < last; ++b)
+      NILAS_DEMAND(bodies.p_GB[b].allFinite() && bodies.R_GB[b].allFinite());
+  });
 }
 
 }  // namespace
@@ -105,7 +107,7 @@ void ContactDetector::Implementation::forget_all() {
 
 /// The tree is made anew where bodies are gone, as it is for new bodies.
 void ContactDetector::Implementation::learn_bodies(const Bodies& bodies) {
-  demand_finite(bodies);
+  demand_finite(bodies, threads);
   if (const std::vector<int> new_part = known.forget_gone(bodies); !new_part.empty()) {
     broad = BroadPhase();
     fcl = FclShapes();
@@ -280,8 +282,8 @@ std::vector<ContactPoint> ContactDetector::detect(const Bodies& bodies, const st
   Implementation& work = *implementation_;
   const double listed = std::max(farthest[0] + farthest[1], margin);
   work.list_pairs(bodies, listed);
-  std::vector<double> margins = pair_margins(bodies, own_reach, work.now.pairs);
-  for (double& of_pair : margins) of_pair = std::clamp(of_pair, margin, listed);
+  const std::vector<double> margins =
+      pair_margins(bodies, own_reach, work.now.pairs, margin, listed, work.threads);
   work.search_pairs(bodies, margins, left);
   std::vector<ContactPoint> points = work.collect(bodies, margins);
   drop_out_of_reach(bodies, own_reach, points, margin);

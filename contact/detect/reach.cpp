@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/order_free_sum.h"
+#include "core/base/parallel.h"
 
 namespace nilas {
 
@@ -75,15 +76,18 @@ std::vector<double> own_reach(const Bodies& bodies, const Wrenches& loads, doubl
 // repeated relaxation ends in both, because every hop loses a share of the reach
 
 std::vector<double> pair_margins(const Bodies& bodies, const std::vector<double>& own,
-                                 const std::vector<PartPair>& pairs) {
+                                 const std::vector<PartPair>& pairs, double least, double most, int threads) {
   Reach reach(bodies, own);
   for (bool changed = true; changed;) {
     changed = false;
     for (const auto& pair : pairs) changed = reach.hand_on(pair.body_a, pair.body_b, 0) || changed;
   }
-  std::vector<double> margins;
-  margins.reserve(pairs.size());
-  for (const auto& pair : pairs) margins.push_back(reach.between(pair.body_a, pair.body_b));
+  std::vector<double> margins(pairs.size());
+  parallel_chunks(static_cast<std::ptrdiff_t>(pairs.size()), k_chunk, threads,
+                  [&](std::ptrdiff_t, std::ptrdiff_t first, std::ptrdiff_t last) {
+                    for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i)
+                      margins[i] = std::clamp(reach.between(pairs[i].body_a, pairs[i].body_b), least, most);
+                  });
   return margins;
 }
 

@@ -15,9 +15,9 @@ namespace nilas {
 std::vector<double> own_reach(const Bodies& bodies, const Wrenches& loads, double h, double share);
 
 /// Per candidate pair the gap beyond which no point between its bodies can stay in `drop_out_of_reach` [m]: the same
-/// rule with reach handed on along all candidates as if their gaps were closed.
+/// rule with reach handed on along all candidates as if their gaps were closed; between `least` and `most` [m].
 std::vector<double> pair_margins(const Bodies& bodies, const std::vector<double>& own,
-                                 const std::vector<PartPair>& pairs);
+                                 const std::vector<PartPair>& pairs, double least, double most, int threads);
 
 /// Drops the points whose gap will not close in this step: a gap stays when it is smaller than what one body can reach,
 /// by its own motion or pushed, together with the other's own reach. A body that is hit takes over m/(m + m') of the

@@ -1,14 +1,19 @@
 /// Towing through level ice: mean load against Lindqvist's formula at several thicknesses and speeds, and its
 /// convergence over steps and hull meshes; every row has twins whose ship starts up to a tenth of a millimetre beside
 /// the middle. And a field of broken floes with ice that may break and that may not.
-/// usage: bench_level_ice loads|steps|meshes|field [TWINS] [THREADS]
+/// usage: bench_level_ice loads|steps|meshes|field [TWINS] [THREADS] [FOLDER of the picture that loads draws]
+#include <fmt/format.h>
+
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <map>
 #include <string>
 
 #include "core/base/random.h"
+#include "core/output/plot.h"
 #include "core/scene/read_scene.h"
 #include "core/sim/simulation.h"
 #include "core/vessel/hull.h"
@@ -130,7 +135,38 @@ constexpr const char* k_rest_of_head =
     " peak [N] | R_bending [m] | breaks | bodies | fastest floe [m/s] | energy error | ms per step | of these crushing "
     "and breaking |\n";
 
-void level_ice(const std::vector<Setting>& rows, int twins, int threads) {
+struct Point {
+  Setting setting;
+  Mean load;           // [N]
+  double formula = 0;  // Lindqvist [N]
+};
+
+/// Loads over speed, a colour per thickness: bars are standard errors, lines the formula.
+void draw_loads(const std::filesystem::path& folder, const std::vector<Point>& points) {
+  std::map<double, std::string> data;
+  for (const Point& p : points)
+    data[p.setting.thickness] +=
+        fmt::format("{} {} {} {}\n", p.setting.speed, p.load.value, p.load.error, p.formula);
+  std::string script =
+      "set terminal pngcairo size 900,600\nset output 'level-ice.png'\nset xlabel 'speed [m/s]'\n"
+      "set ylabel 'mean resistance in level ice [N]'\nset key top left\nset xrange [0:*]\nset yrange [0:*]\n"
+      "set offsets 0, 0.05, 10, 0\n";
+  std::string lines;
+  int colour = 0;
+  for (const auto& [thickness, rows] : data) {
+    ++colour;
+    script += fmt::format("$h{} << EOD\n{}EOD\n", colour, rows);
+    lines += fmt::format("{}$h{} using 1:2:3 with yerrorbars pt 7 lc {} title '{:.0f} mm', "
+                         "$h{} using 1:4 with lines lc {} title '{:.0f} mm, Lindqvist'",
+                         lines.empty() ? "plot " : ", ", colour, colour, 1000 * thickness, colour, colour,
+                         1000 * thickness);
+  }
+  plot(folder, script + lines + "\n");
+  std::printf("\npicture: %s\n", (folder / "level-ice.png").c_str());
+}
+
+std::vector<Point> level_ice(const std::vector<Setting>& rows, int twins, int threads) {
+  std::vector<Point> points;
   std::printf("| h [mm] | v [m/s] | step [s] | triangles | mean load [N] | Lindqvist [N] | ratio |%s", k_rest_of_head);
   std::printf("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   const double bow = hull_form("icebreaker", {}).bow_length;
@@ -142,7 +178,9 @@ void level_ice(const std::vector<Setting>& rows, int twins, int threads) {
     std::printf("| %g | %g | %g | %d | %.1f +- %.1f | %.1f | %.2f |", 1000 * row.thickness, row.speed, row.step,
                 row.triangles, load.value, load.error, formula, load.value / formula);
     print_rest(courses);
+    points.push_back({row, load, formula});
   }
+  return points;
 }
 
 /// The seed's scene.
@@ -175,7 +213,8 @@ int main(int argc, char** argv) {
   if (table == "meshes")
     for (const int triangles : {2000, 6000, 18000}) rows.push_back({.triangles = triangles});
   if (!rows.empty()) {
-    level_ice(rows, twins, threads);
+    const std::vector<Point> points = level_ice(rows, twins, threads);
+    if (table == "loads") draw_loads(argc > 4 ? argv[4] : ".", points);
   } else if (table == "field") {
     broken_field(twins, threads);
   } else {

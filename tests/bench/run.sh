@@ -88,7 +88,7 @@ case "${1:-packed}" in
   scaling) "$bin/bench_scaling" "${LIMIT:-60}" "${TOLERANCE:-1e-6}" ${SIZES:-100 1000 10000 100000} ;;
   threads) "$bin/bench_threads" "${SIZES:-10000}" "${THREADS:-2}" "${ROUNDS:-5}" ;;
   field) "$bin/bench_field" ${SIZES:-1000 3000 10000} ;;
-  level-ice) "$bin/bench_level_ice" "${2:-loads}" "${TWINS:-2}" "${THREADS:-2}" ;;
+  level-ice) "$bin/bench_level_ice" "${2:-loads}" "${TWINS:-2}" "${THREADS:-2}" "$bin" ;;
   presawn) "$bin/bench_presawn" "${TWINS:-7}" "${THREADS:-2}" ;;
   hull) shift; "$bin/bench_hull" "$bin/hull" "${THREADS:-$(nproc)}" "$@" ;;
   cut) "$bin/bench_cut_study" "${CUTS:-100000}" ;;
@@ -97,7 +97,7 @@ case "${1:-packed}" in
 collision: classes (against the oracle, BATCHES=100 of 1000 pairs in each class, CLASS=name for one), peers (beside FCL and
 Bullet, PAIRS=1000 of each class), steps (a field that moves, SIZES, STEPS=100), threads, swept (missed and false first
 contacts of PAIRS=100000 random pairs on their way); without TABLE all; field: packing time (SIZES); presawn: TWINS=n further
-runs of each scene (7), with pieces moved by up to a micrometre; level-ice: loads (thicknesses and speeds, beside Lindqvist),
+runs of each scene (7), with pieces moved by up to a micrometre; level-ice: loads (thicknesses and speeds, beside Lindqvist, with a picture),
 steps, meshes, field (broken ice that may and may not break), TWINS=n (2); hull: wedge, cone, moon-pool, semi-submersible, ship-with-bulb,
 on THREADS (all cores), ends with 1 where 18 000 triangles take over 60 s or parts stand further off than recorded; cut: CUTS=100000 random cuts of floes;
 ROUNDS=n: how often packed (3), threads and collision peers (5) are measured; THREADS=n;
