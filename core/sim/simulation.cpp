@@ -55,10 +55,17 @@ StepRecord Simulation::World::reference_step() {
   return record;
 }
 
-ContactSolution Simulation::World::solve(ContactProblem& problem, StepRecord& record) {
-  const VecX guess = model.warm_start ? warm.guess(problem.key) : VecX();
+ContactSolution Simulation::World::solve(AssembledContacts& contacts, const std::vector<ContactPoint>& points,
+                                         StepRecord& record) {
+  ContactProblem& problem = contacts.problem;
+  VecX guess;
+  if (model.warm_start) {
+    guess = warm.guess(problem.key);
+    broken_contacts.add_to(parts.bodies, points, contacts.C, guess);
+  }
   ContactSolution solution = model.solve(problem, guess);
   warm.keep(problem.key, solution.r);
+  broken_contacts.forget();
   note_residuals(measure(problem, solution.r, solution.v), record);
   note_solution(solution, record);
   return solution;
@@ -100,7 +107,9 @@ void Simulation::World::break_ice(StepRecord& record) {
     pieces.insert(pieces.end(), event.pieces.begin(), event.pieces.end());
     record.broken.push_back(std::move(event));
   }
-  if (!record.broken.empty()) follow_bodies(pieces);
+  if (record.broken.empty()) return;
+  broken_contacts.note(solved.back(), record.broken);
+  follow_bodies(pieces);
 }
 
 /// A whole step, or with `may_cut` up to the first impact of a fast pair.
@@ -132,10 +141,10 @@ void Simulation::World::part_of_step(bool may_cut, StepRecord& record, MomentumB
   watch.lap(Phase::assembly);
 
   // impulses, judged by the one yardstick; again where they lead fast pairs into each other
-  ContactSolution solution = solve(contacts.problem, record);
+  ContactSolution solution = solve(contacts, points, record);
   for (int round = 0; add_missed(contacts, solution, vessel_block, round, points); ++round) {
     contacts = assemble(parts.bodies, free, points, parts.friction, model.assembly, vessel_block);
-    solution = solve(contacts.problem, record);
+    solution = solve(contacts, points, record);
   }
   watch.lap(Phase::solver);
   if (!held && !may_cut && can_be_cut(record)) return part_of_step(true, record, balance, watch);

@@ -6,6 +6,7 @@
 #include "contact/assemble.h"
 #include "contact/detect/detector.h"
 #include "core/sim/breaking.h"
+#include "core/sim/broken_contacts.h"
 #include "core/sim/contact_model.h"
 #include "core/sim/crushing.h"
 #include "core/sim/ledger.h"
@@ -72,7 +73,7 @@ struct Simulation::World {
   void keep_solved(ContactProblem& problem, ContactSolution& solution, const StepMotion& motion);
   const SolvedProblem& last() const;
   void part_of_step(bool may_cut, StepRecord& record, MomentumBalance& balance, Stopwatch& watch);
-  ContactSolution solve(ContactProblem& problem, StepRecord& record);
+  ContactSolution solve(AssembledContacts& contacts, const std::vector<ContactPoint>& points, StepRecord& record);
   void break_ice(StepRecord& record);
   void follow_bodies(const std::vector<std::int64_t>& pieces);
   void note_vessel(const StepMotion& motion, StepRecord& record) const;
@@ -100,6 +101,7 @@ struct Simulation::World {
   ContactDetector detector;
   ContactModel model;
   WarmStart warm;
+  BrokenContacts broken_contacts;  ///< of the step before, until the next impulses
   Wrenches weight, free_loads;
   std::vector<Wrenches> module_loads;
   std::vector<double> width;         ///< smallest of each body [m]
