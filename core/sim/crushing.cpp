@@ -6,8 +6,8 @@
 #include <set>
 
 #include "contact/detect/contact_key.h"
-#include "core/base/error.h"
 #include "core/bodies/mass_properties.h"
+#include "core/sim/crushing_settings.h"
 
 namespace nilas {
 
@@ -19,15 +19,6 @@ constexpr double k_point_share = 0.1;
 constexpr double k_rest_share = 1e-12;
 /// Halvings that find when a face first touches ice: to 1e-9 of the step.
 constexpr int k_touch_halvings = 30;
-
-CrushingLaw law_of(const FractureScene& fracture) {
-  NILAS_DEMAND(fracture.crushing.has_value());
-  const CrushingScene& crushing = *fracture.crushing;
-  CrushingLaw law{CrushingModel::seed_limit, crushing.coefficient, crushing.exponent, fracture.compressive_strength};
-  if (crushing.model == "pressure-area") law.model = CrushingModel::pressure_area;
-  if (crushing.model == "compliant") law.model = CrushingModel::compliant;
-  return law;
-}
 
 /// A body's motion, even over the step.
 struct Moving {
@@ -133,10 +124,7 @@ ContactPoint Crushing::Pair::point_on(const FaceInIce& face) const {
 }
 
 Crushing::Crushing(const Scene& scene, const Bodies& bodies, const IceProperties& ice)
-    : law_(law_of(scene.fracture.value())),
-      model_(scene.fracture->crushing->model),
-      ice_(ice),
-      between_floes_(scene.fracture->crushing->between_floes) {
+    : law_(crushing_law(scene)), ice_(ice), between_floes_(scene.fracture->crushing->between_floes) {
   is_hull_.assign(bodies.id.size(), 0);
   for (int body = 0; body < bodies.size(); ++body) learn(bodies, body);
 }
@@ -356,17 +344,6 @@ void Crushing::note_volume(const Pair& pair) {
   const double density = pair.bodies.mass[floe] / (polygon_moments(shape.outline).area * shape.thickness);
   crushed_mass_ += density * std::max(0.0, volume - before);
   new_volume_[key] = std::max(volume, before);
-}
-
-std::string Crushing::description(const Bodies& bodies) const {
-  std::string text = "<fracture><crushing>: " + model_;
-  if (between_floes_) text += ", of floes by each other too";
-  for (int body = 0; body < bodies.size(); ++body) {
-    const auto b = static_cast<std::size_t>(body);
-    if (bodies.kind[b] == BodyKind::rigid && is_hull_[b] == 0)
-      text += "; '" + bodies.name[b] + "' has no flat faces and stays rigid";
-  }
-  return text;
 }
 
 void Crushing::save(StateWriter out) const {

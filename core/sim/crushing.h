@@ -3,7 +3,6 @@
 /// place of those that keep rigid bodies apart. docs/theory_fracture_crushing.md
 #include <cstdint>
 #include <map>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -49,8 +48,6 @@ class Crushing {
 
   /// Of the ice that hulls have taken the place of since the start [kg].
   double crushed_mass() const { return crushed_mass_; }
-  /// For the list of what was built.
-  std::string description(const Bodies& bodies) const;
 
   void save(StateWriter out) const;
   /// Throws InputError when the state is one of other bodies.
@@ -77,7 +74,6 @@ class Crushing {
   void note_volume(const Pair& pair);
 
   CrushingLaw law_;
-  std::string model_;
   const IceProperties& ice_;
   std::vector<CrushingSurface> hulls_;
   std::vector<char> is_hull_;  ///< per body

@@ -11,9 +11,12 @@ constexpr double k_facet_tolerance = 1e-9;
 
 }  // namespace
 
+bool has_crushing_surface(const Shape& shape) { return shape.kind == ShapeKind::cylinder || !shape.parts.empty(); }
+
 std::optional<CrushingSurface> crushing_surface(const Bodies& bodies, int body) {
   const auto b = static_cast<std::size_t>(body);
   const Shape& shape = *bodies.shape[b];
+  if (!has_crushing_surface(shape)) return std::nullopt;
   CrushingSurface surface;
   surface.body = body;
   surface.id = bodies.id[b];
@@ -26,7 +29,6 @@ std::optional<CrushingSurface> crushing_surface(const Bodies& bodies, int body) 
     }
     return surface;
   }
-  if (shape.parts.empty()) return std::nullopt;
   surface.parts = shape.parts;
   for (const Part& part : make_parts(bodies, body))
     for (std::size_t f = 0; f < part.facets->polytope->faces.size(); ++f)

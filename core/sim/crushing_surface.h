@@ -17,7 +17,9 @@ struct CrushingSurface {
   std::vector<ConvexPolytope> parts;
 };
 
-/// Of a body with flat faces, or of a cylinder by its facets; none of spheres and planes.
+/// Whether a shape has flat faces, or is a cylinder, which has its facets; spheres and planes have none.
+bool has_crushing_surface(const Shape& shape);
+/// Of a body whose shape has one.
 std::optional<CrushingSurface> crushing_surface(const Bodies& bodies, int body);
 
 }  // namespace nilas

@@ -2,7 +2,7 @@
 
 #include "core/sim/breaking_settings.h"
 #include "core/sim/contact_model.h"
-#include "core/sim/crushing.h"
+#include "core/sim/crushing_settings.h"
 
 namespace nilas {
 
@@ -22,8 +22,7 @@ void list_step_modules(const Scene& scene, WorldParts& parts) {
                                                  ", integrator " + contact.integrator +
                                                  (two_coefficients ? ", static friction above kinetic" : ""));
   if (has_crushing(scene, parts))
-    parts.info.modules.emplace_back("crushing",
-                                    Crushing(scene, parts.bodies, *parts.ice_properties).description(parts.bodies));
+    parts.info.modules.emplace_back("crushing", crushing_description(scene, parts.bodies));
   if (has_breaking(scene, parts)) parts.info.modules.emplace_back("breaking", breaking_description(scene));
 }
 

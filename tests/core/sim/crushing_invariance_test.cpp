@@ -118,4 +118,19 @@ TEST(Crushing, IsOfBreakableFloesAgainstHullsAlone) {
   EXPECT_TRUE(std::any_of(modules.begin(), modules.end(), [](const auto& m) { return m.first == "crushing"; }));
 }
 
+TEST(Crushing, TheListOfWhatWasBuiltSaysWhatStaysRigid) {
+  Rig rig(
+      "<ice><floe breakable='true' outline='0 0 1 0 1 1'/></ice><body name='ball' shape='sphere' position='0 0 5'/>"
+      "<body name='pile' shape='cylinder' position='5 0 0'/>" +
+          crushing(k_each_other),
+      0.01);
+  for (const auto& [name, text] : rig.simulation->info().modules) {
+    if (name != "crushing") continue;
+    EXPECT_EQ(text,
+              "<fracture><crushing>: compliant, of floes by each other too; 'ball' has no flat faces and stays rigid");
+    return;
+  }
+  FAIL() << "it is not listed";
+}
+
 }  // namespace

@@ -1,0 +1,28 @@
+#include "core/sim/crushing_settings.h"
+
+#include "core/base/error.h"
+#include "core/sim/crushing_surface.h"
+
+namespace nilas {
+
+CrushingLaw crushing_law(const Scene& scene) {
+  NILAS_DEMAND(scene.fracture && scene.fracture->crushing);
+  const CrushingScene& crushing = *scene.fracture->crushing;
+  CrushingLaw law{CrushingModel::seed_limit, crushing.coefficient, crushing.exponent,
+                  scene.fracture->compressive_strength};
+  if (crushing.model == "pressure-area") law.model = CrushingModel::pressure_area;
+  if (crushing.model == "compliant") law.model = CrushingModel::compliant;
+  return law;
+}
+
+std::string crushing_description(const Scene& scene, const Bodies& bodies) {
+  NILAS_DEMAND(scene.fracture && scene.fracture->crushing);
+  std::string text = "<fracture><crushing>: " + scene.fracture->crushing->model;
+  if (scene.fracture->crushing->between_floes) text += ", of floes by each other too";
+  for (std::size_t b = 0; b < bodies.id.size(); ++b)
+    if (bodies.kind[b] == BodyKind::rigid && !has_crushing_surface(*bodies.shape[b]))
+      text += "; '" + bodies.name[b] + "' has no flat faces and stays rigid";
+  return text;
+}
+
+}  // namespace nilas
