@@ -154,13 +154,15 @@ void Crushing::follow(const Bodies& bodies, const std::vector<std::int64_t>& pie
   if (between_floes_) follow_floes(bodies, pieces);
 }
 
-/// Neighbours of a floe that broke stand in its pieces as they did in it.
+/// Neighbours of a floe that broke stand in its pieces as they did in it, also where these are pieces themselves.
 void Crushing::follow_floes(const Bodies& bodies, const std::vector<std::int64_t>& pieces) {
   const auto is_there = [&](std::int64_t id) { return std::binary_search(bodies.id.begin(), bodies.id.end(), id); };
   std::erase_if(floes_, [&](const auto& floe) { return !is_there(floe.first); });
   std::set<std::int64_t> neighbours;
-  for (const auto& [ids, volume] : volume_)
+  for (const auto& [ids, volume] : volume_) {
     if (is_there(ids.first) != is_there(ids.second)) neighbours.insert(is_there(ids.first) ? ids.first : ids.second);
+    if (!is_there(ids.first) && !is_there(ids.second)) neighbours.insert(pieces.begin(), pieces.end());
+  }
   for (const std::int64_t neighbour : neighbours)
     for (const std::int64_t piece : pieces) {
       const auto [first, second] = std::minmax(neighbour, piece);
