@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/error.h"
 
@@ -70,10 +71,9 @@ void clip_by(const ConvexPolytope& solid, const Vec3& normal, double rounding, L
   }
 }
 
-Loop face_loop(const ConvexPolytope& polytope, std::size_t f) {
-  Loop loop;
+void take_face(const ConvexPolytope& polytope, std::size_t f, Loop& loop) {
+  loop.clear();
   for (const int v : polytope.faces[f]) loop.push_back(polytope.vertices[static_cast<std::size_t>(v)]);
-  return loop;
 }
 
 }  // namespace
@@ -136,7 +136,7 @@ double total_area(const std::vector<FaceInIce>& faces) {
 }
 
 /// By the divergence theorem about a point: the common solid is bounded by what of either surface lies inside the
-/// other, and where both coincide by one of them. Only the planes of A that cut the ball around B matter.
+/// other, and where both coincide by one of them. Only the planes of A that cut B, or lie in its surface, matter.
 double overlap_volume(const ConvexPolytope& a, const ConvexPolytope& b, const Placement& a_in_b) {
   const Vec3 centre = a_in_b.point(a.centre);
   if ((centre - b.centre).norm() > a.radius + b.radius || misses(b, centre, a.radius)) return 0;
@@ -148,6 +148,14 @@ double overlap_volume(const ConvexPolytope& a, const ConvexPolytope& b, const Pl
     const double offset = a.offsets[f] + normal.dot(a_in_b.p), above = normal.dot(b.centre) - offset;
     if (above > b.radius) return 0;
     if (above < -b.radius) continue;
+    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+    for (const Vec3& x : b.vertices) {
+      const double height = normal.dot(x) - offset;
+      lowest = std::min(lowest, height);
+      highest = std::max(highest, height);
+    }
+    if (lowest >= 0) return 0;
+    if (highest < -rounding) continue;
     near.normals.push_back(normal);
     near.offsets.push_back(offset);
     near_faces.push_back(f);
@@ -164,7 +172,7 @@ double overlap_volume(const ConvexPolytope& a, const ConvexPolytope& b, const Pl
     add(near.normals[k], near.offsets[k]);
   }
   for (std::size_t g = 0; g < b.normals.size(); ++g) {
-    loop = face_loop(b, g);
+    take_face(b, g, loop);
     clip_by(near, b.normals[g], rounding, loop, room);
     add(b.normals[g], b.offsets[g]);
   }

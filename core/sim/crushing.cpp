@@ -72,9 +72,13 @@ struct Crushing::Pair {
   int floe;
   double h, ahead;
   Moving of_hull, of_floe;
-  Placement next;    ///< of the hull in the floe at the step's end
-  double least = 0;  ///< radius of gyration of an area that has more than one point [m]
+  Placement present, next;                   ///< of the hull in the floe now and at the step's end
+  std::vector<FaceInIce> faces, faces_next;  ///< there; the latter only with an implicit law
+  double area = 0, area_next = 0;            ///< of these [m^2]
+  double least = 0;                          ///< radius of gyration of an area that has more than one point [m]
   std::uint64_t key = 0;
+
+  bool touches() const { return !faces.empty() || !faces_next.empty(); }
 
   std::int64_t id(int body) const { return bodies.id[static_cast<std::size_t>(body)]; }
   const std::vector<ConvexPolytope>& pieces() const { return bodies.shape[static_cast<std::size_t>(floe)]->parts; }
@@ -223,7 +227,7 @@ std::vector<ContactPoint> Crushing::points(const Bodies& bodies, const std::vect
     }
     const CrushingSurface& hull = hull_of(is_hull(a) ? a : b);
     const int floe = is_hull(a) ? b : a;
-    if (may_meet(bodies, hull, floe, ahead)) add_pair(bodies, hull, floe, h, ahead, points);
+    if (may_meet(bodies, hull, floe, ahead)) add_pair(pair_of(bodies, hull, floe, h, ahead), points);
   }
   depth_.forget_others();
   faces_of_first_.swap(new_faces_of_first_);
@@ -242,41 +246,34 @@ double Crushing::force(const Pair& pair, const FaceInIce& face, const Placement&
   return law_.pressure(strength, total) * face.area;
 }
 
-/// Whether they touch now or at the step's end.
-bool Crushing::add_pair(const Bodies& bodies, const CrushingSurface& hull, int floe, double h, double ahead,
-                        std::vector<ContactPoint>& points) {
-  Pair pair{hull, bodies, floe, h, ahead, Moving(bodies, hull.body), Moving(bodies, floe), {}, 0, 0};
-  const Placement present = pair.hull_in_floe(0);
+Crushing::Pair Crushing::pair_of(const Bodies& bodies, const CrushingSurface& hull, int floe, double h,
+                                 double ahead) const {
+  Pair pair{hull, bodies, floe, h, ahead, Moving(bodies, hull.body), Moving(bodies, floe), {}, {}, {}, {}};
+  pair.present = pair.hull_in_floe(0);
   pair.next = pair.hull_in_floe(ahead);
+  pair.faces = faces_in_ice(hull.faces, pair.present, pair.pieces());
+  if (law_.is_implicit()) pair.faces_next = faces_in_ice(hull.faces, pair.next, pair.pieces());
+  pair.area = total_area(pair.faces);
+  pair.area_next = total_area(pair.faces_next);
+  pair.least = k_point_share * std::sqrt(std::max(pair.area, pair.area_next));
   pair.key = mix(mix(0x6372757368ULL, static_cast<std::uint64_t>(pair.id(hull.body))),
                  static_cast<std::uint64_t>(pair.id(floe)));
-  const std::vector<FaceInIce> now = faces_in_ice(hull.faces, present, pair.pieces());
-  const std::vector<FaceInIce> next =
-      law_.is_implicit() ? faces_in_ice(hull.faces, pair.next, pair.pieces()) : std::vector<FaceInIce>{};
+  return pair;
+}
+
+void Crushing::add_pair(const Pair& pair, std::vector<ContactPoint>& points) {
+  const std::vector<FaceInIce>&now = pair.faces, &next = pair.faces_next;
   if (!now.empty()) note_volume(pair);
-  const double area = total_area(now), area_next = total_area(next);
-  pair.least = k_point_share * std::sqrt(std::max(area, area_next));
   // both lists are in the order of faces and pieces
   for (auto i = now.begin(), j = next.begin(); i != now.end() || j != next.end();) {
     const auto place = [](const FaceInIce& face) { return std::pair(face.face, face.piece); };
     FaceLoad load;
     if (j == next.end() || (i != now.end() && place(*i) <= place(*j))) load.now = &*i;
     if (i == now.end() || (j != next.end() && place(*j) <= place(*i))) load.next = &*j;
-    if (load.now) load.force = force(pair, *i++, present, area);
-    if (load.next) load.growth = force(pair, *j++, pair.next, area_next) - load.force;
+    if (load.now) load.force = force(pair, *i++, pair.present, pair.area);
+    if (load.next) load.growth = force(pair, *j++, pair.next, pair.area_next) - load.force;
     add_face(pair, load, points);
   }
-  return !now.empty() || !next.empty();
-}
-
-/// Area of one body's faces in a floe, the larger of those at both ends of the step [m^2].
-double Crushing::area_in(const Bodies& bodies, const CrushingSurface& surface, int floe, double ahead) const {
-  const Moving of_surface(bodies, surface.body), of_floe(bodies, floe);
-  const auto area = [&](double t) {
-    return total_area(faces_in_ice(surface.faces, between(of_surface.after(t), of_floe.after(t)),
-                                   bodies.shape[static_cast<std::size_t>(floe)]->parts));
-  };
-  return law_.is_implicit() ? std::max(area(0), area(ahead)) : area(0);
 }
 
 void Crushing::add_floes(const Bodies& bodies, int a, int b, double h, double ahead,
@@ -284,16 +281,22 @@ void Crushing::add_floes(const Bodies& bodies, int a, int b, double h, double ah
   constexpr double k_same = 1e-9;  // areas nearer than this differ by rounding [-]
   const Ids ids(bodies.id[static_cast<std::size_t>(a)], bodies.id[static_cast<std::size_t>(b)]);
   const CrushingSurface &of_a = floe_surface(bodies, a), &of_b = floe_surface(bodies, b);
-  const auto add = [&](bool first) {
-    const bool touch = add_pair(bodies, first ? of_a : of_b, first ? b : a, h, ahead, points);
-    if (touch) new_faces_of_first_[ids] = first ? 1 : 0;
-    return touch;
+  const auto pair = [&](bool first) { return pair_of(bodies, first ? of_a : of_b, first ? b : a, h, ahead); };
+  const auto add = [&](const Pair& of_one, bool first) {
+    add_pair(of_one, points);
+    new_faces_of_first_[ids] = first ? 1 : 0;
   };
-  if (const auto known = faces_of_first_.find(ids); known != faces_of_first_.end() && add(known->second != 0)) return;
+  const auto known = faces_of_first_.find(ids);
+  const bool was_first = known == faces_of_first_.end() || known->second != 0;
+  const Pair one = pair(was_first);
+  if (known != faces_of_first_.end() && one.touches()) return add(one, was_first);
+  const Pair other = pair(!was_first);
+  if (!one.touches() && !other.touches()) return;
   // what stands in the other with all its sides has none of the other's in it
-  const double a_in_b = area_in(bodies, of_a, b, ahead), b_in_a = area_in(bodies, of_b, a, ahead);
-  if (a_in_b == 0 && b_in_a == 0) return;
-  add(b_in_a == 0 || (a_in_b > 0 && a_in_b <= b_in_a * (1 + k_same)));
+  const Pair &first = was_first ? one : other, &second = was_first ? other : one;
+  const double a_in_b = std::max(first.area, first.area_next), b_in_a = std::max(second.area, second.area_next);
+  const bool takes_first = b_in_a == 0 || (a_in_b > 0 && a_in_b <= b_in_a * (1 + k_same));
+  add(takes_first ? first : second, takes_first);
 }
 
 void Crushing::add_face(const Pair& pair, const FaceLoad& load, std::vector<ContactPoint>& points) {

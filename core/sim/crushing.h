@@ -65,9 +65,8 @@ class Crushing {
   void add_floes(const Bodies& bodies, int a, int b, double h, double ahead, std::vector<ContactPoint>& points);
   void follow_floes(const Bodies& bodies, const std::vector<std::int64_t>& pieces);
   static bool may_meet(const Bodies& bodies, const CrushingSurface& hull, int floe, double ahead);
-  double area_in(const Bodies& bodies, const CrushingSurface& surface, int floe, double ahead) const;
-  bool add_pair(const Bodies& bodies, const CrushingSurface& hull, int floe, double h, double ahead,
-                std::vector<ContactPoint>& points);
+  Pair pair_of(const Bodies& bodies, const CrushingSurface& hull, int floe, double h, double ahead) const;
+  void add_pair(const Pair& pair, std::vector<ContactPoint>& points);
   void add_face(const Pair& pair, const FaceLoad& load, std::vector<ContactPoint>& points);
   double force(const Pair& pair, const FaceInIce& face, const Placement& hull_in_floe, double total) const;
   double common_volume(const Bodies& bodies, const CrushingSurface& hull, int floe) const;
