@@ -78,6 +78,7 @@ struct Crushing::Pair {
   double least = 0;                          ///< radius of gyration of an area that has more than one point [m]
   std::uint64_t key = 0;
 
+  bool touches_now() const { return !faces.empty(); }
   bool touches() const { return !faces.empty() || !faces_next.empty(); }
 
   std::int64_t id(int body) const { return bodies.id[static_cast<std::size_t>(body)]; }
@@ -276,26 +277,34 @@ void Crushing::add_pair(const Pair& pair, std::vector<ContactPoint>& points) {
   }
 }
 
+/// Whether the faces of the first of two floes count, by what they have in each other now; where that is nothing, at
+/// the step's end.
+bool Crushing::first_counts(const Pair& of_first, const Pair& of_second) {
+  constexpr double k_same = 1e-9;  // areas nearer than this differ by rounding [-]
+  const bool now = of_first.touches_now() || of_second.touches_now();
+  const double a_in_b = now ? of_first.area : of_first.area_next, b_in_a = now ? of_second.area : of_second.area_next;
+  // what stands in the other with all its sides has none of the other's in it
+  return b_in_a == 0 || (a_in_b > 0 && a_in_b <= b_in_a * (1 + k_same));
+}
+
+/// Remembered is the choice of floes that touch now alone: it does not depend on velocities, nor on the step's length.
 void Crushing::add_floes(const Bodies& bodies, int a, int b, double h, double ahead,
                          std::vector<ContactPoint>& points) {
-  constexpr double k_same = 1e-9;  // areas nearer than this differ by rounding [-]
   const Ids ids(bodies.id[static_cast<std::size_t>(a)], bodies.id[static_cast<std::size_t>(b)]);
   const CrushingSurface &of_a = floe_surface(bodies, a), &of_b = floe_surface(bodies, b);
   const auto pair = [&](bool first) { return pair_of(bodies, first ? of_a : of_b, first ? b : a, h, ahead); };
   const auto add = [&](const Pair& of_one, bool first) {
     add_pair(of_one, points);
-    new_faces_of_first_[ids] = first ? 1 : 0;
+    if (of_one.touches_now()) new_faces_of_first_[ids] = first ? 1 : 0;
   };
   const auto known = faces_of_first_.find(ids);
   const bool was_first = known == faces_of_first_.end() || known->second != 0;
   const Pair one = pair(was_first);
-  if (known != faces_of_first_.end() && one.touches()) return add(one, was_first);
+  if (known != faces_of_first_.end() && one.touches_now()) return add(one, was_first);
   const Pair other = pair(!was_first);
   if (!one.touches() && !other.touches()) return;
-  // what stands in the other with all its sides has none of the other's in it
   const Pair &first = was_first ? one : other, &second = was_first ? other : one;
-  const double a_in_b = std::max(first.area, first.area_next), b_in_a = std::max(second.area, second.area_next);
-  const bool takes_first = b_in_a == 0 || (a_in_b > 0 && a_in_b <= b_in_a * (1 + k_same));
+  const bool takes_first = first_counts(first, second);
   add(takes_first ? first : second, takes_first);
 }
 

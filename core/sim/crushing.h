@@ -38,11 +38,10 @@ class Crushing {
   /// with the present velocities and c_0 the closing speed there; its force is at most dF. Of a face that comes into
   /// the ice within the step the way until then is a gap, and c_0 the closing speed less what that takes. A face that
   /// has backed off in ice it crushed has that as its gap. Remembers how deep the faces are, and the volume that has
-  /// come between hull and floe: calls at the same poses change nothing.
+  /// come between hull and floe: further calls at the same poses remember the same, whatever velocities, h and `ahead`.
   /// `near`: pairs of bodies that crush and may touch within the step, each once, the first before the second. Of two
-  /// floes the one
-  /// with the smaller area in the other when they meet has the faces that count, for as long as they touch; by Gauss'
-  /// theorem force and moment of an even pressure are those of the other's faces too.
+  /// floes the one with the smaller area in the other when they first touch has the faces that count, for as long as
+  /// they do; by Gauss' theorem force and moment of an even pressure are those of the other's faces too.
   std::vector<ContactPoint> points(const Bodies& bodies, const std::vector<std::pair<int, int>>& near, double h,
                                    double ahead);
 
@@ -62,6 +61,7 @@ class Crushing {
   const CrushingSurface& hull_of(int body) const;
   static bool balls_meet(const Bodies& bodies, int a, int b, double ahead);
   const CrushingSurface& floe_surface(const Bodies& bodies, int floe);
+  static bool first_counts(const Pair& of_first, const Pair& of_second);
   void add_floes(const Bodies& bodies, int a, int b, double h, double ahead, std::vector<ContactPoint>& points);
   void follow_floes(const Bodies& bodies, const std::vector<std::int64_t>& pieces);
   static bool may_meet(const Bodies& bodies, const CrushingSurface& hull, int floe, double ahead);

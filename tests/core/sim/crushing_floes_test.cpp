@@ -103,6 +103,36 @@ TEST(CrushingOfFloes, ASplinterWithinASheetIsBraked) {
   }
 }
 
+/// A step that is cut at an impact is begun anew: what it found before must not count. The plank comes to stand on the
+/// point, or flies so far over it that nothing of the point stays in the plank.
+TEST(CrushingOfFloes, WhatIsRememberedDependsOnPosesAlone) {
+  for (const double depth : {0.05, -0.01}) {
+    Rig rig(ice(k_plank, k_point_astern) + between_floes(k_compliant), 0.01);
+    Bodies bodies = rig.bodies();
+    bodies.set_pose(0, bodies.p_GB[0] + Vec3(depth + k_gap, 0, 0), bodies.q_GB[0]);
+    IceProperties ice;
+    ice.resize(2);
+    ice.breakable = {1, 1};
+    ice.compressive_strength = {{2e5, {}}, {2e5, {}}};
+    const auto last_of = [&](const std::vector<double>& speeds) {
+      Crushing crush(rig.scene, bodies, ice);
+      std::vector<ContactPoint> points;
+      State state;
+      for (const double speed : speeds) {
+        bodies.v_GB[0] = Vec3(speed, 0, 0);
+        points = crush.points(bodies, {{0, 1}}, 0.01, 0.01);
+      }
+      crush.save(StateWriter(state));
+      std::vector<std::uint64_t> keys;
+      for (const ContactPoint& c : points) keys.push_back(c.key);
+      return std::pair(keys, state.entries);
+    };
+    const auto direct = last_of({2});
+    EXPECT_FALSE(direct.first.empty());
+    for (const double before : {-50.0, 10.0, 90.0, 150.0}) EXPECT_EQ(last_of({before, 2}), direct) << before;
+  }
+}
+
 /// What is crushed stays crushed: one floe's pieces, or both floes' pieces, stand as deep in each other as the floes
 /// did.
 TEST(CrushingOfFloes, PiecesCrushNothingAnew) {
