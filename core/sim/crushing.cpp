@@ -278,13 +278,20 @@ void Crushing::add_pair(const Pair& pair, std::vector<ContactPoint>& points) {
 }
 
 /// Whether the faces of the first of two floes count, by what they have in each other now; where that is nothing, at
-/// the step's end.
+/// the step's end. Of equal areas those of the lighter floe, of equal masses those of the one that is easier to turn:
+/// only floes that are alike in all this leave it to their order.
 bool Crushing::first_counts(const Pair& of_first, const Pair& of_second) {
-  constexpr double k_same = 1e-9;  // areas nearer than this differ by rounding [-]
+  constexpr double k_same = 1e-9;  // numbers nearer than this differ by rounding [-]
   const bool now = of_first.touches_now() || of_second.touches_now();
   const double a_in_b = now ? of_first.area : of_first.area_next, b_in_a = now ? of_second.area : of_second.area_next;
   // what stands in the other with all its sides has none of the other's in it
-  return b_in_a == 0 || (a_in_b > 0 && a_in_b <= b_in_a * (1 + k_same));
+  if (a_in_b == 0 || b_in_a == 0) return b_in_a == 0;
+  const Bodies& bodies = of_first.bodies;
+  const auto a = static_cast<std::size_t>(of_first.hull.body), b = static_cast<std::size_t>(of_second.hull.body);
+  for (const auto& [of_a, of_b] : {std::pair(a_in_b, b_in_a), std::pair(bodies.mass[a], bodies.mass[b]),
+                                   std::pair(bodies.inertia_B[a].trace(), bodies.inertia_B[b].trace())})
+    if (std::abs(of_a - of_b) > k_same * std::max(of_a, of_b)) return of_a < of_b;
+  return true;
 }
 
 /// Remembered is the choice of floes that touch now alone: it does not depend on velocities, nor on the step's length.

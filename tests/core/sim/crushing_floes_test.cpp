@@ -103,6 +103,38 @@ TEST(CrushingOfFloes, ASplinterWithinASheetIsBraked) {
   }
 }
 
+/// Two right angles that stand in each other have equal sides there: where the points are says whose faces count.
+TEST(CrushingOfFloes, OfEqualAreasTheLighterFloesCountWhateverTheOrder) {
+  const std::vector<Vec2> light{{0.2, 0}, {-0.8, 1}, {-1.3, 0.5}, {-1.3, -0.5}, {-0.8, -1}};
+  const std::vector<Vec2> heavy{{-0.2, 0}, {0.8, -1}, {2.3, -1}, {2.3, 1}, {0.8, 1}};
+  const auto mean_x = [&](bool turned_over) {
+    Rig rig(ice(k_pointed, k_flat) + between_floes(k_seed), 0.01);
+    Bodies bodies = rig.bodies();
+    for (const auto& corners : {turned_over ? heavy : light, turned_over ? light : heavy}) {
+      BodySpec floe;
+      floe.kind = BodyKind::floe;
+      floe.shape = std::make_shared<const Shape>(prism_shape(corners, k_thickness));
+      floe.mass = k_density * k_thickness * polygon_moments(corners).area;
+      floe.inertia_B = floe.mass * Mat3::Identity();
+      bodies.add(floe);
+    }
+    bodies.remove({1, 1, 0, 0});
+    IceProperties ice;
+    ice.resize(2);
+    ice.breakable = {1, 1};
+    ice.compressive_strength.assign(2, {2e5, {}});
+    Crushing crush(rig.scene, bodies, ice);
+    double sum = 0, force = 0;
+    for (const ContactPoint& c : crush.points(bodies, {{0, 1}}, 0.01, 0.01)) {
+      sum += c.force_limit * c.p.x();
+      force += c.force_limit;
+    }
+    return sum / force;
+  };
+  EXPECT_NEAR(mean_x(false), 0.1, 1e-9) << "the light floe's point, which is the farther one";
+  EXPECT_NEAR(mean_x(true), 0.1, 1e-9);
+}
+
 /// A step that is cut at an impact is begun anew: what it found before must not count. The plank comes to stand on the
 /// point, or flies so far over it that nothing of the point stays in the plank.
 TEST(CrushingOfFloes, WhatIsRememberedDependsOnPosesAlone) {
