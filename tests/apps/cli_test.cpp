@@ -186,14 +186,14 @@ TEST(Cli, HelpFitsATerminal) {
 
 TEST(Cli, WhatIsNotBuiltIsRefusedPlainly) {
   const ScratchFolder folder;
-  folder.write("fracture.xml", R"(<scene version="1" name="f">
+  folder.write("waves.xml", R"(<scene version="1" name="w">
   <ice><floe outline="0 0 1 0 1 1"/></ice>
-  <fracture><cracks path="curved"/></fracture>
+  <water><waves kind="regular" height="0.1" period="2"/></water>
 </scene>
 )");
-  const auto result = run_nilas("check fracture.xml", folder.path());
+  const auto result = run_nilas("check waves.xml", folder.path());
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_TRUE(mentions(result.err, "fracture.xml:3:")) << result.err;
+  EXPECT_TRUE(mentions(result.err, "waves.xml:3:")) << result.err;
   EXPECT_TRUE(mentions(result.err, "not built")) << result.err;
 }
 
