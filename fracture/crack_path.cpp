@@ -47,7 +47,8 @@ class Growth {
       const double on = ends ? out + k_beyond * segment_ : first_line(at, way.direction, way.length);
       path.points.emplace_back(at + on * way.direction);
       path.toughness.push_back(way.toughness);
-      if (ends) break;
+      // an edge may also be missed by a rounding
+      if (ends || !contains(outline_, path.points.back())) break;
     }
     return path;
   }
@@ -129,11 +130,15 @@ class Growth {
     return on > same() && share >= -slack && share <= 1 + slack ? on : k_none;
   }
 
+  /// How far along `d` the crack comes out of the ice: not where it only passes a corner.
   double leaves(const Vec2& at, const Vec2& d) const {
-    double first = std::numeric_limits<double>::infinity();
+    std::vector<double> edges;
     for (std::size_t i = 0; i < outline_.size(); ++i)
-      first = std::min(first, meets(at, d, outline_[i], outline_[(i + 1) % outline_.size()]));
-    return first;
+      edges.push_back(meets(at, d, outline_[i], outline_[(i + 1) % outline_.size()]));
+    std::sort(edges.begin(), edges.end());
+    for (const double on : edges)
+      if (std::isfinite(on) && !contains(outline_, at + (on + k_beyond * segment_) * d)) return on;
+    return std::numeric_limits<double>::infinity();
   }
 
   double first_line(const Vec2& at, const Vec2& d, double length) const {

@@ -5,6 +5,10 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/random.h"
+#include "core/bodies/orientation.h"
+#include "core/bodies/polygon.h"
+#include "fracture/crack_lines.h"
 #include "fracture/cut_outline.h"
 
 namespace nilas {
@@ -127,6 +131,41 @@ TEST(CrackPath, FollowsTheSeamsOfFrozenFloes) {
     ASSERT_EQ(cut.status, CutStatus::cut) << cut.message;
     EXPECT_EQ(cut.pieces.size(), 2u);
   }
+}
+
+/// Star-shaped floes, convex or not, with lines anywhere and a toughness that varies: every path comes out of the ice, and
+/// cuts it.
+TEST(CrackPath, ComesOutOfAnyFloe) {
+  RandomStream random(5, "crack paths");
+  int cut = 0;
+  constexpr int k_floes = 1000;
+  for (int n = 0; n < k_floes; ++n) {
+    std::vector<Vec2> floe;
+    const int corners = 3 + static_cast<int>(random.uniform(0, 12));
+    for (int k = 0; k < corners; ++k)
+      floe.emplace_back(turned({random.uniform(0.4, 2), 0}, 2 * k_pi * (k + random.uniform(0, 0.8)) / corners));
+    if (!is_simple(floe) || is_clockwise(floe)) continue;
+    LocalIce ice;
+    const Vec2 wave(random.uniform(-6, 6), random.uniform(-6, 6));
+    ice.fracture_toughness = [wave](const Vec2& x) { return k_toughness * (1 + 0.8 * std::sin(wave.dot(x))); };
+    for (int k = 0; k < 6; ++k) {
+      WeakLine line{{}, random.uniform(0.05, 1)};
+      for (int i = 0; i < 3; ++i) line.points.emplace_back(random.uniform(-2, 2), random.uniform(-2, 2));
+      if (k == 0) line.points.front() = floe.front();
+      ice.weak_lines.push_back(line);
+    }
+    const double angle = random.uniform(0, 2 * k_pi);
+    const auto ahead = chords(floe, 0.999 * floe.front(), angle);
+    if (ahead.empty()) continue;
+    const CrackPath path = crack_path(floe, ahead.front().start, angle, random.uniform(0.02, 1), k_toughness, ice);
+    ASSERT_EQ(path.toughness.size() + 1, path.points.size());
+    EXPECT_FALSE(contains(floe, path.points.back())) << n;
+    EXPECT_LT(path.points.size(), 5000u);
+    const CutResult result = cut_outline(floe, {path.points});
+    EXPECT_TRUE(result.status == CutStatus::cut || result.status == CutStatus::uncut) << n << ": " << result.message;
+    cut += result.status == CutStatus::cut ? 1 : 0;
+  }
+  EXPECT_GT(cut, 0.8 * k_floes);
 }
 
 TEST(CrackPath, RefusesImpossibleInput) {
