@@ -11,11 +11,11 @@ namespace nilas {
 
 namespace {
 
-constexpr double k_turn = 5 * k_deg;    ///< between the ways through whole ice
-constexpr int k_turns = 12;             ///< to each side
-constexpr double k_as_good = 1e-9;      ///< relative difference of merits that is rounding
-constexpr double k_beyond = 1e-6;       ///< of a segment: how far the last point lies outside
-constexpr double k_look = 1e-3;         ///< of a segment: a way that has left the ice by then is none
+constexpr double k_turn = 5 * k_deg;  ///< between the ways through whole ice
+constexpr int k_turns = 12;           ///< to each side
+constexpr double k_as_good = 1e-9;    ///< relative difference of merits that is rounding
+constexpr double k_beyond = 1e-6;     ///< of a segment: how far the last point lies outside
+constexpr double k_look = 1e-3;       ///< of a segment: a way that has left the ice by then is none
 constexpr int k_most_segments = 100000;
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
@@ -57,9 +57,7 @@ class Growth {
   /// Points nearer than this are one [m].
   double same() const { return 1e-9 * size_; }
 
-  double toughness_at(const Vec2& x) const {
-    return ice_.fracture_toughness ? ice_.fracture_toughness(x) : toughness_;
-  }
+  double toughness_at(const Vec2& x) const { return ice_.fracture_toughness ? ice_.fracture_toughness(x) : toughness_; }
 
   Way through_ice(const Vec2& at, double omega) const {
     const Vec2 d(std::cos(omega) * ahead_.x() - std::sin(omega) * ahead_.y(),
@@ -89,7 +87,9 @@ class Growth {
         add_along(at, a, line.strength, all);
         add_along(at, b, line.strength, all);
       }
-    const auto leaves_at_once = [&](const Way& way) { return !contains(outline_, at + k_look * segment_ * way.direction); };
+    const auto leaves_at_once = [&](const Way& way) {
+      return !contains(outline_, at + k_look * segment_ * way.direction);
+    };
     std::erase_if(all, leaves_at_once);
     return all;
   }

@@ -47,9 +47,9 @@ std::string name_of(FailureKind kind);
 /// A way to break.
 struct Failure {
   FailureKind kind = FailureKind::bending;
-  double ratio = 0;                       ///< load over what the ice bears; it breaks from 1 on
-  Vec2 point = Vec2::Zero();              ///< of the edge where it starts, in B [m]
-  double radius = 0;                      ///< of the circumferential crack, where it is farthest [m]; 0 of splitting by lefm
+  double ratio = 0;           ///< load over what the ice bears; it breaks from 1 on
+  Vec2 point = Vec2::Zero();  ///< of the edge where it starts, in B [m]
+  double radius = 0;          ///< of the circumferential crack, where it is farthest [m]; 0 of splitting by lefm
   std::vector<std::vector<Vec2>> cracks;  ///< for cut_floe
 };
 

@@ -26,10 +26,10 @@ struct DragCoefficients {
   double form = 1.0;    ///< C_f
   double skin = 0.005;  ///< C_s
 };
-/// For slivers at great speeds a quadratic force is too much for an explicit step: limit() scales the wrench W of a free
-/// body down to W P / (h W . M^-1 W) where that is less than W, P being the power that it takes from the motion through
-/// the water. It then takes at most half of h P, and never gives.
-/// `order_free`: the bits do not depend on the order of faces, and mirrored bodies take mirrored loads.
+/// For slivers at great speeds a quadratic force is too much for an explicit step: limit() scales the wrench W of a
+/// free body down to W P / (h W . M^-1 W) where that is less than W, P being the power that it takes from the motion
+/// through the water. It then takes at most half of h P, and never gives. `order_free`: the bits do not depend on the
+/// order of faces, and mirrored bodies take mirrored loads.
 std::unique_ptr<ForceModule> make_drag(const Water& water, const DragCoefficients& coefficients, int threads,
                                        bool order_free = false);
 

@@ -70,7 +70,8 @@ std::string data_of(const std::vector<PlannedIce>& ice) {
   const auto block = [](const char* name, const std::string& lines) {
     return fmt::format("${} << EOD\n{}EOD\n", name, lines.empty() ? "NaN NaN NaN\n" : lines);
   };
-  return block("floes", floes) + block("weak", weak) + block("hull", hull) + block("keep_out", keep_out) + block("regions", regions);
+  return block("floes", floes) + block("weak", weak) + block("hull", hull) + block("keep_out", keep_out) +
+         block("regions", regions);
 }
 
 bool thickness_varies(const std::vector<PlannedIce>& ice) {

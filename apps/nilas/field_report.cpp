@@ -189,7 +189,8 @@ std::string report_text(const FieldReport& report) {
   }
   text += fmt::format("  deepest overlap {:g} m; {} floes left out for the hull\n", report.deepest_overlap,
                       report.left_out);
-  if (report.weak_lines > 0) text += fmt::format("  {} weak lines, seams of floes frozen together\n", report.weak_lines);
+  if (report.weak_lines > 0)
+    text += fmt::format("  {} weak lines, seams of floes frozen together\n", report.weak_lines);
   text += fmt::format("{:<10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}\n", "", "mean", "sd", "min", "5 %", "50 %",
                       "95 %", "max");
   for (const auto& quantity : report.quantities) text += quantity_text(quantity);

@@ -282,8 +282,7 @@ std::vector<ContactPoint> ContactDetector::detect(const Bodies& bodies, const st
   Implementation& work = *implementation_;
   const double listed = std::max(farthest[0] + farthest[1], margin);
   work.list_pairs(bodies, listed);
-  const std::vector<double> margins =
-      pair_margins(bodies, own_reach, work.now.pairs, margin, listed, work.threads);
+  const std::vector<double> margins = pair_margins(bodies, own_reach, work.now.pairs, margin, listed, work.threads);
   work.search_pairs(bodies, margins, left);
   std::vector<ContactPoint> points = work.collect(bodies, margins);
   drop_out_of_reach(bodies, own_reach, points, margin);

@@ -44,11 +44,11 @@ struct PackedSpec {
 };
 struct FieldResult {
   std::vector<FieldFloe> floes;
-  double concentration = 0;  ///< reached, ice area / free region area
-  double worst_overlap = 0;  ///< depth [m]
-  int passes = 0;            ///< relaxation passes used
-  int fitted = 0;            ///< polygon floes whose outline was fitted to its neighbours, see pack_field
-  int left_out = 0;          ///< floes dropped because they met a keep-out outline
+  double concentration = 0;          ///< reached, ice area / free region area
+  double worst_overlap = 0;          ///< depth [m]
+  int passes = 0;                    ///< relaxation passes used
+  int fitted = 0;                    ///< polygon floes whose outline was fitted to its neighbours, see pack_field
+  int left_out = 0;                  ///< floes dropped because they met a keep-out outline
   std::vector<WeakLine> weak_lines;  ///< along which the floes are weaker, in G
 };
 /// Overlap relaxation [van den Berg, IceFieldCreator]: random floes start with overlaps and are pushed apart; floes

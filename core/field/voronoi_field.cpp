@@ -47,6 +47,11 @@ PowerSites first_sites(const std::vector<double>& areas, const FieldBounds& boun
   return sites;
 }
 
+std::vector<PowerCell> cells_of(const std::vector<double>& areas, const FieldBounds& bounds, std::uint64_t seed) {
+  PowerSites sites = first_sites(areas, bounds, seed);
+  return cells_with_areas(sites, areas, bounds, k_lloyd_rounds, k_area_tolerance);
+}
+
 /// The cell made smaller about its centroid until it has `area` [m^2].
 FieldFloe shrunk(const PowerCell& cell, double area) {
   const Vec2 centre = polygon_moments(cell.outline).centroid;
@@ -63,8 +68,7 @@ FieldResult voronoi_field(const PackedSpec& spec) {
   const FieldBounds bounds = field_bounds(spec);
   const double water = free_area(bounds);
   const std::vector<double> areas = areas_of(spec, spec.concentration * water);
-  PowerSites sites = first_sites(areas, bounds, spec.seed);
-  const std::vector<PowerCell> cells = cells_with_areas(sites, areas, bounds, k_lloyd_rounds, k_area_tolerance);
+  const std::vector<PowerCell> cells = cells_of(areas, bounds, spec.seed);
   double room = 1;
   for (std::size_t i = 0; i < cells.size(); ++i) room = std::min(room, cells[i].area / areas[i]);
   if (room < 1 - k_area_tolerance)
@@ -89,9 +93,7 @@ FieldResult frozen_field(const PackedSpec& spec, const Vec2& aft, double strengt
   whole.keep_out.clear();
   check_packed_spec(whole);
   const FieldBounds bounds = field_bounds(whole);
-  const std::vector<double> areas = areas_of(whole, free_area(bounds));
-  PowerSites sites = first_sites(areas, bounds, whole.seed);
-  const std::vector<PowerCell> cells = cells_with_areas(sites, areas, bounds, k_lloyd_rounds, k_area_tolerance);
+  const std::vector<PowerCell> cells = cells_of(areas_of(whole, free_area(bounds)), bounds, whole.seed);
   FieldResult result = level_field({spec.low, spec.high, spec.keep_out, spec.keep_out_margin, aft});
   for (std::size_t i = 0; i < cells.size(); ++i)
     for (std::size_t k = 0; k < cells[i].outline.size(); ++k)

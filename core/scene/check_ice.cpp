@@ -73,9 +73,9 @@ static void check_points(const SceneElement& element, const std::string& attribu
                          std::vector<Fault>& faults) {
   const auto numbers = numbers_of(element, attribute);
   if (numbers && numbers->size() % 2 != 0)
-    faults.push_back(
-        fault_of(element, attribute,
-                 "found " + std::to_string(numbers->size()) + " numbers; allowed: an even number of them, x y per " + each));
+    faults.push_back(fault_of(
+        element, attribute,
+        "found " + std::to_string(numbers->size()) + " numbers; allowed: an even number of them, x y per " + each));
 }
 
 /// Floes that are frozen together leave no gaps.

@@ -107,16 +107,18 @@ std::vector<ElementSpec> fracture_elements() {
        .parent = "fracture",
        .doc = "Paths of the cracks of <bending> and <splitting>. Absent: straight.",
        .attributes =
-           {model("path", {"straight", "curved"},
-                  "straight: through ice as strong as that at the load. curved: where ice is weak, along <weak_line> and "
-                  "seams of <bond>, and by strengths that vary within floes: splitting cracks go where a kink releases "
-                  "most energy for the toughness there, wedges break where stress over strength is largest."),
+           {model(
+                "path", {"straight", "curved"},
+                "straight: through ice as strong as that at the load. curved: where ice is weak, along <weak_line> and "
+                "seams of <bond>, and by strengths that vary within floes: splitting cracks go where a kink releases "
+                "most energy for the toughness there, wedges break where stress over strength is largest."),
             {.name = "segment_thicknesses",
              .range = within(0.1, 1000),
              .default_value = "2",
              .applies = {"path", {"curved"}},
-             .doc = "Longest segment of a curved splitting crack, in thicknesses of the ice: how far ahead it feels the "
-                    "toughness."}}},
+             .doc =
+                 "Longest segment of a curved splitting crack, in thicknesses of the ice: how far ahead it feels the "
+                 "toughness."}}},
   };
 }
 

@@ -240,7 +240,8 @@ static ElementSpec vary() {
       .count = Count::many,
       .doc =
           "Random variation of a property over the floes, once per property. What a field's file states stays. "
-          "Strengths are drawn and written by `nilas field`; in a run the compressive strength has an effect with <crushing>.",
+          "Strengths are drawn and written by `nilas field`; in a run the compressive strength has an effect with "
+          "<crushing>.",
       .attributes = {{.name = "property",
                       .type = ValueType::choice,
                       .choices = properties,
@@ -282,8 +283,9 @@ static ElementSpec bond() {
   return {.name = "bond",
           .parent = "field",
           .applies = {"kind", {"voronoi"}},
-          .doc = "The floes are frozen together: one sheet, whose seams between them are weak lines. It needs a "
-                 "concentration of 1. No effect without <cracks path=\"curved\">.",
+          .doc =
+              "The floes are frozen together: one sheet, whose seams between them are weak lines. It needs a "
+              "concentration of 1. No effect without <cracks path=\"curved\">.",
           .attributes = {strength_left()}};
 }
 
@@ -291,8 +293,9 @@ static ElementSpec weak_line() {
   return {.name = "weak_line",
           .parent = "ice",
           .count = Count::many,
-          .doc = "A line along which the breakable floes that it crosses at the start are weaker: a refrozen crack, the "
-                 "flank of a ridge. No effect without <cracks path=\"curved\">.",
+          .doc =
+              "A line along which the breakable floes that it crosses at the start are weaker: a refrozen crack, the "
+              "flank of a ridge. No effect without <cracks path=\"curved\">.",
           .attributes = {{.name = "points",
                           .min_count = 4,
                           .max_count = k_any_count,

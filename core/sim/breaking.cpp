@@ -151,8 +151,12 @@ void Breaking::add_piece(const FloePiece& piece, std::size_t floe, bool fixed, B
 /// What is needed of a floe of the scene before it goes.
 void Breaking::keep_intact(std::size_t b, const Bodies& bodies, const IceProperties& ice) {
   if (origins_.count(bodies.id[b]) > 0) return;
-  intact_[bodies.id[b]] = {bodies.name[b], bodies.material[b], ice.flexural_strength[b], ice.compressive_strength[b],
-                           ice.fracture_toughness[b], ice.weak_lines[b]};
+  intact_[bodies.id[b]] = {bodies.name[b],
+                           bodies.material[b],
+                           ice.flexural_strength[b],
+                           ice.compressive_strength[b],
+                           ice.fracture_toughness[b],
+                           ice.weak_lines[b]};
 }
 
 void Breaking::take_out(std::size_t b, Bodies& bodies, IceProperties& ice) {

@@ -30,7 +30,7 @@ struct PlannedIce {
   std::vector<std::vector<Vec2>> keep_out;      ///< the same with the margin
   double concentration = 0, worst_overlap = 0;  ///< see FieldResult
   int left_out = 0;
-  double seconds = 0;  ///< of wall time that its generation took
+  double seconds = 0;                ///< of wall time that its generation took
   std::vector<WeakLine> weak_lines;  ///< in G
   std::vector<PlannedFloe> floes;
 };

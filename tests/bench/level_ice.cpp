@@ -145,8 +145,7 @@ struct Point {
 void draw_loads(const std::filesystem::path& folder, const std::vector<Point>& points) {
   std::map<double, std::string> data;
   for (const Point& p : points)
-    data[p.setting.thickness] +=
-        fmt::format("{} {} {} {}\n", p.setting.speed, p.load.value, p.load.error, p.formula);
+    data[p.setting.thickness] += fmt::format("{} {} {} {}\n", p.setting.speed, p.load.value, p.load.error, p.formula);
   std::string script =
       "set terminal pngcairo size 900,600\nset output 'level-ice.png'\nset xlabel 'speed [m/s]'\n"
       "set ylabel 'mean resistance in level ice [N]'\nset key top left\nset xrange [0:*]\nset yrange [0:*]\n"
@@ -156,10 +155,10 @@ void draw_loads(const std::filesystem::path& folder, const std::vector<Point>& p
   for (const auto& [thickness, rows] : data) {
     ++colour;
     script += fmt::format("$h{} << EOD\n{}EOD\n", colour, rows);
-    lines += fmt::format("{}$h{} using 1:2:3 with yerrorbars pt 7 lc {} title '{:.0f} mm', "
-                         "$h{} using 1:4 with lines lc {} title '{:.0f} mm, Lindqvist'",
-                         lines.empty() ? "plot " : ", ", colour, colour, 1000 * thickness, colour, colour,
-                         1000 * thickness);
+    lines += fmt::format(
+        "{}$h{} using 1:2:3 with yerrorbars pt 7 lc {} title '{:.0f} mm', "
+        "$h{} using 1:4 with lines lc {} title '{:.0f} mm, Lindqvist'",
+        lines.empty() ? "plot " : ", ", colour, colour, 1000 * thickness, colour, colour, 1000 * thickness);
   }
   plot(folder, script + lines + "\n");
   std::printf("\npicture: %s\n", (folder / "level-ice.png").c_str());

@@ -99,7 +99,8 @@ TEST(CrackPath, TurnsWithTheFloe) {
     std::vector<Vec2> floe;
     for (const Vec2& p : k_floe) floe.push_back(turned(p, angle));
     LocalIce there;
-    there.weak_lines = {{{turned(ice.weak_lines[0].points[0], angle), turned(ice.weak_lines[0].points[1], angle)}, 0.5}};
+    there.weak_lines = {
+        {{turned(ice.weak_lines[0].points[0], angle), turned(ice.weak_lines[0].points[1], angle)}, 0.5}};
     const CrackPath other = crack_path(floe, turned({0, 0}, angle), k_up + angle, k_segment, k_toughness, there);
     ASSERT_EQ(other.points.size(), path.points.size());
     for (std::size_t i = 0; i < path.points.size(); ++i)
@@ -133,8 +134,8 @@ TEST(CrackPath, FollowsTheSeamsOfFrozenFloes) {
   }
 }
 
-/// Star-shaped floes, convex or not, with lines anywhere and a toughness that varies: every path comes out of the ice, and
-/// cuts it.
+/// Star-shaped floes, convex or not, with lines anywhere and a toughness that varies: every path comes out of the ice,
+/// and cuts it.
 TEST(CrackPath, ComesOutOfAnyFloe) {
   RandomStream random(5, "crack paths");
   int cut = 0;

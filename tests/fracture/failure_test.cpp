@@ -219,7 +219,8 @@ TEST(Failure, CurvedCracksInIceThatIsAlikeAreStraight) {
   }
 }
 
-/// Across all wedges at their breaking length, or along the way of the splitting crack: both loads fall by what is left.
+/// Across all wedges at their breaking length, or along the way of the splitting crack: both loads fall by what is
+/// left.
 TEST(Failure, WeakLinesLowerTheLoad) {
   FailureSettings settings = bending();
   settings.splitting = SplittingModel::lefm;

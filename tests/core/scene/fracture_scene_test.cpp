@@ -103,7 +103,8 @@ TEST(FractureScene, WeakLinesBondsAndCurvedCracks) {
   const std::string ice =
       "<ice><field kind='voronoi' region='0 0 9 9' concentration='1' breakable='true'><bond strength='0.4'/></field>"
       "<weak_line points='0 0 1 2 3 4' strength='0.25'/></ice>";
-  const std::string fracture = "<fracture><crushing/><bending/><cracks path='curved' segment_thicknesses='3'/></fracture>";
+  const std::string fracture =
+      "<fracture><crushing/><bending/><cracks path='curved' segment_thicknesses='3'/></fracture>";
   const Scene scene = folder.read(in_scene(water + ice + fracture));
   EXPECT_EQ(scene.ice->fields.at(0).bond, 0.4);
   const WeakLineScene& line = scene.ice->weak_lines.at(0);

@@ -146,8 +146,9 @@ TEST(Breaking, LefmSplitsAFloeThatIsHeld) {
 /// The load is that of the weak line's toughness; a second line, far behind, goes with the piece that it crosses.
 TEST(Breaking, AFloeSplitsAlongItsWeakLine) {
   std::string content = bow("outline='0 -1 2 -1 2 1 0 1' fixed='true'");
-  content.replace(content.find("</ice>"), 6,
-                  "<weak_line points='0 0 2 0.6' strength='0.5'/><weak_line points='1.5 0.8 1.9 0.8' strength='0.7'/></ice>");
+  content.replace(
+      content.find("</ice>"), 6,
+      "<weak_line points='0 0 2 0.6' strength='0.5'/><weak_line points='1.5 0.8 1.9 0.8' strength='0.7'/></ice>");
   const auto models = [](const std::string& path) {
     return fracture("<splitting model='lefm'/><cracks path='" + path + "' segment_thicknesses='1'/>",
                     "fracture_toughness='2e3'");
