@@ -45,14 +45,20 @@ std::pair<Loop, Loop> split(const Loop& loop, const Vec3& n, double offset) {
   return sides;
 }
 
-/// Adds to `out` what of a convex loop (or, with two points, a segment) lies outside the part.
-void subtract(const CoveringPart& part, double tolerance, Loop inside, std::vector<Loop>& out) {
+/// Adds to `out` what of a convex loop (or, with two points, a segment) lies outside the part: all of it as it is where
+/// the part takes nothing away.
+void subtract(const CoveringPart& part, double tolerance, Loop loop, std::vector<Loop>& out) {
   const ConvexPolytope& polytope = *part.facets->polytope;
+  const std::size_t before = out.size();
+  Loop inside = loop;
   for (std::size_t f = 0; f < polytope.normals.size() && !inside.empty(); ++f) {
     auto [below, above] = split(inside, polytope.normals[f], polytope.offsets[f] + tolerance);
     if (!above.empty()) out.push_back(std::move(above));
     inside = std::move(below);
   }
+  if (!inside.empty()) return;
+  out.resize(before);
+  out.push_back(std::move(loop));
 }
 
 /// What of a convex loop at height n . x is not hidden for the normal n.
