@@ -20,6 +20,19 @@ void CrushedDepth::forget_others() {
   named_.clear();
 }
 
+void CrushedDepth::hand_on(std::int64_t floe, std::int64_t piece, const Vec2& place, int parts) {
+  std::map<CrushedFace, CrushedPlane> of_piece;
+  for (const auto& [face, plane] : known_) {
+    if (face.floe != floe) continue;
+    const double offset = plane.offset - plane.normal.head<2>().dot(place);
+    for (int k = 0; k < parts; ++k) {
+      const auto [there, is_new] = of_piece.try_emplace({face.hull, piece, face.face, k}, plane.normal, offset);
+      if (!is_new && offset > there->second.offset) there->second = {plane.normal, offset};
+    }
+  }
+  known_.merge(of_piece);
+}
+
 void CrushedDepth::save(StateWriter out) const {
   std::vector<std::int64_t> faces;
   std::vector<Vec3> normals;

@@ -34,6 +34,10 @@ class CrushedDepth {
   /// Forgets the faces that were not named since the last call.
   void forget_others();
 
+  /// A piece takes the floe's place, its frame moved to `place` [m]: in each of its `parts` every face of a hull has
+  /// been as deep as in the deepest of the floe's.
+  void hand_on(std::int64_t floe, std::int64_t piece, const Vec2& place, int parts);
+
   void save(StateWriter out) const;
   /// Throws InputError for a state that is not whole.
   void restore(const StateReader& in);
