@@ -86,12 +86,19 @@ bool too_narrow(const FloePiece& piece, const PieceLimits& limits) {
 }
 
 /// Puts every piece where the limits say.
-FloeCut sorted(std::vector<FloePiece> all, const CutResult& cut, const PieceLimits& limits, const Vec3& about_G) {
+FloeCut sorted(std::vector<FloePiece> all, const CutResult& cut, const PieceLimits& limits, const Vec3& about_G,
+               const CrushedIce& crushed) {
   FloeCut result;
   result.status = FloeCutStatus::cut;
   result.outline_status = cut.status;
   result.crack_length = cut.crack_length;
-  for (FloePiece& piece : all) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    FloePiece& piece = all[i];
+    if (is_squeezed_out(crushed, cut.pieces[i].outline)) {
+      result.extruded_account += motion_account(piece.state, about_G);
+      result.extruded.push_back(std::move(piece));
+      continue;
+    }
     const bool small = too_small(piece, limits), narrow = too_narrow(piece, limits);
     if ((small || narrow) && limits.small == SmallPieces::refuse)
       return small ? refused(FloeCutStatus::too_small, cut, "a piece is smaller than min_area")
@@ -122,11 +129,13 @@ MotionAccount motion_account(const FloeState& floe, const Vec3& about_G) {
           0.5 * (momentum.dot(floe.v_GB) + spin.dot(floe.w_GB))};
 }
 
-FloeCut cut_floe(const FloeState& floe, const std::vector<std::vector<Vec2>>& cracks, const PieceLimits& limits) {
+FloeCut cut_floe(const FloeState& floe, const std::vector<std::vector<Vec2>>& cracks, const PieceLimits& limits,
+                 const CrushedIce& crushed) {
   const CutResult cut = cut_outline(floe.outline, cracks);
   if (cut.pieces.empty()) return refused(FloeCutStatus::geometry, cut, cut.message);
   check(floe);
-  if (cut.status == CutStatus::uncut) return refused(FloeCutStatus::uncut, cut, "the cracks separate nothing");
+  if (cut.status == CutStatus::uncut && !is_squeezed_out(crushed, floe.outline))
+    return refused(FloeCutStatus::uncut, cut, "the cracks separate nothing");
   std::vector<PieceShape> shapes;
   for (const CutPiece& piece : cut.pieces) shapes.push_back(shape_of(piece, floe.thickness));
   const std::vector<double> masses = masses_of(shapes, floe.mass);
@@ -137,7 +146,7 @@ FloeCut cut_floe(const FloeState& floe, const std::vector<std::vector<Vec2>>& cr
     all.push_back(piece_of(floe, std::move(shapes[i]), masses[i], from_centre));
     all.back().crack = cut.pieces[i].crack;
   }
-  return sorted(std::move(all), cut, limits, floe.pose.p);
+  return sorted(std::move(all), cut, limits, floe.pose.p, crushed);
 }
 
 }  // namespace nilas

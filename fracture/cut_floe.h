@@ -6,6 +6,7 @@
 
 #include "core/base/math.h"
 #include "fracture/cut_outline.h"
+#include "fracture/ice_columns.h"
 
 namespace nilas {
 
@@ -58,18 +59,22 @@ struct FloePiece {
 struct FloeCut {
   FloeCutStatus status = FloeCutStatus::uncut;
   CutStatus outline_status = CutStatus::uncut;
-  std::string message;            ///< why it was refused
-  std::vector<FloePiece> pieces;  ///< empty unless cut
-  std::vector<FloePiece> brash;   ///< pieces that the limits turn into brash
-  MotionAccount brash_account;    ///< of `brash`, angular momentum about the floe's centre of mass
-  double crack_length = 0;        ///< [m]
+  std::string message;              ///< why it was refused
+  std::vector<FloePiece> pieces;    ///< empty unless cut
+  std::vector<FloePiece> brash;     ///< pieces that the limits turn into brash
+  MotionAccount brash_account;      ///< of `brash`, angular momentum about the floe's centre of mass
+  std::vector<FloePiece> extruded;  ///< of crushed ice, whatever its size
+  MotionAccount extruded_account;   ///< of `extruded`, likewise
+  double crack_length = 0;          ///< [m]
 };
 
 /// Cuts along `cracks`, polylines in B. Masses are shares of the floe's by area, the largest piece taking what rounding
 /// leaves, and the pieces lie about the floe's centre of mass, which their common centroid misses by a rounding; each
 /// moves as the floe did, v + w x r and w. Mass, momentum, angular momentum and energy are thus kept to rounding.
+/// Pieces that `crushed` squeezes out leave; where that is all of the floe no crack needs to cut it.
 /// Throws ContractError when thickness or mass is not positive, or when the inertia or centroid are not those of a
 /// uniform plate (1e-9 of its own).
-FloeCut cut_floe(const FloeState& floe, const std::vector<std::vector<Vec2>>& cracks, const PieceLimits& limits);
+FloeCut cut_floe(const FloeState& floe, const std::vector<std::vector<Vec2>>& cracks, const PieceLimits& limits,
+                 const CrushedIce& crushed = {});
 
 }  // namespace nilas

@@ -62,7 +62,17 @@ std::optional<Chord> ice_ahead(const std::vector<Vec2>& outline, const EdgeConta
 
 }  // namespace
 
-std::string name_of(FailureKind kind) { return kind == FailureKind::bending ? "bending" : "splitting"; }
+std::string name_of(FailureKind kind) {
+  switch (kind) {
+    case FailureKind::bending:
+      return "bending";
+    case FailureKind::splitting:
+      return "splitting";
+    case FailureKind::crushing:
+      return "crushing";
+  }
+  return "";
+}
 
 FailureRules::FailureRules(const FailureSettings& settings)
     : settings_(settings), edge_(settings.poisson), wedge_(TipLoad::pressure) {

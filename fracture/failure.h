@@ -8,6 +8,7 @@
 #include "fracture/crack_path.h"
 #include "fracture/edge_contact.h"
 #include "fracture/edge_load.h"
+#include "fracture/ice_columns.h"
 #include "fracture/local_ice.h"
 #include "fracture/plate.h"
 #include "fracture/splitting_lefm.h"
@@ -41,16 +42,17 @@ struct IceAtContact {
   const LocalIce* around = nullptr;  ///< for curved cracks; none: alike everywhere
 };
 
-enum class FailureKind { bending, splitting };
+enum class FailureKind { bending, splitting, crushing };
 std::string name_of(FailureKind kind);
 
 /// A way to break.
 struct Failure {
   FailureKind kind = FailureKind::bending;
   double ratio = 0;           ///< load over what the ice bears; it breaks from 1 on
-  Vec2 point = Vec2::Zero();  ///< of the edge where it starts, in B [m]
+  Vec2 point = Vec2::Zero();  ///< of the edge where it starts, in B; of crushing the middle of what goes [m]
   double radius = 0;          ///< of the circumferential crack, where it is farthest [m]; 0 of splitting by lefm
   std::vector<std::vector<Vec2>> cracks;  ///< for cut_floe
+  CrushedIce crushed = {};                ///< for cut_floe; none but of crushing
 };
 
 /// Stresses at an edge under a load, over what the ice bears.

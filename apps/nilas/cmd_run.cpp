@@ -94,9 +94,11 @@ class Run {
     SummaryInput input = summary_input(ending, wall);
     input.brash_mass = simulation.brash_mass();
     input.crushed_mass = simulation.crushed_mass();
+    input.extruded_mass = simulation.extruded_mass();
     std::optional<BrokenIce> ice;
     if (scene_.fracture && simulation.info().floes > 0)
-      ice = {simulation.info().floes, floes_of(simulation.bodies()), input.crushed_mass, input.brash_mass};
+      ice = {simulation.info().floes, floes_of(simulation.bodies()), input.crushed_mass, input.brash_mass,
+             input.extruded_mass};
     const auto summary = folder_.finish(std::move(input), simulation.bodies());
     console.close(closing_account(folder_.statistics(), wall, folder_.path(), ice));
     if (options_.json) std::cout << summary.dump(2) << "\n";

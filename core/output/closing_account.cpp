@@ -62,6 +62,8 @@ std::string closing_account(const RunStatistics& statistics, double wall_s, cons
   if (ice)
     text += fmt::format("{:<22}{} at the start, {} at the end\n{:<22}{:.3g} kg crushed, {:.3g} kg brash\n", "floes",
                         ice->floes, ice->floes_end, "ice lost", ice->crushed_mass, ice->brash_mass);
+  if (ice && ice->extruded_mass > 0)
+    text += fmt::format("{:<22}{:.3g} kg of the crushed ice\n", "cut out", ice->extruded_mass);
   text += shortfall_lines(statistics.shortfalls(), statistics.steps());
   return text + fmt::format("{:<22}{}\n", "outputs", outputs.string());
 }

@@ -11,7 +11,7 @@ namespace nilas {
 /// What became of ice that can break.
 struct BrokenIce {
   long floes = 0, floes_end = 0;
-  double crushed_mass = 0, brash_mass = 0;  ///< [kg]
+  double crushed_mass = 0, brash_mass = 0, extruded_mass = 0;  ///< [kg]
 };
 
 /// Wall-clock time, where it went per phase, the worst solver residual, penetration and energy imbalance, the path of

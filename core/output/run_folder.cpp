@@ -37,7 +37,7 @@ struct RunFolder::Outputs {
       if (from != nullptr) kept = from->group("contacts");
       contacts.emplace(folder / "contacts.h5", scene, info, kept ? &*kept : nullptr);
     }
-    if (scene.fracture && (scene.fracture->bending || scene.fracture->splitting))
+    if (scene.fracture && scene.fracture->cuts_floes())
       events.emplace(folder / "events.csv", kept_bytes(from, "events.csv"));
     if (snapshot_every > 0) trajectory.emplace(folder, kept_bytes(from, "trajectory.pvd"));
     if (from != nullptr) restore(*from);

@@ -64,6 +64,7 @@ Json summary_json(const RunInfo& info, const RunStatistics& statistics, const Su
                     {"mass_end_kg", input.ice_mass_end},
                     {"brash_kg", input.brash_mass},
                     {"crushed_kg", input.crushed_mass},
+                    {"extruded_kg", input.extruded_mass},
                     {"concentration", info.concentration}};
   summary["worst"] = worst_json(statistics);
   summary["shortfalls"] = shortfalls_json(statistics.shortfalls());

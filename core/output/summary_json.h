@@ -21,8 +21,9 @@ struct SummaryInput {
   std::map<std::string, std::string> versions;  ///< library or tool: version
   double ice_mass_end = 0;                      ///< of free floes [kg]
   long floes_end = 0;
-  double crushed_mass = 0;  ///< of ice that the hull and bodies took the place of [kg]
-  double brash_mass = 0;    ///< of ice that broke too small to follow [kg]
+  double crushed_mass = 0;   ///< of ice that the hull and bodies took the place of [kg]
+  double brash_mass = 0;     ///< of ice that broke too small to follow [kg]
+  double extruded_mass = 0;  ///< of crushed ice that was cut out of its floes [kg]
 };
 
 nlohmann::ordered_json summary_json(const RunInfo& info, const RunStatistics& statistics, const SummaryInput& input);

@@ -90,6 +90,7 @@ static FractureScene build_fracture(const SceneElement& element) {
     assign(fracture.crushing->coefficient, *crushing, "coefficient");
     assign(fracture.crushing->exponent, *crushing, "exponent");
     assign(fracture.crushing->between_floes, *crushing, "between_floes");
+    assign(fracture.crushing->clear_volume, *crushing, "clear_volume");
   }
   if (const auto* bending = child_of(element, "bending")) {
     fracture.bending.emplace();

@@ -187,6 +187,7 @@ struct CrushingScene {
   std::string model = "seed-limit";
   double coefficient = 1e5, exponent = -0.7;  ///< of model pressure-area [Pa m^(-2 exponent), -]
   bool between_floes = false;
+  std::optional<double> clear_volume;  ///< [m^3]
 };
 struct BendingScene {
   std::string model = "nevel";
@@ -211,6 +212,9 @@ struct FractureScene {
   std::optional<BendingScene> bending;
   std::optional<SplittingScene> splitting;
   std::optional<CracksScene> cracks;
+
+  /// Whether floes can come apart.
+  bool cuts_floes() const { return bending || splitting || (crushing && crushing->clear_volume); }
 };
 
 struct BodyScene {

@@ -66,7 +66,13 @@ std::vector<ElementSpec> fracture_elements() {
              .type = ValueType::boolean,
              .default_value = "false",
              .doc = "Breakable floes crush each other too, where the weaker ice gives way. Without it they are rigid "
-                    "against each other."}}},
+                    "against each other."},
+            {.name = "clear_volume",
+             .unit = "m^3",
+             .range = above(0),
+             .doc = "Crushed ice is cut out of a floe once more than this stands inside hulls through the floe's whole "
+                    "thickness; its mass is told (extruded_kg). A strip of a quarter of the thickness stays along "
+                    "the hulls' surfaces. Absent: outlines stay as they are."}}},
       {.name = "bending",
        .parent = "fracture",
        .doc = "Failure of breakable floes in bending where the vessel or a body presses on their edge. Needs "

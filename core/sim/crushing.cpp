@@ -64,6 +64,8 @@ struct Crushing::FaceLoad {
   const FaceInIce* now = nullptr;
   const FaceInIce* next = nullptr;
   double force = 0, growth = 0;  ///< at the step's start, and until its end [N]
+
+  const FaceInIce& face() const { return now ? *now : *next; }
 };
 
 struct Crushing::Pair {
@@ -129,7 +131,10 @@ ContactPoint Crushing::Pair::point_on(const FaceInIce& face) const {
 }
 
 Crushing::Crushing(const Scene& scene, const Bodies& bodies, const IceProperties& ice)
-    : law_(crushing_law(scene)), ice_(ice), between_floes_(scene.fracture->crushing->between_floes) {
+    : law_(crushing_law(scene)),
+      ice_(ice),
+      between_floes_(scene.fracture->crushing->between_floes),
+      clear_volume_(scene.fracture->crushing->clear_volume) {
   is_hull_.assign(bodies.id.size(), 0);
   for (int body = 0; body < bodies.size(); ++body) learn(bodies, body);
 }
@@ -143,34 +148,39 @@ void Crushing::learn(const Bodies& bodies, int body) {
   hulls_.push_back(std::move(*surface));
 }
 
-void Crushing::follow(const Bodies& bodies, const std::vector<std::int64_t>& pieces) {
+void Crushing::follow(const Bodies& bodies, const std::vector<NewPiece>& pieces) {
+  for (const NewPiece& piece : pieces) {
+    const Shape& shape = *bodies.shape[bodies.index_of(piece.id)];
+    depth_.hand_on(piece.floe, piece.id, piece.place, static_cast<int>(shape.parts.size()));
+  }
   is_hull_.assign(bodies.id.size(), 0);
   for (CrushingSurface& hull : hulls_) {
     const std::size_t b = bodies.index_of(hull.id);
     hull.body = static_cast<int>(b);
     is_hull_[b] = 1;
-    for (const std::int64_t piece : pieces) {
-      const auto floe = static_cast<int>(bodies.index_of(piece));
+    for (const NewPiece& piece : pieces) {
+      const auto floe = static_cast<int>(bodies.index_of(piece.id));
       if (!may_meet(bodies, hull, floe, 0)) continue;
       const double volume = common_volume(bodies, hull, floe);
-      if (volume > 0) volume_[{hull.id, piece}] = volume;
+      if (volume > 0) volume_[{hull.id, piece.id}] = volume;
     }
   }
   if (between_floes_) follow_floes(bodies, pieces);
 }
 
 /// Neighbours of a floe that broke stand in its pieces as they did in it, also where these are pieces themselves.
-void Crushing::follow_floes(const Bodies& bodies, const std::vector<std::int64_t>& pieces) {
+void Crushing::follow_floes(const Bodies& bodies, const std::vector<NewPiece>& pieces) {
   const auto is_there = [&](std::int64_t id) { return std::binary_search(bodies.id.begin(), bodies.id.end(), id); };
   std::erase_if(floes_, [&](const auto& floe) { return !is_there(floe.first); });
   std::set<std::int64_t> neighbours;
   for (const auto& [ids, volume] : volume_) {
     if (is_there(ids.first) != is_there(ids.second)) neighbours.insert(is_there(ids.first) ? ids.first : ids.second);
-    if (!is_there(ids.first) && !is_there(ids.second)) neighbours.insert(pieces.begin(), pieces.end());
+    if (is_there(ids.first) || is_there(ids.second)) continue;
+    for (const NewPiece& piece : pieces) neighbours.insert(piece.id);
   }
   for (const std::int64_t neighbour : neighbours)
-    for (const std::int64_t piece : pieces) {
-      const auto [first, second] = std::minmax(neighbour, piece);
+    for (const NewPiece& piece : pieces) {
+      const auto [first, second] = std::minmax(neighbour, piece.id);
       const int a = static_cast<int>(bodies.index_of(first)), b = static_cast<int>(bodies.index_of(second));
       if (first == second || is_hull(a) || is_hull(b)) continue;
       const double volume = common_volume(bodies, floe_surface(bodies, a), b);
@@ -263,8 +273,33 @@ Crushing::Pair Crushing::pair_of(const Bodies& bodies, const CrushingSurface& hu
 }
 
 void Crushing::add_pair(const Pair& pair, std::vector<ContactPoint>& points) {
+  Ids ids(pair.hull.id, pair.id(pair.floe));
+  if (ice_.is_breakable(pair.hull.body) && ids.first > ids.second) std::swap(ids.first, ids.second);
+  const auto known = volume_.find(ids);
+  if (pair.touches_now() || known != volume_.end()) {
+    const double before = known == volume_.end() ? 0 : known->second;
+    if (const double volume = counted_volume(pair.bodies, pair.hull, pair.floe, before); volume > 0)
+      new_volume_[ids] = std::max(volume, before);
+  }
+  for (const FaceLoad& load : loads_of(pair)) add_face(pair, load, points);
+}
+
+/// A face's area that goes over from one piece of the floe to the next within the step is no growth.
+void Crushing::leave_net_growth(std::vector<FaceLoad>& loads, std::size_t first) {
+  double net = 0, growing = 0;
+  for (std::size_t k = first; k < loads.size(); ++k) {
+    net += loads[k].growth;
+    growing += std::max(0.0, loads[k].growth);
+  }
+  if (net == growing) return;
+  for (std::size_t k = first; k < loads.size(); ++k)
+    loads[k].growth = std::max(0.0, loads[k].growth) * std::max(0.0, net) / growing;
+}
+
+std::vector<Crushing::FaceLoad> Crushing::loads_of(const Pair& pair) const {
   const std::vector<FaceInIce>&now = pair.faces, &next = pair.faces_next;
-  if (!now.empty()) note_volume(pair);
+  std::vector<FaceLoad> loads;
+  std::size_t of_face = 0;
   // both lists are in the order of faces and pieces
   for (auto i = now.begin(), j = next.begin(); i != now.end() || j != next.end();) {
     const auto place = [](const FaceInIce& face) { return std::pair(face.face, face.piece); };
@@ -272,9 +307,16 @@ void Crushing::add_pair(const Pair& pair, std::vector<ContactPoint>& points) {
     if (j == next.end() || (i != now.end() && place(*i) <= place(*j))) load.now = &*i;
     if (i == now.end() || (j != next.end() && place(*j) <= place(*i))) load.next = &*j;
     if (load.now) load.force = force(pair, *i++, pair.present, pair.area);
-    if (load.next) load.growth = force(pair, *j++, pair.next, pair.area_next) - load.force;
-    add_face(pair, load, points);
+    if (load.next) load.growth = force(pair, *j++, pair.next, pair.area_next);
+    if (!next.empty()) load.growth -= load.force;
+    if (!loads.empty() && loads.back().face().face != load.face().face) {
+      leave_net_growth(loads, of_face);
+      of_face = loads.size();
+    }
+    loads.push_back(load);
   }
+  leave_net_growth(loads, of_face);
+  return loads;
 }
 
 /// Whether the faces of the first of two floes count, by what they have in each other now; where that is nothing, at
@@ -316,7 +358,7 @@ void Crushing::add_floes(const Bodies& bodies, int a, int b, double h, double ah
 }
 
 void Crushing::add_face(const Pair& pair, const FaceLoad& load, std::vector<ContactPoint>& points) {
-  const FaceInIce& face = load.now ? *load.now : *load.next;
+  const FaceInIce& face = load.face();
   CrushedPlane crushed{face.normal, -std::numeric_limits<double>::infinity()};
   if (load.now) crushed = depth_.advance(pair.name(face), face.normal, face.centroid);
   const ContactPoint of_face = pair.point_on(face);
@@ -354,17 +396,28 @@ double Crushing::common_volume(const Bodies& bodies, const CrushingSurface& hull
   return volume;
 }
 
-void Crushing::note_volume(const Pair& pair) {
-  const double volume = common_volume(pair.bodies, pair.hull, pair.floe);
-  Ids key(pair.hull.id, pair.id(pair.floe));
-  if (ice_.is_breakable(pair.hull.body) && key.first > key.second) std::swap(key.first, key.second);
-  const auto known = volume_.find(key);
-  const double before = known == volume_.end() ? 0 : known->second;
-  const auto floe = static_cast<std::size_t>(pair.floe);
-  const Shape& shape = *pair.bodies.shape[floe];
-  const double density = pair.bodies.mass[floe] / (polygon_moments(shape.outline).area * shape.thickness);
+/// The volume now, after counting what is above the one before as crushed.
+double Crushing::counted_volume(const Bodies& bodies, const CrushingSurface& hull, int floe, double before) {
+  const double volume = common_volume(bodies, hull, floe);
+  const auto b = static_cast<std::size_t>(floe);
+  const Shape& shape = *bodies.shape[b];
+  const double density = bodies.mass[b] / (polygon_moments(shape.outline).area * shape.thickness);
   crushed_mass_ += density * std::max(0.0, volume - before);
-  new_volume_[key] = std::max(volume, before);
+  return volume;
+}
+
+void Crushing::count_last(const Bodies& bodies, std::int64_t floe) {
+  for (auto& [ids, volume] : volume_) {
+    if (ids.first != floe && ids.second != floe) continue;
+    int a = static_cast<int>(bodies.index_of(ids.first)), b = static_cast<int>(bodies.index_of(ids.second));
+    if (is_hull(a)) {
+      volume = std::max(volume, counted_volume(bodies, hull_of(a), b, volume));
+      continue;
+    }
+    const auto known = faces_of_first_.find(ids);
+    if (known != faces_of_first_.end() && known->second == 0) std::swap(a, b);
+    volume = std::max(volume, counted_volume(bodies, floe_surface(bodies, a), b, volume));
+  }
 }
 
 void Crushing::save(StateWriter out) const {

@@ -3,15 +3,18 @@
 /// place of those that keep rigid bodies apart. docs/theory_fracture_crushing.md
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "contact/detect/contact_point.h"
+#include "core/base/log.h"
 #include "core/base/state.h"
 #include "core/bodies/bodies.h"
 #include "core/bodies/ice_properties.h"
 #include "core/scene/scene.h"
 #include "core/sim/crushing_surface.h"
+#include "core/sim/floe_pieces.h"
 #include "fracture/crushed_depth.h"
 #include "fracture/crushing_law.h"
 
@@ -23,9 +26,11 @@ class Crushing {
   /// spheres and planes stay rigid. `ice` must outlive this. Throws ContractError when the scene names no <crushing>.
   Crushing(const Scene& scene, const Bodies& bodies, const IceProperties& ice);
 
+  /// Before a floe goes: counts what it was crushed by since points() was asked.
+  void count_last(const Bodies& bodies, std::int64_t floe);
   /// After bodies came or went: finds its hulls again. Pieces of a floe that broke stand in hulls as deep as it did,
   /// which is no ice crushed anew.
-  void follow(const Bodies& bodies, const std::vector<std::int64_t>& pieces);
+  void follow(const Bodies& bodies, const std::vector<NewPiece>& pieces);
 
   /// Whether the contact of two bodies is one of crushing: a breakable floe and the vessel or a body, or, where the
   /// scene says so, two breakable floes.
@@ -45,6 +50,11 @@ class Crushing {
   std::vector<ContactPoint> points(const Bodies& bodies, const std::vector<std::pair<int, int>>& near, double h,
                                    double ahead);
 
+  /// Floes of which hulls have more than the scene's clear_volume within them through the whole thickness, in the order
+  /// of their ids, with the cut that takes it out. A strip along the hulls' surfaces stays, so that their faces stand
+  /// in ice as before. None while a hull stands in the midst of its floe, which `warnings` are told.
+  std::vector<FloeBreak> floes_to_clear(const Bodies& bodies, WarningCounts& warnings) const;
+
   /// Of the ice that hulls have taken the place of since the start [kg].
   double crushed_mass() const { return crushed_mass_; }
 
@@ -63,14 +73,17 @@ class Crushing {
   const CrushingSurface& floe_surface(const Bodies& bodies, int floe);
   static bool first_counts(const Pair& of_first, const Pair& of_second);
   void add_floes(const Bodies& bodies, int a, int b, double h, double ahead, std::vector<ContactPoint>& points);
-  void follow_floes(const Bodies& bodies, const std::vector<std::int64_t>& pieces);
+  void follow_floes(const Bodies& bodies, const std::vector<NewPiece>& pieces);
   static bool may_meet(const Bodies& bodies, const CrushingSurface& hull, int floe, double ahead);
   Pair pair_of(const Bodies& bodies, const CrushingSurface& hull, int floe, double h, double ahead) const;
   void add_pair(const Pair& pair, std::vector<ContactPoint>& points);
+  std::vector<FaceLoad> loads_of(const Pair& pair) const;
+  static void leave_net_growth(std::vector<FaceLoad>& loads, std::size_t first);
   void add_face(const Pair& pair, const FaceLoad& load, std::vector<ContactPoint>& points);
   double force(const Pair& pair, const FaceInIce& face, const Placement& hull_in_floe, double total) const;
   double common_volume(const Bodies& bodies, const CrushingSurface& hull, int floe) const;
-  void note_volume(const Pair& pair);
+  CrushedIce crushed_through(const Bodies& bodies, std::int64_t floe) const;
+  double counted_volume(const Bodies& bodies, const CrushingSurface& hull, int floe, double before);
 
   CrushingLaw law_;
   const IceProperties& ice_;
@@ -78,6 +91,7 @@ class Crushing {
   std::vector<char> is_hull_;  ///< per body
   using Ids = std::pair<std::int64_t, std::int64_t>;
   bool between_floes_ = false;
+  std::optional<double> clear_volume_;                       ///< [m^3]
   std::map<std::int64_t, CrushingSurface> floes_;            ///< by id: those that came near another
   std::map<Ids, char> faces_of_first_, new_faces_of_first_;  ///< of floes that touch: whose faces count
   CrushedDepth depth_;

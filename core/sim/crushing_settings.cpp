@@ -1,5 +1,7 @@
 #include "core/sim/crushing_settings.h"
 
+#include <fmt/format.h>
+
 #include "core/base/error.h"
 #include "core/sim/crushing_surface.h"
 
@@ -19,6 +21,8 @@ std::string crushing_description(const Scene& scene, const Bodies& bodies) {
   NILAS_DEMAND(scene.fracture && scene.fracture->crushing);
   std::string text = "<fracture><crushing>: " + scene.fracture->crushing->model;
   if (scene.fracture->crushing->between_floes) text += ", of floes by each other too";
+  if (const auto& volume = scene.fracture->crushing->clear_volume)
+    text += fmt::format(", cut out from {:g} m^3 on", *volume);
   for (std::size_t b = 0; b < bodies.id.size(); ++b)
     if (bodies.kind[b] == BodyKind::rigid && !has_crushing_surface(*bodies.shape[b]))
       text += "; '" + bodies.name[b] + "' has no flat faces and stays rigid";

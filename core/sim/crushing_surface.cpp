@@ -1,6 +1,7 @@
 #include "core/sim/crushing_surface.h"
 
 #include "contact/detect/part.h"
+#include "fracture/ice_columns.h"
 
 namespace nilas {
 
@@ -27,12 +28,14 @@ std::optional<CrushingSurface> crushing_surface(const Bodies& bodies, int body) 
       for (const int v : face) loop.push_back(surface.parts.front().vertices[static_cast<std::size_t>(v)]);
       surface.faces.push_back(make_hull_face(0, std::move(loop)));
     }
+    surface.outer = outer_faces(surface.parts, surface.faces);
     return surface;
   }
   surface.parts = shape.parts;
   for (const Part& part : make_parts(bodies, body))
     for (std::size_t f = 0; f < part.facets->polytope->faces.size(); ++f)
       for (auto& loop : shown_pieces(part, f)) surface.faces.push_back(make_hull_face(part.index, std::move(loop)));
+  surface.outer = outer_faces(surface.parts, surface.faces);
   return surface;
 }
 

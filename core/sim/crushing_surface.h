@@ -15,6 +15,7 @@ struct CrushingSurface {
   std::int64_t id = 0;
   std::vector<HullFace> faces;
   std::vector<ConvexPolytope> parts;
+  std::vector<std::vector<char>> outer;  ///< per face of each part: whether the surface has pieces of it
 };
 
 /// Whether a shape has flat faces, or is a cylinder, which has its facets; spheres and planes have none.

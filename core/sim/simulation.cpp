@@ -1,6 +1,7 @@
 #include "core/sim/simulation.h"
 
 #include <algorithm>
+#include <set>
 
 #include "contact/islands.h"
 #include "core/sim/simulation_world.h"
@@ -95,21 +96,34 @@ const SolvedProblem& Simulation::World::last() const {
   return solved.empty() ? unsolved : solved.front();
 }
 
-/// What the step's loads break; its pieces take part from the next step on.
+/// What the step's loads break, and what was crushed so far that it goes; a floe that breaks is cleared later.
+std::vector<FloeBreak> Simulation::World::take_breaks() {
+  std::vector<FloeBreak> breaks;
+  if (breaking) breaks = breaking->take_breaks(parts.bodies, *parts.ice_properties, whole_step);
+  if (!crushing) return breaks;
+  std::set<std::int64_t> broken;
+  for (const FloeBreak& floe : breaks) broken.insert(floe.floe);
+  for (FloeBreak& floe : crushing->floes_to_clear(parts.bodies, warnings))
+    if (broken.count(floe.floe) == 0) breaks.push_back(std::move(floe));
+  std::stable_sort(breaks.begin(), breaks.end(),
+                   [](const FloeBreak& a, const FloeBreak& b) { return a.floe < b.floe; });
+  for (const FloeBreak& floe : breaks) crushing->count_last(parts.bodies, floe.floe);
+  return breaks;
+}
+
+/// Pieces take part from the next step on.
 void Simulation::World::break_ice(StepRecord& record) {
-  const auto breaks = breaking->take_breaks(parts.bodies, *parts.ice_properties, whole_step);
-  std::vector<std::int64_t> pieces;
-  for (const Breaking::Break& broken : breaks) {
-    FractureEvent event = breaking->put_pieces(broken, parts.bodies, *parts.ice_properties, warnings);
+  std::vector<NewPiece> new_pieces;
+  for (const FloeBreak& broken : take_breaks()) {
+    FractureEvent event = pieces->put(broken, parts.bodies, *parts.ice_properties, warnings, new_pieces);
     if (event.kind.empty()) continue;
     event.t = time();
     event.energy = energy.breaking(kinetic_energy(parts.bodies), potential());
-    pieces.insert(pieces.end(), event.pieces.begin(), event.pieces.end());
     record.broken.push_back(std::move(event));
   }
   if (record.broken.empty()) return;
   broken_contacts.note(solved.back(), record.broken);
-  follow_bodies(pieces);
+  follow_bodies(new_pieces);
 }
 
 /// A whole step, or with `may_cut` up to the first impact of a fast pair.
@@ -185,7 +199,7 @@ StepRecord Simulation::step() {
     world.part_of_step(record.parts + 1 < world.model.most_substeps, record, balance, watch);
   world.elapsed = 0;
   ++world.steps;
-  if (world.breaking) {
+  if (world.pieces) {
     world.break_ice(record);
     watch.lap(Phase::fracture);
   }
@@ -203,7 +217,8 @@ const SolvedProblem& Simulation::last_problem() const { return world_->last(); }
 const std::vector<SolvedProblem>& Simulation::solved_parts() const { return world_->solved; }
 int Simulation::vessel_index() const { return world_->parts.vessel_index; }
 long Simulation::steps() const { return world_->steps; }
-double Simulation::brash_mass() const { return world_->breaking ? world_->breaking->brash_mass() : 0; }
+double Simulation::brash_mass() const { return world_->pieces ? world_->pieces->brash_mass() : 0; }
+double Simulation::extruded_mass() const { return world_->pieces ? world_->pieces->extruded_mass() : 0; }
 double Simulation::crushed_mass() const { return world_->crushing ? world_->crushing->crushed_mass() : 0; }
 void Simulation::save(StateWriter out) const { world_->save(out); }
 void Simulation::restore(const StateReader& in) { world_->restore(in); }

@@ -30,9 +30,11 @@ class Simulation {
   const SolvedProblem& last_problem() const;
   /// All parts of the last step, in the order of time.
   const std::vector<SolvedProblem>& solved_parts() const;
-  int vessel_index() const;     ///< in bodies(), -1 without a vessel
-  long steps() const;           ///< done since the start
-  double brash_mass() const;    ///< of pieces too small to be bodies, since the start [kg]
+  int vessel_index() const;   ///< in bodies(), -1 without a vessel
+  long steps() const;         ///< done since the start
+  double brash_mass() const;  ///< of pieces too small to be bodies, since the start [kg]
+  /// Of crushed ice that was cut out of its floes since the start [kg].
+  double extruded_mass() const;
   double crushed_mass() const;  ///< of ice that the vessel and bodies crushed since the start [kg]
 
   /// All that the next steps depend on, between two steps. What follows from the scene alone is not in it.

@@ -140,7 +140,7 @@ void Simulation::World::name_unnamed_pairs() {
 /// Modules keep nothing but what they would compute again from the poses.
 void Simulation::World::save(StateWriter out) const {
   out.add("steps", steps);
-  if (breaking) breaking->save(parts.bodies, out.group("breaking"));
+  if (pieces) pieces->save(parts.bodies, out.group("pieces"));
   parts.bodies.save(out.group("bodies"));
   if (parts.vessel) parts.vessel->save(out.group("vessel"));
   parts.friction.save(out.group("friction"));
@@ -148,15 +148,15 @@ void Simulation::World::save(StateWriter out) const {
   detector.save(out.group("detector"));
   if (model.static_friction) model.static_friction->save(out.group("static_friction"));
   warm.save(out.group("warm_start"));
-  if (breaking) broken_contacts.save(out.group("broken_contacts"));
+  if (pieces) broken_contacts.save(out.group("broken_contacts"));
   energy.save(out.group("energy"));
   if (crushing) crushing->save(out.group("crushing"));
 }
 
 void Simulation::World::restore(const StateReader& in) {
   in.get("steps", steps);
-  if (breaking) {
-    breaking->restore(in.group("breaking"), parts.bodies, *parts.ice_properties);
+  if (pieces) {
+    pieces->restore(in.group("pieces"), parts.bodies, *parts.ice_properties);
     follow_bodies({});
   }
   parts.bodies.restore(in.group("bodies"));
@@ -166,7 +166,7 @@ void Simulation::World::restore(const StateReader& in) {
   detector.restore(parts.bodies, in.group("detector"));
   if (model.static_friction) model.static_friction->restore(in.group("static_friction"));
   warm.restore(in.group("warm_start"));
-  if (breaking) broken_contacts.restore(in.group("broken_contacts"));
+  if (pieces) broken_contacts.restore(in.group("broken_contacts"));
   energy.restore(in.group("energy"));
   if (crushing) crushing->restore(in.group("crushing"));
 }

@@ -36,18 +36,19 @@ Simulation::World::World(const Scene& scene, int thread_count, WarningCounts& wa
   energy = EnergyAccount(parts.info.work_names, kinetic_energy(parts.bodies), potential());
   if (has_crushing(scene, parts)) crushing.emplace(scene, parts.bodies, *parts.ice_properties);
   if (has_breaking(scene, parts)) breaking.emplace(scene);
+  if (breaking || clears_crushed_ice(scene, parts)) pieces.emplace(scene);
   if (scene.contact.integrator == "reference") reference.emplace(scene, thread_count, parts, model);
 }
 
-/// What is kept per body, after bodies came or went; `pieces`: ids of those that came.
-void Simulation::World::follow_bodies(const std::vector<std::int64_t>& pieces) {
+/// What is kept per body, after bodies came or went; `new_pieces`: those that came.
+void Simulation::World::follow_bodies(const std::vector<NewPiece>& new_pieces) {
   module_loads.assign(parts.modules.size(), Wrenches(size()));
   width = smallest_widths(parts.bodies);
   floes = static_cast<int>(std::count(parts.bodies.kind.begin(), parts.bodies.kind.end(), BodyKind::floe));
   weight.assign(size(), Wrench{});
   for (std::size_t b = 0; b < size(); ++b) weight[b].force = parts.bodies.mass[b] * gravity;
-  if (crushing) crushing->follow(parts.bodies, pieces);
-  if (breaking) detector.follow(parts.bodies);
+  if (crushing) crushing->follow(parts.bodies, new_pieces);
+  if (pieces) detector.follow(parts.bodies);
 }
 
 double Simulation::World::potential() {

@@ -74,8 +74,9 @@ struct Simulation::World {
   const SolvedProblem& last() const;
   void part_of_step(bool may_cut, StepRecord& record, MomentumBalance& balance, Stopwatch& watch);
   ContactSolution solve(AssembledContacts& contacts, const std::vector<ContactPoint>& points, StepRecord& record);
+  std::vector<FloeBreak> take_breaks();
   void break_ice(StepRecord& record);
-  void follow_bodies(const std::vector<std::int64_t>& pieces);
+  void follow_bodies(const std::vector<NewPiece>& new_pieces);
   void note_vessel(const StepMotion& motion, StepRecord& record) const;
   void note_end(const MomentumBalance& balance, StepRecord& record) const;
   void stop_on_failure(const StepRecord& record) const;
@@ -107,6 +108,7 @@ struct Simulation::World {
   std::vector<double> width;         ///< smallest of each body [m]
   std::optional<Crushing> crushing;  ///< of a scene with <crushing> and ice
   std::optional<Breaking> breaking;  ///< of a scene with <bending> or <splitting>, and ice
+  std::optional<FloePieces> pieces;  ///< of a scene in which floes can be cut
   EnergyAccount energy;
   VesselStart vessel_start;
   std::vector<SolvedProblem> solved;             ///< of the last step, one for each part that impacts cut it into

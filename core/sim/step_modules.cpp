@@ -14,6 +14,10 @@ bool has_breaking(const Scene& scene, const WorldParts& parts) {
   return scene.fracture && (scene.fracture->bending || scene.fracture->splitting) && parts.ice_properties;
 }
 
+bool clears_crushed_ice(const Scene& scene, const WorldParts& parts) {
+  return has_crushing(scene, parts) && scene.fracture->crushing->clear_volume;
+}
+
 void list_step_modules(const Scene& scene, WorldParts& parts) {
   const ContactScene& contact = scene.contact;
   const bool two_coefficients = build_contact_model(contact, scene.time.step, 1).static_friction.has_value();

@@ -7,6 +7,7 @@ namespace nilas {
 
 bool has_crushing(const Scene& scene, const WorldParts& parts);
 bool has_breaking(const Scene& scene, const WorldParts& parts);
+bool clears_crushed_ice(const Scene& scene, const WorldParts& parts);
 /// Appends them to parts.info.modules.
 void list_step_modules(const Scene& scene, WorldParts& parts);
 

@@ -53,6 +53,33 @@ TEST(CutFloe, PiecesInheritWhatTheIceIs) {
   }
 }
 
+/// A notch that a hull left, and a floe that is wholly within one: the ice goes, whatever pieces may be as small, and
+/// is told.
+TEST(CutFloe, CrushedIceLeavesWithItsMotion) {
+  FloeState floe = plate(4, 2);
+  floe.v_GB = {1, 2, 3};
+  floe.w_GB = {0.3, 0.2, 0.1};
+  PieceLimits limits;
+  limits.min_area = 0.5;
+  const std::vector<Vec2> notch{{1.5, -0.25}, {2.5, -0.25}, {2.5, 0.25}, {1.5, 0.25}};
+  Lines line{notch};
+  line[0].push_back(notch[0]);
+  const FloeCut cut = cut_floe(floe, line, limits, {{notch}, {}});
+  ASSERT_EQ(cut.status, FloeCutStatus::cut) << cut.message;
+  ASSERT_EQ(cut.pieces.size(), 1u);
+  ASSERT_EQ(cut.extruded.size(), 1u);
+  EXPECT_NEAR(cut.pieces[0].area, 8 - 0.25, 1e-15);
+  EXPECT_NEAR(cut.extruded_account.mass, floe.mass / 32, 1e-12);
+  EXPECT_LE(motion_error(floe, cut).worst(), 1e-15 * 4);
+  EXPECT_EQ(cut_floe(floe, line, limits).status, FloeCutStatus::too_small);
+
+  const std::vector<Vec2> all{{-3, -2}, {3, -2}, {3, 2}, {-3, 2}};
+  const FloeCut gone = cut_floe(floe, {all}, limits, {{all}, {}});
+  EXPECT_EQ(gone.status, FloeCutStatus::cut);
+  EXPECT_TRUE(gone.pieces.empty());
+  EXPECT_EQ(gone.extruded_account.mass, floe.mass);
+}
+
 TEST(CutFloe, SmallPiecesStopTheCutOrBecomeBrash) {
   FloeState floe = plate(4, 2);
   floe.v_GB = {1, 2, 3};

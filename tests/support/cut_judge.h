@@ -83,6 +83,7 @@ inline MotionError motion_error(const FloeState& floe, const FloeCut& cut) {
   const Vec3& about = floe.pose.p;
   const MotionAccount before = motion_account(floe, about);
   MotionAccount after = cut.brash_account;
+  after += cut.extruded_account;
   // a place is rounded, and with it the momentum's lever
   const double size = std::sqrt(polygon_moments(floe.outline).area);
   double momentum = before.momentum.norm(), angular = before.angular_momentum.norm() + size * momentum;

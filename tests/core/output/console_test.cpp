@@ -117,7 +117,7 @@ TEST(ClosingAccount, ShowsWhereTheTimeWentAndTheWorstValues) {
             "worst energy error    1e-12 J at 0.01 s, 6.7e-14 of the energy put in\n"
             "outputs               runs/sample\n");
   for (const auto& line : split(text)) EXPECT_LE(line.size(), 80u);
-  const std::string broken = closing_account(statistics, 0.056, "runs/sample", BrokenIce{515, 594, 1234567, 0.0123});
+  const std::string broken = closing_account(statistics, 0.056, "runs/sample", BrokenIce{515, 594, 1234567, 0.0123, 0});
   EXPECT_NE(broken.find("floes                 515 at the start, 594 at the end\n"
                         "ice lost              1.23e+06 kg crushed, 0.0123 kg brash\n"),
             std::string::npos);

@@ -196,7 +196,8 @@ TEST(CrushingOfFloes, PiecesCrushNothingAnew) {
     for (std::size_t b = both ? 0 : 1; b < 2; ++b)
       for (const double side : {1.0, -1.0}) put_half(b, side);
     bodies.remove(both ? std::vector<char>{1, 1, 0, 0, 0, 0} : std::vector<char>{0, 1, 0, 0});
-    const std::vector<std::int64_t> pieces(bodies.id.end() - (both ? 4 : 2), bodies.id.end());
+    std::vector<NewPiece> pieces;  // their floes' ids are 1 and 2
+    for (int k = both ? 4 : 2; k > 0; --k) pieces.push_back({*(bodies.id.end() - k), k > 2 ? 1 : 2, Vec2::Zero()});
     ice.resize(bodies.id.size());
     ice.breakable.assign(bodies.id.size(), 1);
     ice.compressive_strength.assign(bodies.id.size(), {2e5, {}});

@@ -1,11 +1,11 @@
 /// What a checkpoint holds of floes that broke: the scene itself knows their floes only as they were.
 #include <algorithm>
 
-#include "core/sim/breaking.h"
+#include "core/sim/floe_pieces.h"
 
 namespace nilas {
 
-void Breaking::save(const Bodies& bodies, StateWriter out) const {
+void FloePieces::save(const Bodies& bodies, StateWriter out) const {
   std::vector<std::int64_t> broken, ids, floes, corners, fixed;
   std::vector<Vec2> places, outlines;
   std::vector<double> thickness, mass;
@@ -35,15 +35,17 @@ void Breaking::save(const Bodies& bodies, StateWriter out) const {
   out.add("inertia_B", inertia);
   out.add("fixed", fixed);
   out.add("brash_mass", brash_mass_);
+  out.add("extruded_mass", extruded_mass_);
 }
 
-void Breaking::restore(const StateReader& in, Bodies& bodies, IceProperties& ice) {
+void FloePieces::restore(const StateReader& in, Bodies& bodies, IceProperties& ice) {
   in.get("brash_mass", brash_mass_);
+  in.get("extruded_mass", extruded_mass_);
   take_broken_out(in, bodies, ice);
   put_saved_pieces(in, bodies, ice);
 }
 
-void Breaking::take_broken_out(const StateReader& in, Bodies& bodies, IceProperties& ice) {
+void FloePieces::take_broken_out(const StateReader& in, Bodies& bodies, IceProperties& ice) {
   std::vector<std::int64_t> broken;
   in.get("broken", broken);
   for (const std::int64_t id : broken) {
@@ -56,7 +58,7 @@ void Breaking::take_broken_out(const StateReader& in, Bodies& bodies, IcePropert
   }
 }
 
-void Breaking::put_saved_pieces(const StateReader& in, Bodies& bodies, IceProperties& ice) {
+void FloePieces::put_saved_pieces(const StateReader& in, Bodies& bodies, IceProperties& ice) {
   std::vector<std::int64_t> ids, floes, corners, fixed;
   std::vector<Vec2> places, outlines;
   std::vector<double> thickness, mass;
