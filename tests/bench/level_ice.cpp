@@ -25,7 +25,8 @@ namespace {
 using namespace nilas;
 using namespace nilas::bench;
 
-constexpr double k_moved = 1e-4;    // [m]
+constexpr double k_moved = 1e-4;  // [m]
+constexpr long k_quarters = 4;
 constexpr double k_measured = 1.5;  // way over which the load is measured, once the bow is in the ice [m]
 
 struct Setting {
@@ -39,6 +40,8 @@ struct Course {
   double events = 0, floes = 0;     ///< of the whole run
   double fastest = 0;               ///< speed of the fastest floe [m/s]
   double ms = 0, ms_breaking = 0;   ///< mean of a step
+  double ms_break = 0;              ///< what a break adds to its step
+  std::vector<double> floes_over;   ///< at every quarter of the scene's time, from its start on
   double imbalance = 0, scale = 0;  ///< largest energy error, and energy put in [J]
 };
 
@@ -76,6 +79,9 @@ Course run(const Scene& scene, double way_in_ice, double way_before_load) {
   long measured = 0, steps = 0;
   double first_touch = -1;
   const long last = std::lround((scene.time.end - scene.time.start) / scene.time.step);
+  double ms_with_breaks = 0;
+  long steps_with_breaks = 0;
+  course.floes_over = {static_cast<double>(simulation.info().floes)};
   for (double way = 0; steps < last && (first_touch < 0 || way < first_touch + way_in_ice); ++steps) {
     const StepRecord record = simulation.step();
     way = simulation.bodies().p_GB[static_cast<std::size_t>(simulation.vessel_index())].x() - start;
@@ -86,6 +92,12 @@ Course run(const Scene& scene, double way_in_ice, double way_before_load) {
       course.load += against;
       ++measured;
     }
+    if (!record.broken.empty()) {
+      ms_with_breaks += record.ms[static_cast<std::size_t>(Phase::fracture)];
+      ++steps_with_breaks;
+    }
+    if ((steps + 1) * k_quarters >= static_cast<long>(course.floes_over.size()) * last)
+      course.floes_over.push_back(record.floes);
     for (const FractureEvent& event : record.broken) {
       course.events += 1;
       course.radius += event.radius;
@@ -98,6 +110,10 @@ Course run(const Scene& scene, double way_in_ice, double way_before_load) {
   }
   const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begun;
   course.load /= static_cast<double>(std::max(measured, 1L));
+  if (steps > steps_with_breaks && course.events > 0) {
+    const double without = (course.ms_breaking - ms_with_breaks) / static_cast<double>(steps - steps_with_breaks);
+    course.ms_break = (ms_with_breaks - static_cast<double>(steps_with_breaks) * without) / course.events;
+  }
   course.radius /= std::max(course.events, 1.0);
   course.floes = static_cast<double>(simulation.bodies().size());
   course.ms = took.count() / static_cast<double>(steps);
@@ -182,9 +198,10 @@ std::vector<Point> level_ice(const std::vector<Setting>& rows, int twins, int th
   return points;
 }
 
-/// The seed's scene.
+/// The seed's scene: a row for ice that may not break, and one for ice that may.
 void broken_field(int twins, int threads) {
-  std::printf("| breakable | mean load [N] |%s|---|---|---|---|---|---|---|---|---|---|\n", k_rest_of_head);
+  std::printf("| breakable | floes over time | ms that a break adds | mean load [N] |%s", k_rest_of_head);
+  std::printf("|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   for (const char* breakable : {"false", "true"}) {
     const std::vector<Course> courses = with_twins(twins, threads, [&](std::uint64_t twin) {
       Scene scene = read_scene(std::string(NILAS_SOURCE_DIR) + "/apps/scenes/seed-2014.xml",
@@ -193,7 +210,12 @@ void broken_field(int twins, int threads) {
       return run(scene, 1e9, 0);
     });
     const Mean load = mean_of(courses, [](const Course& c) { return c.load; });
-    std::printf("| %s | %.1f +- %.1f |", breakable, load.value, load.error);
+    std::string floes;
+    for (std::size_t k = 0; k < courses.front().floes_over.size(); ++k)
+      floes += fmt::format("{}{:.0f}", k == 0 ? "" : ", ",
+                           mean_of(courses, [&](const Course& c) { return c.floes_over[k]; }).value);
+    std::printf("| %s | %s | %.2f | %.1f +- %.1f |", breakable, floes.c_str(),
+                mean_of(courses, [](const Course& c) { return c.ms_break; }).value, load.value, load.error);
     print_rest(courses);
   }
 }
