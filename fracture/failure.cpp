@@ -148,8 +148,9 @@ std::optional<FailureRules::SplittingState> FailureRules::splitting_state(const 
 }
 
 std::optional<Failure> FailureRules::seed_split(const std::vector<Vec2>& outline, const EdgeContact& contact,
-                                                const BendingState& state, const IceAtContact& ice) const {
-  if (state.radial < 1 || !contact.pushes_in) return std::nullopt;
+                                                const BendingState& state, const IceAtContact& ice,
+                                                double least) const {
+  if (state.radial < least || !contact.pushes_in) return std::nullopt;
   const SplitRule rule{state.radius, settings_.multiplier, settings_.min_area, settings_.max_aspect};
   const Split split = split_along(outline, contact.edge_point, angle_of(contact.inward), rule);
   if (split.verdict != SplitVerdict::splits) return std::nullopt;
@@ -164,18 +165,18 @@ std::optional<Failure> FailureRules::seed_split(const std::vector<Vec2>& outline
 double FailureRules::link(const IceAtContact& ice) const { return 0.5 * beam_characteristic_length(plate(ice)); }
 
 std::vector<Failure> FailureRules::failures(const std::vector<Vec2>& outline, const EdgeContact& contact,
-                                            const IceAtContact& ice) const {
+                                            const IceAtContact& ice, double least) const {
   std::vector<Failure> found;
   // in the middle of the ice it is no load on an edge
   if (contact.from_edge > link(ice) + 0.5 * contact.depth) return found;
   const BendingState state = bending_state(outline, contact, ice);
   if (settings_.splitting == SplittingModel::seed_geometric)
-    if (auto split = seed_split(outline, contact, state, ice)) found.push_back(std::move(*split));
+    if (auto split = seed_split(outline, contact, state, ice, least)) found.push_back(std::move(*split));
   if (settings_.splitting == SplittingModel::lefm)
-    if (auto split = splitting_state(outline, contact, ice); split && split->ratio >= 1)
+    if (auto split = splitting_state(outline, contact, ice); split && split->ratio >= least)
       found.push_back({FailureKind::splitting, split->ratio, contact.edge_point, 0, {std::move(split->crack)}});
   const double bends = std::min(state.radial, state.wedges);
-  if (settings_.bending && bends >= 1 && reaches_beyond(outline, state))
+  if (settings_.bending && bends >= least && reaches_beyond(outline, state))
     found.push_back({FailureKind::bending, bends, state.fan.apex, farthest_radius(state), bending_cracks(state)});
   std::stable_sort(found.begin(), found.end(), [](const Failure& f, const Failure& g) { return f.ratio > g.ratio; });
   return found;

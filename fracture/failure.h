@@ -93,15 +93,15 @@ class FailureRules {
 
   /// Loads on the edge this near to each other act as one: half of the wedges' characteristic length [m].
   double link(const IceAtContact& ice) const;
-  /// Ways to break of a ratio of 1 or more, the largest ratio first. None under a load whose middle is farther
+  /// Ways to break of a ratio of `least` or more, the largest ratio first. None under a load whose middle is farther
   /// from the edge than link() and half its depth.
   ///   bending: both stages at their strength, where the ice goes farther than R_bending from the contact in the
   ///     middle of one of the wedges at least (a tongue breaks off, however narrow it is across the load);
   ///   seed-geometric: radial cracks, and a chord along the load's direction that split_along takes; bending then
   ///     only where that cut is refused;
   ///   lefm: F_Y at what the floe bears. It competes with bending by the ratios: small floes split first.
-  std::vector<Failure> failures(const std::vector<Vec2>& outline, const EdgeContact& contact,
-                                const IceAtContact& ice) const;
+  std::vector<Failure> failures(const std::vector<Vec2>& outline, const EdgeContact& contact, const IceAtContact& ice,
+                                double least = 1) const;
 
  private:
   IcePlate plate(const IceAtContact& ice) const;
@@ -110,7 +110,7 @@ class FailureRules {
                       const IceAtContact& ice) const;
   double bearable_force(const CrackPath& path, const SplittingFloe& floe) const;
   std::optional<Failure> seed_split(const std::vector<Vec2>& outline, const EdgeContact& contact,
-                                    const BendingState& state, const IceAtContact& ice) const;
+                                    const BendingState& state, const IceAtContact& ice, double least) const;
 
   FailureSettings settings_;
   EdgeLoad edge_;

@@ -108,6 +108,11 @@ static FractureScene build_fracture(const SceneElement& element) {
     assign(fracture.cracks->path, *cracks, "path");
     assign(fracture.cracks->segment_thicknesses, *cracks, "segment_thicknesses");
   }
+  if (const auto* damage = child_of(element, "damage")) {
+    fracture.damage.emplace();
+    assign(fracture.damage->exponent, *damage, "exponent");
+    assign(fracture.damage->endurance, *damage, "endurance");
+  }
   return fracture;
 }
 

@@ -167,6 +167,8 @@ class Resolver {
       note(fracture->path, "without <crushing> ice breaks by the peaks of rigid contacts, which depend on the step");
     const SceneElement* cracks = child_of(*fracture, "cracks");
     if (cracks && !breaks) note(cracks->path, "no effect without <bending> or <splitting>");
+    const SceneElement* damage = child_of(*fracture, "damage");
+    if (damage && !breaks) note(damage->path, "no effect without <bending> or <splitting>");
     if (fracture->children.empty()) note(fracture->path, "no effect: it names no <crushing>, <bending> or <splitting>");
   }
 

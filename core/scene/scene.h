@@ -202,6 +202,9 @@ struct CracksScene {
   std::string path = "straight";
   double segment_thicknesses = 2;
 };
+struct DamageScene {
+  double exponent = 13.5, endurance = 0.6;
+};
 struct FractureScene {
   double flexural_strength = 4e4, compressive_strength = 1e5;  ///< [Pa]
   double fracture_toughness = 3e3;                             ///< [Pa sqrt(m)]
@@ -212,6 +215,7 @@ struct FractureScene {
   std::optional<BendingScene> bending;
   std::optional<SplittingScene> splitting;
   std::optional<CracksScene> cracks;
+  std::optional<DamageScene> damage;
 
   /// Whether floes can come apart.
   bool cuts_floes() const { return bending || splitting || (crushing && crushing->clear_volume); }

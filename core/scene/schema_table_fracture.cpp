@@ -125,6 +125,19 @@ std::vector<ElementSpec> fracture_elements() {
              .doc =
                  "Longest segment of a curved splitting crack, in thicknesses of the ice: how far ahead it feels the "
                  "toughness."}}},
+      {.name = "damage",
+       .parent = "fracture",
+       .doc = "Loads that the ice bears weaken it where they act, for <bending> and <splitting>: ice of damage D bears "
+              "1 - D of its strength. Absent: the strength stays.",
+       .attributes = {{.name = "exponent",
+                       .range = within(1, 100),
+                       .default_value = "13.5",
+                       .doc = "m: a load of a share S of the strength adds S^m to the damage of its place."},
+                      {.name = "endurance",
+                       .range = within(0.01, 1),
+                       .default_value = "0.6",
+                       .doc = "Shares of the strength below it do no harm. A load counts once, from where it rises to "
+                              "it until it falls below."}}},
   };
 }
 

@@ -16,7 +16,9 @@ bool is_structure(const Bodies& bodies, int body) {
 
 }  // namespace
 
-Breaking::Breaking(const Scene& scene) : rules_(failure_settings(scene)) {}
+Breaking::Breaking(const Scene& scene) : rules_(failure_settings(scene)) {
+  if (const auto& damage = scene.fracture->damage) damage_.emplace(DamageRule{damage->exponent, damage->endurance});
+}
 
 void Breaking::note_loads(const Bodies& bodies, const IceProperties& ice, const StepMotion& motion) {
   for (std::size_t i = 0; i < motion.points.size(); ++i) {
@@ -49,6 +51,22 @@ static LocalIce local_ice(const IceProperties& ice, std::size_t b) {
   return {in_plane(ice.flexural_strength[b]), in_plane(ice.fracture_toughness[b]), ice.weak_lines[b]};
 }
 
+/// Damaged ice fails at what is left of its strength; a load that it bears damages it.
+std::vector<Failure> Breaking::ways_under(const EdgeContact& contact, std::int64_t floe,
+                                          const std::vector<Vec2>& outline, const IceAtContact& ice) {
+  if (!damage_) return rules_.failures(outline, contact, ice);
+  const double reach = rules_.link(ice), left = 1 - damage_->at(floe, contact.edge_point, reach);
+  std::vector<Failure> ways = rules_.failures(outline, contact, ice, std::min(left, damage_->endurance()));
+  double share = 0;
+  for (Failure& way : ways) {
+    share = std::max(share, way.ratio);
+    way.ratio /= left;
+  }
+  damage_->load(floe, contact.edge_point, reach, share);
+  std::erase_if(ways, [](const Failure& way) { return way.ratio < 1; });
+  return ways;
+}
+
 std::vector<FloeBreak> Breaking::take_breaks(const Bodies& bodies, const IceProperties& ice, double step) {
   std::vector<FloeBreak> breaks;
   for (auto& [id, loads] : loads_) {
@@ -59,7 +77,7 @@ std::vector<FloeBreak> Breaking::take_breaks(const Bodies& bodies, const IceProp
     const LocalIce around = rules_.has_curved_cracks() ? local_ice(ice, b) : LocalIce();
     const double link = rules_.link(ice_at(bodies, ice, b, {0, 0}, &around));
     for (const EdgeContact& contact : edge_contacts(outline, loads, link))
-      for (Failure& way : rules_.failures(outline, contact, ice_at(bodies, ice, b, contact.edge_point, &around)))
+      for (Failure& way : ways_under(contact, id, outline, ice_at(bodies, ice, b, contact.edge_point, &around)))
         found.ways.push_back(std::move(way));
     if (found.ways.empty()) continue;
     std::stable_sort(found.ways.begin(), found.ways.end(),
@@ -67,7 +85,23 @@ std::vector<FloeBreak> Breaking::take_breaks(const Bodies& bodies, const IceProp
     breaks.push_back(std::move(found));
   }
   loads_.clear();
+  if (damage_) damage_->end_step();
   return breaks;
+}
+
+void Breaking::follow(const Bodies& bodies, const std::vector<NewPiece>& pieces) {
+  if (!damage_) return;
+  for (const NewPiece& piece : pieces)
+    damage_->hand_on(piece.floe, piece.id, piece.place, bodies.shape[bodies.index_of(piece.id)]->bounding_radius);
+  for (const NewPiece& piece : pieces) damage_->forget(piece.floe);
+}
+
+void Breaking::save(StateWriter out) const {
+  if (damage_) damage_->save(out.group("damage"));
+}
+
+void Breaking::restore(const StateReader& in) {
+  if (damage_) damage_->restore(in.group("damage"));
 }
 
 }  // namespace nilas

@@ -3,14 +3,17 @@
 /// docs/theory_fracture.md
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <vector>
 
+#include "core/base/state.h"
 #include "core/bodies/bodies.h"
 #include "core/bodies/ice_properties.h"
 #include "core/scene/scene.h"
 #include "core/sim/floe_pieces.h"
 #include "core/sim/step_motion.h"
 #include "fracture/failure.h"
+#include "fracture/ice_damage.h"
 
 namespace nilas {
 
@@ -26,11 +29,20 @@ class Breaking {
   /// ids. A floe loaded at several places breaks at the one that is worst.
   std::vector<FloeBreak> take_breaks(const Bodies& bodies, const IceProperties& ice, double step);
 
+  /// Pieces, all of whose floes are gone, inherit what loads below the strength did to these.
+  void follow(const Bodies& bodies, const std::vector<NewPiece>& pieces);
+
+  void save(StateWriter out) const;
+  void restore(const StateReader& in);
+
  private:
   static IceAtContact ice_at(const Bodies& bodies, const IceProperties& ice, std::size_t b, const Vec2& x,
                              const LocalIce* around);
+  std::vector<Failure> ways_under(const EdgeContact& contact, std::int64_t floe, const std::vector<Vec2>& outline,
+                                  const IceAtContact& ice);
 
   FailureRules rules_;
+  std::optional<IceDamage> damage_;
   std::map<std::int64_t, std::vector<PointLoad>> loads_;  ///< by floe; forces as impulses [N s]
 };
 

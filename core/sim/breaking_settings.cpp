@@ -46,6 +46,7 @@ std::string breaking_description(const Scene& scene) {
   if (scene.fracture->splitting)
     text += (text.empty() ? "" : "; ") + ("<fracture><splitting>: " + scene.fracture->splitting->model);
   if (scene.fracture->cracks) text += "; <fracture><cracks>: " + scene.fracture->cracks->path;
+  if (scene.fracture->damage) text += "; <fracture><damage>";
   return text;
 }
 

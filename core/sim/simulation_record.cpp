@@ -148,6 +148,7 @@ void Simulation::World::save(StateWriter out) const {
   detector.save(out.group("detector"));
   if (model.static_friction) model.static_friction->save(out.group("static_friction"));
   warm.save(out.group("warm_start"));
+  if (breaking) breaking->save(out.group("breaking"));
   if (pieces) broken_contacts.save(out.group("broken_contacts"));
   energy.save(out.group("energy"));
   if (crushing) crushing->save(out.group("crushing"));
@@ -166,6 +167,7 @@ void Simulation::World::restore(const StateReader& in) {
   detector.restore(parts.bodies, in.group("detector"));
   if (model.static_friction) model.static_friction->restore(in.group("static_friction"));
   warm.restore(in.group("warm_start"));
+  if (breaking) breaking->restore(in.group("breaking"));
   if (pieces) broken_contacts.restore(in.group("broken_contacts"));
   energy.restore(in.group("energy"));
   if (crushing) crushing->restore(in.group("crushing"));

@@ -48,6 +48,7 @@ void Simulation::World::follow_bodies(const std::vector<NewPiece>& new_pieces) {
   weight.assign(size(), Wrench{});
   for (std::size_t b = 0; b < size(); ++b) weight[b].force = parts.bodies.mass[b] * gravity;
   if (crushing) crushing->follow(parts.bodies, new_pieces);
+  if (breaking) breaking->follow(parts.bodies, new_pieces);
   if (pieces) detector.follow(parts.bodies);
 }
 

@@ -74,6 +74,21 @@ TEST(Failure, LoadsFollowTheirPowers) {
   EXPECT_NEAR(stiffer.radius / once.radius, 2, 1e-9) << "R ~ E^(1/4)";
 }
 
+/// What the ice bears, with its share of the strength.
+TEST(Failure, WaysBelowTheStrengthAreToldWhereAsked) {
+  FailureSettings settings = bending();
+  settings.splitting = SplittingModel::lefm;
+  const FailureRules rules(settings);
+  const BendingState state = rules.bending_state(k_sheet, load(1e5), ice());
+  const double bends = std::min(state.radial, state.wedges);
+  ASSERT_LT(bends, 1);
+  EXPECT_TRUE(rules.failures(k_sheet, load(1e5), ice()).empty());
+  EXPECT_TRUE(rules.failures(k_sheet, load(1e5), ice(), 1.001 * bends).empty());
+  const std::vector<Failure> ways = rules.failures(k_sheet, load(1e5), ice(), 0.999 * bends);
+  ASSERT_EQ(ways.size(), 1u);
+  EXPECT_EQ(ways[0].ratio, bends);
+}
+
 TEST(Failure, NarrowLoadsCountAsWestergaardsEquivalent) {
   const FailureRules rules(bending());
   const double equivalent = 1 - 0.675;  // of a point on ice of 1 m
