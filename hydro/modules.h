@@ -34,7 +34,8 @@ std::unique_ptr<ForceModule> make_drag(const Water& water, const DragCoefficient
                                        bool order_free = false);
 
 /// F = coefficient (velocity - v) at the centre of mass of each free floe [N s/m, m/s]: the driving force of the
-/// pre-sawn test.
+/// pre-sawn test. Where that were more than brings the floe to that velocity in a step of length h, c h > m, limit()
+/// leaves what does.
 std::unique_ptr<ForceModule> make_virtual_drag(double coefficient, const Vec3& velocity);
 
 }  // namespace nilas

@@ -14,6 +14,10 @@ class VirtualDrag : public ForceModule {
       out[b].force += coefficient_ * (velocity_ - bodies.v_GB[b]);
     }
   }
+  void limit(const Bodies& bodies, double h, Wrenches& out) const override {
+    for (std::size_t b = 0; b < out.size(); ++b)
+      if (h * coefficient_ > bodies.mass[b]) out[b].force *= bodies.mass[b] / (h * coefficient_);
+  }
 
  private:
   double coefficient_;  ///< [N s/m]

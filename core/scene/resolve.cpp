@@ -158,9 +158,10 @@ class Resolver {
   void note_idle_fracture(const SceneElement& root) {
     const SceneElement *ice = child_of(root, "ice"), *fracture = child_of(root, "fracture");
     note_idle_weak_lines(ice, fracture);
-    if (!fracture) return;
     const bool breakable = ice && std::any_of(ice->children.begin(), ice->children.end(),
                                               [](const SceneElement& child) { return is_true(child, "breakable"); });
+    if (breakable && !fracture) note(ice->path, "breakable has no effect in a run without <fracture>");
+    if (!fracture) return;
     if (!breakable) note(fracture->path, "no effect: no <field> or <floe> is breakable");
     const bool breaks = child_of(*fracture, "bending") || child_of(*fracture, "splitting");
     if (breaks && !child_of(*fracture, "crushing"))

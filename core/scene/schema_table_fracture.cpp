@@ -29,14 +29,17 @@ std::vector<ElementSpec> fracture_elements() {
              .unit = "m^2",
              .range = at_least(0),
              .default_value = "2e-4",
-             .doc = "Smallest area that breaking leaves a piece. No effect without <bending> or <splitting>."},
+             .doc = "Smallest area that breaking, or cutting out crushed ice, leaves a piece. No effect without "
+                    "<bending>, "
+                    "<splitting> or <crushing clear_volume>."},
             {.name = "small_pieces",
              .type = ValueType::choice,
              .choices = {"brash", "refuse"},
              .default_value = "brash",
-             .doc = "What becomes of smaller ones. brash: they leave the bodies, and their mass is told (brash_kg). "
-                    "refuse: the floe does not break where it would leave one. No effect without <bending> or "
-                    "<splitting>."},
+             .doc =
+                 "What becomes of smaller ones. brash: they leave the bodies, and their mass is told (brash_kg). "
+                 "refuse: the floe is not cut where that would leave one. No effect without <bending>, <splitting> or "
+                 "<crushing clear_volume>."},
             {.name = "max_aspect",
              .range = at_least(1),
              .default_value = "8",
@@ -71,8 +74,8 @@ std::vector<ElementSpec> fracture_elements() {
              .unit = "m^3",
              .range = above(0),
              .doc = "Crushed ice is cut out of a floe once more than this stands inside hulls through the floe's whole "
-                    "thickness; its mass is told (extruded_kg). A strip of a quarter of the thickness stays along "
-                    "the hulls' surfaces. Absent: outlines stay as they are."}}},
+                    "thickness; its mass is told (extruded_kg). A strip of a quarter of the thickness, of narrow "
+                    "hulls an eighth of their width, stays along their surfaces. Absent: outlines stay as they are."}}},
       {.name = "bending",
        .parent = "fracture",
        .doc = "Failure of breakable floes in bending where the vessel or a body presses on their edge. Needs "

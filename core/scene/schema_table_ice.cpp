@@ -240,8 +240,8 @@ static ElementSpec vary() {
       .count = Count::many,
       .doc =
           "Random variation of a property over the floes, once per property. What a field's file states stays. "
-          "Strengths are drawn and written by `nilas field`; in a run the compressive strength has an effect with "
-          "<crushing>.",
+          "Strengths are drawn and written by `nilas field`; in a run they have an effect with what uses them in "
+          "<fracture>.",
       .attributes = {{.name = "property",
                       .type = ValueType::choice,
                       .choices = properties,

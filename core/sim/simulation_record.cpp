@@ -126,6 +126,12 @@ void Simulation::World::demand_finite() const {
           bodies.q_GB[b].coeffs().allFinite()))
       throw SimulationError("at " + std::to_string(time()) + " s body '" + bodies.name[b] +
                             "' left finite numbers; try a smaller <time step>");
+  // squares and volumes of what is farther or faster than this overflow long before it does
+  constexpr double k_beyond = 1e12;
+  for (std::size_t b = 0; b < size(); ++b)
+    if (!(bodies.p_GB[b].norm() < k_beyond && bodies.v_GB[b].norm() < k_beyond && bodies.w_GB[b].norm() < k_beyond))
+      throw SimulationError(fmt::format("at {} s body '{}' is {:.1e} m away at {:.1e} m/s: try a smaller <time step>",
+                                        time(), bodies.name[b], bodies.p_GB[b].norm(), bodies.v_GB[b].norm()));
 }
 
 void Simulation::World::name_unnamed_pairs() {

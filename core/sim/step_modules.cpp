@@ -1,17 +1,25 @@
 #include "core/sim/step_modules.h"
 
+#include <algorithm>
+
 #include "core/sim/breaking_settings.h"
 #include "core/sim/contact_model.h"
 #include "core/sim/crushing_settings.h"
 
 namespace nilas {
 
+static bool has_breakable_ice(const WorldParts& parts) {
+  return parts.ice_properties &&
+         std::any_of(parts.ice_properties->breakable.begin(), parts.ice_properties->breakable.end(),
+                     [](char breakable) { return breakable != 0; });
+}
+
 bool has_crushing(const Scene& scene, const WorldParts& parts) {
-  return scene.fracture && scene.fracture->crushing && parts.ice_properties;
+  return scene.fracture && scene.fracture->crushing && has_breakable_ice(parts);
 }
 
 bool has_breaking(const Scene& scene, const WorldParts& parts) {
-  return scene.fracture && (scene.fracture->bending || scene.fracture->splitting) && parts.ice_properties;
+  return scene.fracture && (scene.fracture->bending || scene.fracture->splitting) && has_breakable_ice(parts);
 }
 
 bool clears_crushed_ice(const Scene& scene, const WorldParts& parts) {

@@ -300,6 +300,21 @@ TEST(VirtualDrag, PullsFloesTowardsItsVelocity) {
   for (std::size_t b = 1; b < 4; ++b) EXPECT_EQ(out[b].force, Vec3::Zero());
   EXPECT_FALSE(module->conservative());
   EXPECT_EQ(module->potential_energy(bodies), 0);
+  module->limit(bodies, 900, out);
+  EXPECT_LT((out[0].force - Vec3(0.0289, -0.02, 0.03)).norm(), 1e-16) << "h c is as small as the mass";
+}
+
+/// An explicit step would overshoot.
+TEST(VirtualDrag, BringsAFloeToItsVelocityAtMost) {
+  const Shape shape = prism_shape(rectangle(1, 1), 0.1);
+  Bodies bodies;
+  add_body(bodies, shape, {}, 900, BodyKind::floe);
+  bodies.v_GB[0] = {0.1, 0.2, -0.3};
+  const auto module = make_virtual_drag(1e5, {0.389, 0, 0});
+  Wrenches out(1);
+  module->add_forces(bodies, 0, out);
+  module->limit(bodies, 0.05, out);
+  EXPECT_LT((bodies.v_GB[0] + 0.05 / bodies.mass[0] * out[0].force - Vec3(0.389, 0, 0)).norm(), 1e-15);
 }
 
 }  // namespace
