@@ -71,11 +71,6 @@ void clip_by(const ConvexPolytope& solid, const Vec3& normal, double rounding, L
   }
 }
 
-void take_face(const ConvexPolytope& polytope, std::size_t f, Loop& loop) {
-  loop.clear();
-  for (const int v : polytope.faces[f]) loop.push_back(polytope.vertices[static_cast<std::size_t>(v)]);
-}
-
 }  // namespace
 
 HullFace make_hull_face(int part, std::vector<Vec3> loop) {
@@ -133,50 +128,6 @@ double total_area(const std::vector<FaceInIce>& faces) {
   double sum = 0;
   for (const FaceInIce& face : faces) sum += face.area;
   return sum;
-}
-
-/// By the divergence theorem about a point: the common solid is bounded by what of either surface lies inside the
-/// other, and where both coincide by one of them. Only the planes of A that cut B, or lie in its surface, matter.
-double overlap_volume(const ConvexPolytope& a, const ConvexPolytope& b, const Placement& a_in_b) {
-  const Vec3 centre = a_in_b.point(a.centre);
-  if ((centre - b.centre).norm() > a.radius + b.radius || misses(b, centre, a.radius)) return 0;
-  const double rounding = k_rounding * (a.radius + b.radius + centre.norm());
-  ConvexPolytope near;
-  std::vector<std::size_t> near_faces;
-  for (std::size_t f = 0; f < a.normals.size(); ++f) {
-    const Vec3 normal = a_in_b.R * a.normals[f];
-    const double offset = a.offsets[f] + normal.dot(a_in_b.p), above = normal.dot(b.centre) - offset;
-    if (above > b.radius) return 0;
-    if (above < -b.radius) continue;
-    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-    for (const Vec3& x : b.vertices) {
-      const double height = normal.dot(x) - offset;
-      lowest = std::min(lowest, height);
-      highest = std::max(highest, height);
-    }
-    if (lowest >= 0) return 0;
-    if (highest < -rounding) continue;
-    near.normals.push_back(normal);
-    near.offsets.push_back(offset);
-    near_faces.push_back(f);
-  }
-  double thrice = 0;
-  Loop loop, room;
-  const auto add = [&](const Vec3& normal, double offset) {
-    if (loop.size() >= 3) thrice += (offset - normal.dot(b.centre)) * moments(loop, normal).area;
-  };
-  for (std::size_t k = 0; k < near_faces.size(); ++k) {
-    loop.clear();
-    for (const int v : a.faces[near_faces[k]]) loop.push_back(a_in_b.point(a.vertices[static_cast<std::size_t>(v)]));
-    for (std::size_t g = 0; g < b.normals.size() && loop.size() >= 3; ++g) clip(b.normals[g], b.offsets[g], loop, room);
-    add(near.normals[k], near.offsets[k]);
-  }
-  for (std::size_t g = 0; g < b.normals.size(); ++g) {
-    take_face(b, g, loop);
-    clip_by(near, b.normals[g], rounding, loop, room);
-    add(b.normals[g], b.offsets[g]);
-  }
-  return std::max(0.0, thrice / 3);
 }
 
 PressurePoints pressure_points(const FaceInIce& face, double least) {

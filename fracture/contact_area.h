@@ -1,5 +1,5 @@
 #pragma once
-/// Where a hull's surface stands inside ice: its faces clipped by a floe, and the volume that both claim.
+/// Where a hull's surface stands inside ice: its faces clipped by a floe.
 #include <array>
 #include <optional>
 #include <vector>
@@ -49,9 +49,6 @@ std::vector<FaceInIce> faces_in_ice(const std::vector<HullFace>& hull, const Pla
 
 /// Sum of the areas [m^2].
 double total_area(const std::vector<FaceInIce>& faces);
-
-/// Volume common to two convex polytopes [m^3]; a_in_b takes points of A's frame to B's.
-double overlap_volume(const ConvexPolytope& a, const ConvexPolytope& b, const Placement& a_in_b);
 
 /// Points that stand for a uniform pressure on a face, each with an equal share of it.
 struct PressurePoints {

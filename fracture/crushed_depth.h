@@ -20,17 +20,18 @@ struct CrushedFace {
 struct CrushedPlane {
   Vec3 normal = Vec3::UnitX();  ///< that the hull's face had, into the ice
   double offset = 0;            ///< [m]
+  Vec3 place = Vec3::Zero();    ///< where the face was then, its centroid [m]
 
   /// Of a point of the floe's frame below it, 0 at or above it [m].
   double gap(const Vec3& x) const;
 };
 
-/// A face's deepest plane is kept for as long as the face stays in that ice.
+/// A face's deepest plane is kept for as long as the face stays in that ice and there.
 class CrushedDepth {
  public:
   /// The face is at `centroid` now, with this normal, in the floe's frame. Returns the plane that it crushed up to,
-  /// which is its present one where it is at least as deep there.
-  CrushedPlane advance(const CrushedFace& face, const Vec3& normal, const Vec3& centroid);
+  /// which is its present one where it is at least as deep there, or has gone along it by more than `reach` [m].
+  CrushedPlane advance(const CrushedFace& face, const Vec3& normal, const Vec3& centroid, double reach);
   /// Forgets the faces that were not named since the last call.
   void forget_others();
 

@@ -85,6 +85,25 @@ bool too_narrow(const FloePiece& piece, const PieceLimits& limits) {
   return smallest_box(piece.state.outline).aspect() > limits.max_aspect;
 }
 
+/// Takes little corners that crushing left off a piece; their mass and motion go with what was squeezed out.
+void trim(FloePiece& piece, MotionAccount& extruded, const Vec3& about_G) {
+  constexpr double k_corner = 0.02;  // in thicknesses
+  FloeState& state = piece.state;
+  std::vector<bool> crack = piece.crack;
+  PieceShape shape{state.outline, {}};
+  if (!trim_corners(shape.outline, crack, k_corner * state.thickness, state.thickness)) return;
+  shape.unit = prism_properties(shape.outline, state.thickness, 1);
+  for (Vec2& p : shape.outline) p -= shape.unit.com.head<2>();
+  const double mass = state.mass * std::min(1.0, shape.unit.mass / (piece.area * state.thickness));
+  const MotionAccount before = motion_account(state, about_G);
+  const Vec3 from_centre = shape.unit.com;
+  piece = piece_of(state, std::move(shape), mass, from_centre);
+  piece.crack = std::move(crack);
+  const MotionAccount after = motion_account(piece.state, about_G);
+  extruded += {before.mass - after.mass, before.momentum - after.momentum,
+               before.angular_momentum - after.angular_momentum, before.kinetic_energy - after.kinetic_energy};
+}
+
 /// Puts every piece where the limits say.
 FloeCut sorted(std::vector<FloePiece> all, const CutResult& cut, const PieceLimits& limits, const Vec3& about_G,
                const CrushedIce& crushed) {
@@ -99,6 +118,7 @@ FloeCut sorted(std::vector<FloePiece> all, const CutResult& cut, const PieceLimi
       result.extruded.push_back(std::move(piece));
       continue;
     }
+    if (!crushed.columns.empty()) trim(piece, result.extruded_account, about_G);
     const bool small = too_small(piece, limits), narrow = too_narrow(piece, limits);
     if ((small || narrow) && limits.small == SmallPieces::refuse)
       return small ? refused(FloeCutStatus::too_small, cut, "a piece is smaller than min_area")

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/bodies/mass_properties.h"
+#include "core/bodies/polygon.h"
 
 namespace nilas {
 
@@ -45,9 +46,9 @@ double common_area(const std::vector<std::vector<Vec2>>& polygons, const std::ve
 
 }  // namespace
 
-ColumnArea column_area(const CrushedIce& ice, const std::vector<Vec2>& outline) {
+ColumnArea column_area(const std::vector<std::vector<Vec2>>& columns, const std::vector<Vec2>& outline) {
   ColumnArea sum;
-  for (const auto& column : ice.columns) {
+  for (const auto& column : columns) {
     const PolygonMoments within = common_part(outline, column);
     sum.area += within.area;
     sum.outside += polygon_moments(column).area - within.area;
@@ -57,6 +58,66 @@ ColumnArea column_area(const CrushedIce& ice, const std::vector<Vec2>& outline) 
   return sum;
 }
 
+std::vector<std::vector<std::vector<Vec2>>> connected(const std::vector<std::vector<Vec2>>& columns) {
+  std::vector<std::vector<std::vector<Vec2>>> groups;
+  for (const auto& column : columns) {
+    std::vector<std::vector<Vec2>> joined{column};
+    for (auto& group : groups) {
+      if (std::none_of(group.begin(), group.end(),
+                       [&](const auto& other) { return convex_overlap(column, other) > 0; }))
+        continue;
+      joined.insert(joined.end(), group.begin(), group.end());
+      group.clear();
+    }
+    std::erase_if(groups, [](const auto& group) { return group.empty(); });
+    groups.push_back(std::move(joined));
+  }
+  return groups;
+}
+
+int times_inside(const std::vector<Vec2>& column, const std::vector<Vec2>& outline) {
+  int times = 0;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec2 &a = outline[i], along = outline[(i + 1) % outline.size()] - a;
+    double from = 0, to = 1;
+    for (std::size_t k = 0; k < column.size(); ++k) {
+      const Vec2 edge = column[(k + 1) % column.size()] - column[k];
+      const Vec2 n(edge.y(), -edge.x());
+      const double above = n.dot(a - column[k]), rises = n.dot(along);
+      if (rises == 0 && above >= 0) to = 0;
+      if (rises > 0) to = std::min(to, -above / rises);
+      if (rises < 0) from = std::max(from, -above / rises);
+    }
+    if (from > 0 && from < to) ++times;
+  }
+  return times;
+}
+
+bool trim_corners(std::vector<Vec2>& outline, std::vector<bool>& is_new, double least, double size) {
+  constexpr double k_straight = 1e-9;
+  std::vector<Vec2> kept = outline;
+  std::vector<bool> fresh = is_new;
+  for (std::size_t i = 0, unseen = kept.size(); unseen > 0 && kept.size() > 3;) {
+    const std::size_t n = kept.size(), last = (i + n - 1) % n, next = (i + 1) % n;
+    const Vec2 chord = kept[next] - kept[last], arm = kept[i] - kept[last];
+    const double out = (arm.x() * chord.y() - arm.y() * chord.x()) / chord.norm();  // of the ice
+    if (!(fresh[last] || fresh[i]) || !(std::abs(out) <= k_straight * size || (out > 0 && out < least))) {
+      i = next;
+      --unseen;
+      continue;
+    }
+    fresh[last] = true;
+    kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(i));
+    fresh.erase(fresh.begin() + static_cast<std::ptrdiff_t>(i));
+    i = (i + kept.size() - 1) % kept.size();  // the corner before it has a new edge
+    unseen = kept.size();
+  }
+  if (kept.size() == outline.size() || !is_simple(kept)) return false;
+  outline = std::move(kept);
+  is_new = std::move(fresh);
+  return true;
+}
+
 bool is_squeezed_out(const CrushedIce& ice, const std::vector<Vec2>& piece) {
   constexpr double k_most = 0.5, k_all = 1 - 1e-6;  // shares of a piece that is, but for rounding, in or out as a whole
   const double area = polygon_moments(piece).area;
@@ -64,19 +125,20 @@ bool is_squeezed_out(const CrushedIce& ice, const std::vector<Vec2>& piece) {
 }
 
 std::vector<Vec2> columns_inside(const ConvexPolytope& part, const std::vector<char>& is_outer,
-                                 const Placement& hull_in_floe, double thickness, double margin, const Vec2& low,
+                                 const Placement& hull_in_floe, double thickness, double strip, const Vec2& low,
                                  const Vec2& high) {
   std::vector<Vec2> polygon{low, {high.x(), low.y()}, high, {low.x(), high.y()}};
   for (std::size_t f = 0; f < part.normals.size() && polygon.size() >= 3; ++f) {
     const Vec3 n = hull_in_floe.R * part.normals[f];
     const Vec2 plan = n.head<2>();
-    // the end of the column that is nearest to the face
-    const double inside = part.offsets[f] + n.dot(hull_in_floe.p) - 0.5 * thickness * std::abs(n.z());
+    // from the end of the column that is nearest to the face
+    const double middle = part.offsets[f] + n.dot(hull_in_floe.p), half = 0.5 * thickness * std::abs(n.z());
     if (plan.norm() <= k_level) {
-      if (inside < 0) return {};
+      if (middle < half) return {};
       continue;
     }
-    polygon = clipped(polygon, plan, inside - (is_outer[f] ? margin * plan.norm() : 0));
+    polygon =
+        clipped(polygon, plan, is_outer[f] ? middle - half - strip * plan.norm() : middle + half + strip * plan.norm());
   }
   return polygon.size() >= 3 ? polygon : std::vector<Vec2>();
 }

@@ -17,6 +17,7 @@ struct ContactPoint {
   Vec3 n = Vec3::UnitX();  ///< unit normal from A to B, in G
   double gap = 0;          ///< signed distance along n: > 0 apart, < 0 penetration [m]
   double force_limit = std::numeric_limits<double>::infinity();  ///< of the normal force, where ice crushes [N]
+  double pressure = 0;    ///< of the ice that the normal force crushes there, 0 where none does [Pa]
   double compliance = 0;  ///< of such a point: u_N + c r_N replaces u_N [m/(s N s)]
   std::uint64_t key =
       0;  ///< from the ids of bodies, parts and touching features: stable while the features stay the same

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "contact/detect/contact_key.h"
+#include "core/base/order_free_sum.h"
 #include "core/bodies/mass_properties.h"
 #include "core/sim/crushing_settings.h"
 
@@ -63,6 +64,7 @@ Placement between(const Placement& a_in_G, const Placement& b_in_G) {
 struct Crushing::FaceLoad {
   const FaceInIce* now = nullptr;
   const FaceInIce* next = nullptr;
+  double pressure = 0;           ///< at the step's start, where there is no area at its end [Pa]
   double force = 0, growth = 0;  ///< at the step's start, and until its end [N]
 
   const FaceInIce& face() const { return now ? *now : *next; }
@@ -158,34 +160,10 @@ void Crushing::follow(const Bodies& bodies, const std::vector<NewPiece>& pieces)
     const std::size_t b = bodies.index_of(hull.id);
     hull.body = static_cast<int>(b);
     is_hull_[b] = 1;
-    for (const NewPiece& piece : pieces) {
-      const auto floe = static_cast<int>(bodies.index_of(piece.id));
-      if (!may_meet(bodies, hull, floe, 0)) continue;
-      const double volume = common_volume(bodies, hull, floe);
-      if (volume > 0) volume_[{hull.id, piece.id}] = volume;
-    }
   }
-  if (between_floes_) follow_floes(bodies, pieces);
-}
-
-/// Neighbours of a floe that broke stand in its pieces as they did in it, also where these are pieces themselves.
-void Crushing::follow_floes(const Bodies& bodies, const std::vector<NewPiece>& pieces) {
   const auto is_there = [&](std::int64_t id) { return std::binary_search(bodies.id.begin(), bodies.id.end(), id); };
   std::erase_if(floes_, [&](const auto& floe) { return !is_there(floe.first); });
-  std::set<std::int64_t> neighbours;
-  for (const auto& [ids, volume] : volume_) {
-    if (is_there(ids.first) != is_there(ids.second)) neighbours.insert(is_there(ids.first) ? ids.first : ids.second);
-    if (is_there(ids.first) || is_there(ids.second)) continue;
-    for (const NewPiece& piece : pieces) neighbours.insert(piece.id);
-  }
-  for (const std::int64_t neighbour : neighbours)
-    for (const NewPiece& piece : pieces) {
-      const auto [first, second] = std::minmax(neighbour, piece.id);
-      const int a = static_cast<int>(bodies.index_of(first)), b = static_cast<int>(bodies.index_of(second));
-      if (first == second || is_hull(a) || is_hull(b)) continue;
-      const double volume = common_volume(bodies, floe_surface(bodies, a), b);
-      if (volume > 0) volume_[{first, second}] = volume;
-    }
+  std::erase_if(near_hulls_, [&](const Ids& ids) { return !is_there(ids.second); });
 }
 
 /// Kept from step to step.
@@ -231,6 +209,7 @@ bool Crushing::may_meet(const Bodies& bodies, const CrushingSurface& hull, int f
 std::vector<ContactPoint> Crushing::points(const Bodies& bodies, const std::vector<std::pair<int, int>>& near, double h,
                                            double ahead) {
   std::vector<ContactPoint> points;
+  near_hulls_.clear();
   for (const auto& [a, b] : near) {
     if (!is_hull(a) && !is_hull(b)) {
       if (balls_meet(bodies, a, b, ahead)) add_floes(bodies, a, b, h, ahead, points);
@@ -238,23 +217,23 @@ std::vector<ContactPoint> Crushing::points(const Bodies& bodies, const std::vect
     }
     const CrushingSurface& hull = hull_of(is_hull(a) ? a : b);
     const int floe = is_hull(a) ? b : a;
-    if (may_meet(bodies, hull, floe, ahead)) add_pair(pair_of(bodies, hull, floe, h, ahead), points);
+    if (!may_meet(bodies, hull, floe, ahead)) continue;
+    if (clear_volume_) near_hulls_.emplace(hull.id, bodies.id[static_cast<std::size_t>(floe)]);
+    add_pair(pair_of(bodies, hull, floe, h, ahead), points);
   }
   depth_.forget_others();
   faces_of_first_.swap(new_faces_of_first_);
   new_faces_of_first_.clear();
-  volume_.swap(new_volume_);
-  new_volume_.clear();
   return points;
 }
 
-double Crushing::force(const Pair& pair, const FaceInIce& face, const Placement& hull_in_floe, double total) const {
+double Crushing::pressure(const Pair& pair, const FaceInIce& face, const Placement& hull_in_floe, double total) const {
   double strength = ice_.compressive_strength[static_cast<std::size_t>(pair.floe)].at(face.centroid);
   if (ice_.is_breakable(pair.hull.body)) {  // the weaker ice gives way
     const Vec3 place = hull_in_floe.R.transpose() * (face.centroid - hull_in_floe.p);
     strength = std::min(strength, ice_.compressive_strength[static_cast<std::size_t>(pair.hull.body)].at(place));
   }
-  return law_.pressure(strength, total) * face.area;
+  return law_.pressure(strength, total);
 }
 
 Crushing::Pair Crushing::pair_of(const Bodies& bodies, const CrushingSurface& hull, int floe, double h,
@@ -273,27 +252,18 @@ Crushing::Pair Crushing::pair_of(const Bodies& bodies, const CrushingSurface& hu
 }
 
 void Crushing::add_pair(const Pair& pair, std::vector<ContactPoint>& points) {
-  Ids ids(pair.hull.id, pair.id(pair.floe));
-  if (ice_.is_breakable(pair.hull.body) && ids.first > ids.second) std::swap(ids.first, ids.second);
-  const auto known = volume_.find(ids);
-  if (pair.touches_now() || known != volume_.end()) {
-    const double before = known == volume_.end() ? 0 : known->second;
-    if (const double volume = counted_volume(pair.bodies, pair.hull, pair.floe, before); volume > 0)
-      new_volume_[ids] = std::max(volume, before);
-  }
   for (const FaceLoad& load : loads_of(pair)) add_face(pair, load, points);
 }
 
 /// A face's area that goes over from one piece of the floe to the next within the step is no growth.
 void Crushing::leave_net_growth(std::vector<FaceLoad>& loads, std::size_t first) {
-  double net = 0, growing = 0;
+  OrderFreeSum net, growing;
   for (std::size_t k = first; k < loads.size(); ++k) {
-    net += loads[k].growth;
-    growing += std::max(0.0, loads[k].growth);
+    net.add(loads[k].growth);
+    growing.add(std::max(0.0, loads[k].growth));
   }
-  if (net == growing) return;
-  for (std::size_t k = first; k < loads.size(); ++k)
-    loads[k].growth = std::max(0.0, loads[k].growth) * std::max(0.0, net) / growing;
+  const double share = net.value() > 0 ? net.value() / growing.value() : 0;
+  for (std::size_t k = first; k < loads.size(); ++k) loads[k].growth = share * std::max(0.0, loads[k].growth);
 }
 
 std::vector<Crushing::FaceLoad> Crushing::loads_of(const Pair& pair) const {
@@ -306,8 +276,14 @@ std::vector<Crushing::FaceLoad> Crushing::loads_of(const Pair& pair) const {
     FaceLoad load;
     if (j == next.end() || (i != now.end() && place(*i) <= place(*j))) load.now = &*i;
     if (i == now.end() || (j != next.end() && place(*j) <= place(*i))) load.next = &*j;
-    if (load.now) load.force = force(pair, *i++, pair.present, pair.area);
-    if (load.next) load.growth = force(pair, *j++, pair.next, pair.area_next);
+    if (load.next) {
+      load.pressure = pressure(pair, *j, pair.next, pair.area_next);
+      load.growth = load.pressure * j++->area;
+    }
+    if (load.now) {
+      load.pressure = pressure(pair, *i, pair.present, pair.area);
+      load.force = load.pressure * i++->area;
+    }
     if (!next.empty()) load.growth -= load.force;
     if (!loads.empty() && loads.back().face().face != load.face().face) {
       leave_net_growth(loads, of_face);
@@ -359,8 +335,8 @@ void Crushing::add_floes(const Bodies& bodies, int a, int b, double h, double ah
 
 void Crushing::add_face(const Pair& pair, const FaceLoad& load, std::vector<ContactPoint>& points) {
   const FaceInIce& face = load.face();
-  CrushedPlane crushed{face.normal, -std::numeric_limits<double>::infinity()};
-  if (load.now) crushed = depth_.advance(pair.name(face), face.normal, face.centroid);
+  CrushedPlane crushed{face.normal, -std::numeric_limits<double>::infinity(), face.centroid};
+  if (load.now) crushed = depth_.advance(pair.name(face), face.normal, face.centroid, std::sqrt(face.spread.trace()));
   const ContactPoint of_face = pair.point_on(face);
   const Vec3 centre = pair.place(load, face.centroid);
   const Vec3 velocity = pair.of_hull.velocity_at(centre) - pair.of_floe.velocity_at(centre);
@@ -370,6 +346,7 @@ void Crushing::add_face(const Pair& pair, const FaceLoad& load, std::vector<Cont
     point.p = pair.place(load, x);
     point.gap = crushed.gap(x) + rest * pair.h;
     point.force_limit = limit;
+    point.pressure = load.pressure;
     point.compliance = compliance;
     point.key = mix(of_face.key, static_cast<std::uint64_t>(number));
     points.push_back(point);
@@ -387,49 +364,30 @@ void Crushing::add_face(const Pair& pair, const FaceLoad& load, std::vector<Cont
   points.back().gap += out * closing * pair.h;
 }
 
-double Crushing::common_volume(const Bodies& bodies, const CrushingSurface& hull, int floe) const {
-  const Placement hull_in_floe = between(Moving(bodies, hull.body).after(0), Moving(bodies, floe).after(0));
-  double volume = 0;
-  for (const ConvexPolytope& part : hull.parts)
-    for (const ConvexPolytope& piece : bodies.shape[static_cast<std::size_t>(floe)]->parts)
-      volume += overlap_volume(part, piece, hull_in_floe);
-  return volume;
-}
-
-/// The volume now, after counting what is above the one before as crushed.
-double Crushing::counted_volume(const Bodies& bodies, const CrushingSurface& hull, int floe, double before) {
-  const double volume = common_volume(bodies, hull, floe);
-  const auto b = static_cast<std::size_t>(floe);
-  const Shape& shape = *bodies.shape[b];
-  const double density = bodies.mass[b] / (polygon_moments(shape.outline).area * shape.thickness);
-  crushed_mass_ += density * std::max(0.0, volume - before);
-  return volume;
-}
-
-void Crushing::count_last(const Bodies& bodies, std::int64_t floe) {
-  for (auto& [ids, volume] : volume_) {
-    if (ids.first != floe && ids.second != floe) continue;
-    int a = static_cast<int>(bodies.index_of(ids.first)), b = static_cast<int>(bodies.index_of(ids.second));
-    if (is_hull(a)) {
-      volume = std::max(volume, counted_volume(bodies, hull_of(a), b, volume));
-      continue;
-    }
-    const auto known = faces_of_first_.find(ids);
-    if (known != faces_of_first_.end() && known->second == 0) std::swap(a, b);
-    volume = std::max(volume, counted_volume(bodies, floe_surface(bodies, a), b, volume));
+void Crushing::note_crushed(const Bodies& bodies, const StepMotion& motion) {
+  std::map<int, double> densities;
+  const auto density = [&](int body) {
+    const auto [known, is_new] = densities.try_emplace(body, 0);
+    const auto b = static_cast<std::size_t>(body);
+    const Shape& shape = *bodies.shape[b];
+    if (is_new) known->second = bodies.mass[b] / (polygon_moments(shape.outline).area * shape.thickness);
+    return known->second;
+  };
+  OrderFreeSum crushed;
+  for (std::size_t i = 0; i < motion.points.size(); ++i) {
+    const ContactPoint& c = motion.points[i];
+    if (!c.crushes() || c.pressure == 0) continue;
+    const Vec3 twice = relative_velocity(motion, motion.before, i) + relative_velocity(motion, motion.after, i);
+    const double work = -0.5 * motion.normal_impulses[i].dot(twice);
+    const bool of_a = ice_.is_breakable(c.a), of_b = ice_.is_breakable(c.b);
+    const double mean = of_a && of_b ? 0.5 * (density(c.a) + density(c.b)) : density(of_a ? c.a : c.b);
+    crushed.add(mean * work / c.pressure);
   }
+  crushed_mass_ += crushed.value();
 }
 
 void Crushing::save(StateWriter out) const {
   depth_.save(out.group("depth"));
-  std::vector<std::int64_t> ids;
-  std::vector<double> volumes;
-  for (const auto& [key, volume] : volume_) {
-    ids.insert(ids.end(), {key.first, key.second});
-    volumes.push_back(volume);
-  }
-  out.add("pair", ids);
-  out.add("pair_volume", volumes);
   std::vector<std::int64_t> floes;
   for (const auto& [pair, first] : faces_of_first_) floes.insert(floes.end(), {pair.first, pair.second, first});
   out.add("floes", floes);
@@ -438,11 +396,6 @@ void Crushing::save(StateWriter out) const {
 
 void Crushing::restore(const StateReader& in) {
   depth_.restore(in.group("depth"));
-  std::vector<std::int64_t> ids;
-  std::vector<double> volumes;
-  in.get("pair_volume", volumes);
-  in.get("pair", ids);
-  if (ids.size() != 2 * volumes.size()) in.refuse("pair", "it has another length than pair_volume");
   std::vector<std::int64_t> floes;
   in.get("floes", floes);
   constexpr std::size_t k_numbers = 3;
@@ -451,8 +404,6 @@ void Crushing::restore(const StateReader& in) {
   for (std::size_t k = 0; k < floes.size(); k += k_numbers)
     faces_of_first_[{floes[k], floes[k + 1]}] = floes[k + 2] != 0 ? 1 : 0;
   in.get("crushed_mass", crushed_mass_);
-  volume_.clear();
-  for (std::size_t k = 0; k < volumes.size(); ++k) volume_[{ids[2 * k], ids[2 * k + 1]}] = volumes[k];
 }
 
 }  // namespace nilas

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "core/scene/scene.h"
 #include "core/sim/crushing_surface.h"
 #include "core/sim/floe_pieces.h"
+#include "core/sim/step_motion.h"
 #include "fracture/crushed_depth.h"
 #include "fracture/crushing_law.h"
 
@@ -26,10 +28,10 @@ class Crushing {
   /// spheres and planes stay rigid. `ice` must outlive this. Throws ContractError when the scene names no <crushing>.
   Crushing(const Scene& scene, const Bodies& bodies, const IceProperties& ice);
 
-  /// Before a floe goes: counts what it was crushed by since points() was asked.
-  void count_last(const Bodies& bodies, std::int64_t floe);
-  /// After bodies came or went: finds its hulls again. Pieces of a floe that broke stand in hulls as deep as it did,
-  /// which is no ice crushed anew.
+  /// Counts the ice whose crushing took the work of the crush points' normal forces in this part of a step: work over
+  /// pressure is its volume.
+  void note_crushed(const Bodies& bodies, const StepMotion& motion);
+  /// After bodies came or went: finds its hulls again. In pieces hulls have been as deep as in the floe that broke.
   void follow(const Bodies& bodies, const std::vector<NewPiece>& pieces);
 
   /// Whether the contact of two bodies is one of crushing: a breakable floe and the vessel or a body, or, where the
@@ -42,11 +44,11 @@ class Crushing {
   /// grows by: compliant, u_N + c r_N >= 0 with c = c_0 / (dF h), dF being what the force grows by until the step's end
   /// with the present velocities and c_0 the closing speed there; its force is at most dF. Of a face that comes into
   /// the ice within the step the way until then is a gap, and c_0 the closing speed less what that takes. A face that
-  /// has backed off in ice it crushed has that as its gap. Remembers how deep the faces are, and the volume that has
-  /// come between hull and floe: further calls at the same poses remember the same, whatever velocities, h and `ahead`.
-  /// `near`: pairs of bodies that crush and may touch within the step, each once, the first before the second. Of two
-  /// floes the one with the smaller area in the other when they first touch has the faces that count, for as long as
-  /// they do; by Gauss' theorem force and moment of an even pressure are those of the other's faces too.
+  /// has backed off in ice it crushed has that as its gap. Remembers how deep the faces are: further calls at the same
+  /// poses remember the same, whatever velocities, h and `ahead`. `near`: pairs of bodies that crush and may touch
+  /// within the step, each once, the first before the second. Of two floes the one with the smaller area in the other
+  /// when they first touch has the faces that count, for as long as they do; by Gauss' theorem force and moment of an
+  /// even pressure are those of the other's faces too.
   std::vector<ContactPoint> points(const Bodies& bodies, const std::vector<std::pair<int, int>>& near, double h,
                                    double ahead);
 
@@ -55,7 +57,7 @@ class Crushing {
   /// in ice as before. None while a hull stands in the midst of its floe, which `warnings` are told.
   std::vector<FloeBreak> floes_to_clear(const Bodies& bodies, WarningCounts& warnings) const;
 
-  /// Of the ice that hulls have taken the place of since the start [kg].
+  /// Of the ice that was crushed since the start [kg].
   double crushed_mass() const { return crushed_mass_; }
 
   void save(StateWriter out) const;
@@ -73,17 +75,14 @@ class Crushing {
   const CrushingSurface& floe_surface(const Bodies& bodies, int floe);
   static bool first_counts(const Pair& of_first, const Pair& of_second);
   void add_floes(const Bodies& bodies, int a, int b, double h, double ahead, std::vector<ContactPoint>& points);
-  void follow_floes(const Bodies& bodies, const std::vector<NewPiece>& pieces);
   static bool may_meet(const Bodies& bodies, const CrushingSurface& hull, int floe, double ahead);
   Pair pair_of(const Bodies& bodies, const CrushingSurface& hull, int floe, double h, double ahead) const;
   void add_pair(const Pair& pair, std::vector<ContactPoint>& points);
   std::vector<FaceLoad> loads_of(const Pair& pair) const;
   static void leave_net_growth(std::vector<FaceLoad>& loads, std::size_t first);
   void add_face(const Pair& pair, const FaceLoad& load, std::vector<ContactPoint>& points);
-  double force(const Pair& pair, const FaceInIce& face, const Placement& hull_in_floe, double total) const;
-  double common_volume(const Bodies& bodies, const CrushingSurface& hull, int floe) const;
+  double pressure(const Pair& pair, const FaceInIce& face, const Placement& hull_in_floe, double total) const;
   CrushedIce crushed_through(const Bodies& bodies, std::int64_t floe) const;
-  double counted_volume(const Bodies& bodies, const CrushingSurface& hull, int floe, double before);
 
   CrushingLaw law_;
   const IceProperties& ice_;
@@ -95,8 +94,8 @@ class Crushing {
   std::map<std::int64_t, CrushingSurface> floes_;            ///< by id: those that came near another
   std::map<Ids, char> faces_of_first_, new_faces_of_first_;  ///< of floes that touch: whose faces count
   CrushedDepth depth_;
-  std::map<Ids, double> volume_, new_volume_;  ///< largest overlap, by ids [m^3]
-  double crushed_mass_ = 0;                    ///< [kg]
+  std::set<Ids> near_hulls_;  ///< hulls and floes that may have met at the last points(), where ice is cut out
+  double crushed_mass_ = 0;   ///< [kg]
 };
 
 }  // namespace nilas

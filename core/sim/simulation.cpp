@@ -1,7 +1,7 @@
 #include "core/sim/simulation.h"
 
 #include <algorithm>
-#include <set>
+#include <map>
 
 #include "contact/islands.h"
 #include "core/sim/simulation_world.h"
@@ -96,18 +96,18 @@ const SolvedProblem& Simulation::World::last() const {
   return solved.empty() ? unsolved : solved.front();
 }
 
-/// What the step's loads break, and what was crushed so far that it goes; a floe that breaks is cleared later.
+/// What the step's loads break, and what was crushed so far that it goes: of a floe that breaks, if it cannot be cut
+/// so.
 std::vector<FloeBreak> Simulation::World::take_breaks() {
+  std::map<std::int64_t, std::vector<Failure>> ways;
+  if (breaking)
+    for (FloeBreak& floe : breaking->take_breaks(parts.bodies, *parts.ice_properties, whole_step))
+      ways[floe.floe] = std::move(floe.ways);
+  if (crushing)
+    for (FloeBreak& floe : crushing->floes_to_clear(parts.bodies, warnings))
+      ways[floe.floe].push_back(std::move(floe.ways.front()));
   std::vector<FloeBreak> breaks;
-  if (breaking) breaks = breaking->take_breaks(parts.bodies, *parts.ice_properties, whole_step);
-  if (!crushing) return breaks;
-  std::set<std::int64_t> broken;
-  for (const FloeBreak& floe : breaks) broken.insert(floe.floe);
-  for (FloeBreak& floe : crushing->floes_to_clear(parts.bodies, warnings))
-    if (broken.count(floe.floe) == 0) breaks.push_back(std::move(floe));
-  std::stable_sort(breaks.begin(), breaks.end(),
-                   [](const FloeBreak& a, const FloeBreak& b) { return a.floe < b.floe; });
-  for (const FloeBreak& floe : breaks) crushing->count_last(parts.bodies, floe.floe);
+  for (auto& [floe, of_floe] : ways) breaks.push_back({floe, std::move(of_floe)});
   return breaks;
 }
 
@@ -183,6 +183,7 @@ void Simulation::World::part_of_step(bool may_cut, StepRecord& record, MomentumB
   energy.position_step(kinetic_energy(parts.bodies), potential(), pseudo, motion, loads);
   balance += momentum_balance(parts.bodies, motion, loads, vessel);
   if (parts.vessel) note_vessel(motion, record);
+  if (crushing) crushing->note_crushed(parts.bodies, motion);
   if (breaking) breaking->note_loads(parts.bodies, *parts.ice_properties, motion);
   ++record.parts;
   watch.lap(Phase::output);

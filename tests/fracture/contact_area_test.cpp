@@ -147,41 +147,6 @@ TEST(ContactArea, OfAFaceInTheIcesSurface) {
   EXPECT_TRUE(apart.empty());
 }
 
-TEST(OverlapVolume, OfBoxes) {
-  const ConvexPolytope a = make_box(Vec3(1, 2, 3)), b = make_box(Vec3(2, 2, 2));
-  EXPECT_NEAR(overlap_volume(a, b, {Mat3::Identity(), Vec3(1.2, 0.5, 0.1)}), 0.3 * 1.5 * 2, k_round_off);
-  EXPECT_NEAR(overlap_volume(a, b, {Mat3::Identity(), Vec3(0.5, 0, 0)}), 1.0 * 2 * 2, k_round_off) << "shared faces";
-  EXPECT_NEAR(overlap_volume(b, b, {}), 8, k_round_off) << "the same box";
-  EXPECT_EQ(overlap_volume(a, b, {Mat3::Identity(), Vec3(1.6, 0, 0)}), 0);
-  EXPECT_NEAR(
-      overlap_volume(make_box(Vec3::Constant(0.1)), b, {Mat3(Eigen::AngleAxisd(1, Vec3::UnitY())), Vec3(0.3, 0, 0)}),
-      1e-3, k_round_off)
-      << "wholly inside";
-}
-
-TEST(OverlapVolume, OfAWedge) {
-  const double half = 0.4, h = 0.3, depth = 0.5;
-  const double volume =
-      overlap_volume(wedge(half, 2, -1, 1, 0), sheet(0, h).front(), {Mat3::Identity(), Vec3(depth, 0, 0)});
-  EXPECT_NEAR(volume, depth * depth * std::tan(half) * h, k_round_off);
-}
-
-TEST(OverlapVolume, AddsUpOverPiecesInAnyAttitude) {
-  RandomStream random(3, "overlap");
-  const ConvexPolytope whole = make_prism({{-2, -3}, {2, -3}, {2, 3}, {-2, 3}}, -0.2, 0.2);
-  const ConvexPolytope left = make_prism({{-2, -3}, {2, -3}, {2, 0.13}, {-2, 0.27}}, -0.2, 0.2);
-  const ConvexPolytope right = make_prism({{-2, 0.27}, {2, 0.13}, {2, 3}, {-2, 3}}, -0.2, 0.2);
-  for (int trial = 0; trial < 50; ++trial) {
-    const Vec3 axis = Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)).normalized();
-    const Placement pose{Mat3(Eigen::AngleAxisd(random.uniform(0, 3), axis)), Vec3(0, random.uniform(-1, 1), 0.1)};
-    const ConvexPolytope box = make_box(Vec3(1, 0.6, 0.5));
-    const double all = overlap_volume(box, whole, pose);
-    EXPECT_NEAR(overlap_volume(box, left, pose) + overlap_volume(box, right, pose), all, k_round_off);
-    const Placement other{pose.R.transpose(), -(pose.R.transpose() * pose.p)};
-    EXPECT_NEAR(overlap_volume(whole, box, other), all, k_round_off) << "the other way round";
-  }
-}
-
 TEST(PressurePoints, ReproduceForceMomentAndSecondMoment) {
   const auto hull = faces_of(wedge(0.5, 2, -1, 1, 0.3));
   const auto found = faces_in_ice(hull, {Mat3::Identity(), Vec3(0.01, 0, 0)}, sheet(0, 0.2));

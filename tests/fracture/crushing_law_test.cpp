@@ -29,13 +29,23 @@ TEST(CrushedDepth, KeepsTheDeepestPlane) {
   CrushedDepth crushed;
   const Vec3 n = Vec3::UnitX();
   for (const double x : {0.1, 0.3, 0.2}) {
-    const CrushedPlane plane = crushed.advance(k_face, n, Vec3(x, 1, 0));
+    const CrushedPlane plane = crushed.advance(k_face, n, Vec3(x, 1, 0), 1);
     crushed.forget_others();
     EXPECT_DOUBLE_EQ(plane.offset, x == 0.1 ? 0.1 : 0.3);
     EXPECT_DOUBLE_EQ(plane.gap(Vec3(x, -1, 0)), x == 0.2 ? 0.3 - 0.2 : 0);
   }
   crushed.forget_others();  // the face has left
-  EXPECT_DOUBLE_EQ(crushed.advance(k_face, n, Vec3(0.2, 0, 0)).offset, 0.2);
+  EXPECT_DOUBLE_EQ(crushed.advance(k_face, n, Vec3(0.2, 0, 0), 1).offset, 0.2);
+}
+
+/// Ice beside that which was crushed is whole.
+TEST(CrushedDepth, IsForgottenWhereTheFaceGoesAlong) {
+  for (const double along : {0.19, 0.21}) {
+    CrushedDepth crushed;
+    crushed.advance(k_face, Vec3::UnitX(), Vec3(0.3, 0, 0), 0.2);
+    crushed.forget_others();
+    EXPECT_EQ(crushed.advance(k_face, Vec3::UnitX(), Vec3(0.2, along, 0), 0.2).offset, along < 0.2 ? 0.3 : 0.2);
+  }
 }
 
 /// Two parts of the floe, of three of the piece: each knows the deeper of both planes, in the piece's frame.
@@ -43,26 +53,26 @@ TEST(CrushedDepth, IsHandedOnToPieces) {
   CrushedDepth crushed;
   const Vec3 n = Vec3(0.6, 0, 0.8);
   for (const auto& [part, x] : {std::pair(0, 0.5), std::pair(1, 0.3)})
-    crushed.advance({1, 2, 3, part}, n, Vec3(x, 0, 0));
-  crushed.advance({1, 7, 3, 0}, n, Vec3(9, 0, 0));
+    crushed.advance({1, 2, 3, part}, n, Vec3(x, 0, 0), 1);
+  crushed.advance({1, 7, 3, 0}, n, Vec3(9, 0, 0), 1);
   crushed.forget_others();
   crushed.hand_on(2, 4, {0.2, 0.7}, 3);
   for (const int part : {0, 1, 2}) {
-    const CrushedPlane plane = crushed.advance({1, 4, 3, part}, n, Vec3(0.1, 0, 0));
+    const CrushedPlane plane = crushed.advance({1, 4, 3, part}, n, Vec3(0.1, 0, 0), 1);
     EXPECT_NEAR(plane.gap(Vec3(0.1, 0, 0)), 0.6 * (0.5 - 0.2 - 0.1), 1e-15);
     EXPECT_EQ(plane.normal, n);
   }
-  EXPECT_EQ(crushed.advance({1, 4, 2, 0}, n, Vec3(0.1, 0, 0)).gap(Vec3(0.1, 0, 0)), 0) << "another face";
+  EXPECT_EQ(crushed.advance({1, 4, 2, 0}, n, Vec3(0.1, 0, 0), 1).gap(Vec3(0.1, 0, 0)), 0) << "another face";
 }
 
 TEST(CrushedDepth, GoesOnFromItsState) {
   CrushedDepth crushed, other;
-  crushed.advance(k_face, Vec3::UnitX(), Vec3(0.3, 0, 0));
+  crushed.advance(k_face, Vec3::UnitX(), Vec3(0.3, 0, 0), 1);
   crushed.forget_others();
   State state;
   crushed.save(StateWriter(state));
   other.restore(StateReader(state));
-  EXPECT_EQ(other.advance(k_face, Vec3::UnitX(), Vec3(0.2, 0, 0)).offset, 0.3);
+  EXPECT_EQ(other.advance(k_face, Vec3::UnitX(), Vec3(0.2, 0, 0), 1).offset, 0.3);
 }
 
 }  // namespace

@@ -165,51 +165,6 @@ TEST(CrushingOfFloes, WhatIsRememberedDependsOnPosesAlone) {
   }
 }
 
-/// What is crushed stays crushed: one floe's pieces, or both floes' pieces, stand as deep in each other as the floes
-/// did.
-TEST(CrushingOfFloes, PiecesCrushNothingAnew) {
-  for (const bool both : {false, true}) {
-    Rig rig(ice(k_pointed, k_flat) + between_floes(k_seed), 0.01);
-    Bodies bodies = rig.bodies();
-    bodies.set_pose(0, bodies.p_GB[0] + Vec3(0.2 + k_gap, 0, 0), bodies.q_GB[0]);
-    IceProperties ice;
-    ice.resize(2);
-    ice.breakable = {1, 1};
-    ice.compressive_strength = {{2e5, {}}, {2e5, {}}};
-    Crushing crush(rig.scene, bodies, ice);
-    crush.points(bodies, {{0, 1}}, 0.01, 0.01);
-    const double crushed = crush.crushed_mass();
-    EXPECT_NEAR(crushed, k_density * k_thickness * 0.5 * 0.2 * 0.2, 1e-9 * crushed);
-
-    // the sheet, and the pointed floe too, cut along the x axis
-    const auto put_half = [&](std::size_t b, double side) {
-      BodySpec half;
-      half.kind = BodyKind::floe;
-      std::vector<Vec2> outline = bodies.shape[b]->outline;
-      for (Vec2& x : outline) x.y() = side * std::max(0.0, side * x.y());
-      half.shape = std::make_shared<const Shape>(prism_shape(outline, k_thickness));
-      half.mass = bodies.mass[b] / 2;
-      half.pose.p = bodies.p_GB[b];
-      half.pose.q = bodies.q_GB[b];
-      bodies.add(half);
-    };
-    for (std::size_t b = both ? 0 : 1; b < 2; ++b)
-      for (const double side : {1.0, -1.0}) put_half(b, side);
-    bodies.remove(both ? std::vector<char>{1, 1, 0, 0, 0, 0} : std::vector<char>{0, 1, 0, 0});
-    std::vector<NewPiece> pieces;  // their floes' ids are 1 and 2
-    for (int k = both ? 4 : 2; k > 0; --k) pieces.push_back({*(bodies.id.end() - k), k > 2 ? 1 : 2, Vec2::Zero()});
-    ice.resize(bodies.id.size());
-    ice.breakable.assign(bodies.id.size(), 1);
-    ice.compressive_strength.assign(bodies.id.size(), {2e5, {}});
-    crush.follow(bodies, pieces);
-    std::vector<std::pair<int, int>> near;
-    for (int a = 0; a < bodies.size(); ++a)
-      for (int b = a + 1; b < bodies.size(); ++b) near.emplace_back(a, b);
-    EXPECT_FALSE(crush.points(bodies, near, 0.01, 0.01).empty());
-    EXPECT_NEAR(crush.crushed_mass(), crushed, 1e-9 * crushed) << both;
-  }
-}
-
 TEST(CrushingOfFloes, WithoutItTheyAreRigid) {
   Rig rig(ice(k_pointed, k_flat) + crushing(k_compliant), 1e-3, 1, "", 0, {20, 0, 0});
   const double start = rig.bodies().p_GB[0].x();

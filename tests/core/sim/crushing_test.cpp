@@ -89,11 +89,47 @@ TEST(Crushing, ItsEnergyIsTheWorkOfItsForce) {
   }
 }
 
-TEST(Crushing, CrushedMassIsThatOfTheOverlap) {
-  Rig rig(towed("wedge.stl", -0.0025) + crushing(k_seed), 0.01);
-  for (int k = 0; k < 100; ++k) rig.step();
-  const double depth = rig.front(0) - 0.5 * 0.01;  // where the last contacts were found
-  EXPECT_NEAR(rig.simulation->crushed_mass(), 920 * 0.5 * depth * depth * k_thickness, 1e-9);
+/// A face's area at each step's start times its way in it.
+TEST(Crushing, CrushedMassIsWhatTheFacesWentThrough) {
+  for (const std::string& model : {k_seed, k_compliant}) {
+    Rig rig(towed("wedge.stl", -0.0025) + crushing(model), 0.01);
+    double area = 0;
+    StepRecord record;
+    for (int k = 0; k < 100; ++k) {
+      area += std::max(0.0, rig.front(0)) * k_thickness;
+      record = rig.step();
+    }
+    const double swept = model == k_seed ? area * 0.5 * 0.01 : 0.5 * std::pow(rig.front(0), 2) * k_thickness;
+    EXPECT_NEAR(rig.simulation->crushed_mass(), 920 * swept, (model == k_seed ? 1e-9 : 0.02) * 920 * swept) << model;
+    EXPECT_NEAR(rig.simulation->crushed_mass(), 920 * record.ledger.crushing / k_strength, 1e-9 * 920 * swept);
+  }
+}
+
+/// A box that turns as it goes presses with its sides on ice that they were never in: all that it sweeps is crushed.
+/// The swept area by cells of 2 cm.
+TEST(Crushing, ATurningHullCrushesWhatItSweeps) {
+  Rig rig(
+      "<body name='box' shape='box' size='1 0.4 2' mass='1e9' position='-0.505 0 0' velocity='0.5 0 0' "
+      "angular_velocity='0 0 0.4'/><ice thickness='0.25'><floe fixed='true' breakable='true' outline='0 -3 4 -3 4 3 0 "
+      "3'/></ice>" +
+          crushing(k_seed),
+      0.02);
+  constexpr int k_across = 200, k_along = 100;
+  constexpr double k_cell = 0.02;
+  std::vector<char> swept(static_cast<std::size_t>(k_across) * k_along, 0);
+  for (int k = 0; k < 200; ++k) {
+    rig.step();
+    const std::size_t box = rig.hull();
+    for (std::size_t i = 0; i < swept.size(); ++i) {
+      const Vec3 x(k_cell * (0.5 + static_cast<double>(i % k_along)),
+                   k_cell * (0.5 + static_cast<double>(i / k_along)) - 2, 0);
+      const Vec3 in_box = rig.bodies().R_GB[box].transpose() * (x - rig.bodies().p_GB[box]);
+      if (std::abs(in_box.x()) < 0.5 && std::abs(in_box.y()) < 0.2) swept[i] = 1;
+    }
+  }
+  const auto cells = static_cast<double>(std::count(swept.begin(), swept.end(), 1));
+  const double mass = 920 * k_thickness * k_cell * k_cell * cells;
+  EXPECT_NEAR(rig.simulation->crushed_mass(), mass, 0.02 * mass);
 }
 
 /// Driven in, back, and in again along a track.
