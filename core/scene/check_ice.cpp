@@ -78,8 +78,9 @@ static void check_points(const SceneElement& element, const std::string& attribu
         "found " + std::to_string(numbers->size()) + " numbers; allowed: an even number of them, x y per " + each));
 }
 
-/// Floes that are frozen together leave no gaps.
+/// Floes that are frozen together leave no gaps. Other kinds take no notice of a bond, and are told so elsewhere.
 static void check_bond(const SceneElement& field, std::vector<Fault>& faults) {
+  if (text_of(field, "kind") != "voronoi") return;
   const auto concentration = number_of(field, "concentration");
   if (child_of(field, "bond") && concentration != 1.0)
     faults.push_back(fault_of(field, "concentration",

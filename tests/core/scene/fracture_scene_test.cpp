@@ -129,6 +129,8 @@ TEST(FractureScene, WeakLinesBondsAndCurvedCracks) {
   expect_fault(faults("<weak_line points='0 0 1 1' strength='0'/>"), 2, "<ice><weak_line strength>", {"> 0"});
   expect_fault(faults("<field kind='voronoi' region='0 0 1 1'><bond strength='1'/></field>"), 2,
                "<ice><field concentration>", {"allowed with <bond>: 1"});
+  EXPECT_TRUE(
+      faults("<field kind='packed' region='0 0 1 1' concentration='0.5'><bond strength='0.5'/></field>").empty());
 }
 
 TEST(FractureScene, StrengthsVaryAboutItsOwn) {
