@@ -29,30 +29,36 @@ std::vector<Vec2> clipped(const std::vector<Vec2>& polygon, const Vec2& n, doubl
 }
 
 /// Of an outline and a convex polygon.
-PolygonMoments common_part(std::vector<Vec2> outline, const std::vector<Vec2>& convex) {
+std::vector<Vec2> common_part(std::vector<Vec2> outline, const std::vector<Vec2>& convex) {
   for (std::size_t i = 0; i < convex.size() && !outline.empty(); ++i) {
     const Vec2 edge = convex[(i + 1) % convex.size()] - convex[i];
     const Vec2 n(edge.y(), -edge.x());
     outline = clipped(outline, n, n.dot(convex[i]));
   }
-  return polygon_moments(outline);
+  return outline;
 }
 
 double common_area(const std::vector<std::vector<Vec2>>& polygons, const std::vector<Vec2>& outline) {
   double area = 0;
-  for (const auto& polygon : polygons) area += common_part(outline, polygon).area;
+  for (const auto& polygon : polygons) area += polygon_moments(common_part(outline, polygon)).area;
   return area;
 }
 
 }  // namespace
 
+/// Polygons that overlap count once; where more than two do, a little less.
 ColumnArea column_area(const std::vector<std::vector<Vec2>>& columns, const std::vector<Vec2>& outline) {
   ColumnArea sum;
-  for (const auto& column : columns) {
-    const PolygonMoments within = common_part(outline, column);
-    sum.area += within.area;
-    sum.outside += polygon_moments(column).area - within.area;
-    sum.centroid += within.area * within.centroid;
+  const auto add = [&](const std::vector<Vec2>& column, double sign) {
+    const PolygonMoments within = polygon_moments(common_part(outline, column));
+    sum.area += sign * within.area;
+    sum.outside += sign * (polygon_moments(column).area - within.area);
+    sum.centroid += sign * within.area * within.centroid;
+  };
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    add(columns[k], 1);
+    for (std::size_t j = 0; j < k; ++j)
+      if (const auto both = common_part(columns[k], columns[j]); both.size() >= 3) add(both, -1);
   }
   if (sum.area > 0) sum.centroid /= sum.area;
   return sum;

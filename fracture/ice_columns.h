@@ -20,7 +20,7 @@ struct CrushedIce {
   std::vector<std::vector<Vec2>> columns;   ///< through the whole thickness, as columns_inside finds them
   std::vector<std::vector<Vec2>> sections;  ///< of the hulls at mid thickness, up to their surfaces
 };
-/// Area of convex polygons within an outline.
+/// Area that convex polygons together have within an outline.
 struct ColumnArea {
   double area = 0;               ///< [m^2]
   double outside = 0;            ///< of the polygons beyond the outline [m^2]

@@ -69,6 +69,8 @@ TEST(CrushedIce, HasTheAreaOfItsColumnsWithinTheOutline) {
   const double x_first = (0.25 * 0.75 * 2 + 0.25 * 1.25) / first;
   EXPECT_NEAR(columns.centroid.x(), (first * x_first + second * 1.825) / (first + second), 1e-15);
   EXPECT_EQ(column_area({}, outline).area, 0);
+  EXPECT_NEAR(column_area({box(0, 0, 0.5, 1), box(0.4, 0, 1, 1)}, outline).area, 1, 1e-15)
+      << "what is in both counts once";
 }
 
 /// Of ice between the columns of two parts that meet in a face which leans, no part alone has the whole thickness.
