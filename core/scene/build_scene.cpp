@@ -154,11 +154,16 @@ static void build_time(TimeScene& time, const SceneElement& element) {
   assign(time.end, element, "end");
 }
 
+static void build_seed(Scene& scene, const SceneElement& element) {
+  scene.seed = static_cast<std::uint64_t>(number_of(element, "value").value());
+  scene.twin = static_cast<std::uint64_t>(number_of(element, "twin").value());
+}
+
 static void build_element(Scene& scene, const SceneElement& element) {
   const std::string& name = element.name;
   if (name == "time") build_time(scene.time, element);
   if (name == "gravity") assign(scene.gravity, element, "value");
-  if (name == "seed") scene.seed = static_cast<std::uint64_t>(number_of(element, "value").value());
+  if (name == "seed") build_seed(scene, element);
   if (name == "contact") scene.contact = build_contact(element);
   if (name == "water") scene.water = build_water(element);
   if (name == "hydro") scene.hydro = build_hydro(element);

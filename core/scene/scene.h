@@ -257,6 +257,7 @@ struct Scene {
   TimeScene time;
   Vec3 gravity{0, 0, -9.81};
   std::uint64_t seed = 1;
+  std::uint64_t twin = 0;  ///< 0: the scene itself; others start next to nothing aside
   ContactScene contact;
   std::optional<WaterScene> water;
   std::optional<HydroScene> hydro;

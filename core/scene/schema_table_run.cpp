@@ -47,7 +47,14 @@ std::vector<ElementSpec> run_elements() {
                        .type = ValueType::integer,
                        .range = within(0, k_max_seed),
                        .default_value = "1",
-                       .doc = "Any whole number."}}},
+                       .doc = "Any whole number."},
+                      {.name = "twin",
+                       .type = ValueType::integer,
+                       .range = within(0, k_max_seed),
+                       .default_value = "0",
+                       .doc = "0: the scene itself. Another number: a twin, whose floes and free bodies start up to "
+                              "1e-12 m aside in x and y, drawn by this number. How far twins part tells what of a "
+                              "result is chaos."}}},
   };
 }
 

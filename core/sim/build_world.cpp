@@ -6,6 +6,7 @@
 #include "contact/detect/detector.h"
 #include "contact/registry.h"
 #include "core/base/error.h"
+#include "core/base/random.h"
 #include "core/sim/contact_model.h"
 #include "core/sim/reference.h"
 #include "core/sim/world.h"
@@ -91,6 +92,18 @@ void refuse_overlaps(const Scene& scene, const Bodies& bodies) {
   }
 }
 
+/// A twin starts next to nothing aside: in a chaotic scene it soon goes a way of its own.
+void set_aside(std::uint64_t twin, Bodies& bodies) {
+  constexpr double k_aside = 1e-12;  // [m]
+  RandomStream stream(twin, "twin");
+  for (int b = 0; b < bodies.size(); ++b) {
+    const auto i = static_cast<std::size_t>(b);
+    if (bodies.kind[i] != BodyKind::floe && !(bodies.kind[i] == BodyKind::rigid && bodies.is_free(b))) continue;
+    const double x = stream.uniform(-k_aside, k_aside), y = stream.uniform(-k_aside, k_aside);
+    bodies.set_pose(b, bodies.p_GB[i] + Vec3(x, y, 0), bodies.q_GB[i]);
+  }
+}
+
 WorldParts build_world(const Scene& scene, int threads, WarningCounts& warnings) {
   demand_contact_choices(scene);
   WorldParts parts;
@@ -101,6 +114,7 @@ WorldParts build_world(const Scene& scene, int threads, WarningCounts& warnings)
   if (scene.vessel) parts.vessel_index = build_vessel(scene, parts);
   if (scene.ice) build_ice(scene, threads, parts, warnings);
   build_structures(scene, parts);
+  if (scene.twin != 0) set_aside(scene.twin, parts.bodies);
   if (parts.ice_properties) parts.ice_properties->resize(parts.bodies.id.size());
   build_modules(scene, threads, parts);
   if (parts.info.has_carriage) parts.info.work_names.emplace_back("carriage");

@@ -166,4 +166,27 @@ TEST(Simulation, FloesOverlappingAtTheStartAreRefused) {
                InputError);
 }
 
+TEST(Simulation, TwinsStartNextToNothingAsideAndAlikeForTheSameNumber) {
+  const auto start = [](const std::string& twin) {
+    Rig rig("<time end='1'/><seed value='1' twin='" + twin +
+            "'/><ice thickness='0.1'>"
+            "<floe outline='0 0 1 0 1 1 0 1'/><floe outline='2 0 3 0 3 1 2 1' fixed='true'/></ice>"
+            "<body name='ball' shape='sphere' radius='0.1' mass='1' position='0 0 5'/>"
+            "<body name='post' shape='sphere' radius='0.1' fixed='true' position='9 0 5'/>");
+    return rig.simulation.bodies().p_GB;
+  };
+  const auto itself = start("0"), one = start("1"), two = start("2");
+  ASSERT_EQ(itself.size(), 4U);
+  EXPECT_EQ(start("1"), one);
+  for (const std::size_t b : {0, 1, 2}) {
+    for (const auto& twin : {one, two}) {
+      EXPECT_GT((twin[b] - itself[b]).norm(), 0) << b;
+      EXPECT_LE((twin[b] - itself[b]).cwiseAbs().maxCoeff(), 1.001e-12) << b;
+      EXPECT_EQ(twin[b].z(), itself[b].z()) << b;
+    }
+    EXPECT_NE(one[b], two[b]) << b;
+  }
+  EXPECT_EQ(one[3], itself[3]);
+}
+
 }  // namespace
