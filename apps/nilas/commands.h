@@ -16,6 +16,7 @@ void add_field(CLI::App& app, Action& action);
 void add_solve(CLI::App& app, Action& action);
 void add_solvers(CLI::App& app, Action& action);
 void add_verify(CLI::App& app, Action& action);
+void add_compare(CLI::App& app, Action& action);
 void add_report(CLI::App& app, Action& action);
 void add_schema(CLI::App& app, Action& action);
 

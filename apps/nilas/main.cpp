@@ -66,6 +66,7 @@ int main(int argc, char** argv) {
   nilas::add_solve(app, action);
   nilas::add_solvers(app, action);
   nilas::add_verify(app, action);
+  nilas::add_compare(app, action);
   nilas::add_report(app, action);
   nilas::add_schema(app, action);
   try {

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <fstream>
 #include <map>
-#include <sstream>
 
 #include "apps/verify/table.h"
 #include "core/base/error.h"
+#include "core/output/html.h"
 #include "core/output/plot.h"
 
 namespace nilas {
@@ -18,21 +18,6 @@ namespace {
 
 /// Errors of zero and below are drawn here.
 constexpr double k_floor = 1e-18;
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '&')
-      out += "&amp;";
-    else
-      out += c;
-  }
-  return out;
-}
 
 /// Cases along x, errors along y, a mark per solver, the allowed error as a bar.
 std::string family_script(char family, const std::vector<const Row*>& rows) {
@@ -87,26 +72,12 @@ std::string family_table(const std::vector<const Row*>& rows) {
     html += fmt::format(
         "<tr class='{}'><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{:g}</td><td>{:.9g}</td>"
         "<td>{:.9g}</td><td>{:.1e}</td><td>{:.1e}</td><td>{}</td><td>{}</td></tr>\n",
-        row->holds ? "holds" : "fails", row->id, escaped(row->quantity), escaped(row->input), row->model.law,
+        row->holds ? "holds" : "fails", row->id, html_text(row->quantity), html_text(row->input), row->model.law,
         row->model.solver, row->model.integrator, row->model.step, row->measured, row->expected, row->error,
         row->tolerance, row->proven_order > 0 ? fmt::format("{:.2f}", row->order) : "",
-        row->holds ? "holds" : "FAILS " + escaped(row->message));
+        row->holds ? "holds" : "FAILS " + html_text(row->message));
   return html + "</table>\n";
 }
-
-std::string contents(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  std::ostringstream text;
-  text << in.rdbuf();
-  std::string svg = text.str();
-  const auto start = svg.find("<svg");
-  return start == std::string::npos ? svg : svg.substr(start);
-}
-
-constexpr const char* k_style =
-    "body{font:14px/1.5 sans-serif;max-width:1100px;margin:2em auto;padding:0 1em;color:#222}"
-    "table{border-collapse:collapse;font-size:12px}td,th{padding:1px 6px;text-align:left;border-bottom:1px solid #ddd}"
-    "tr.fails{background:#fdd;font-weight:bold}summary{cursor:pointer;margin:.5em 0}svg{max-width:100%;height:auto}";
 
 }  // namespace
 
@@ -121,15 +92,16 @@ void write_page(const std::filesystem::path& folder, const std::vector<Row>& row
       "solver and integrator; its error is |measured - expected| over the quantity's scale. In the pictures a mark is "
       "a "
       "row, the bar above it what is allowed, and errors of zero lie at the foot.</p>\n",
-      k_style, rows.size(), failed);
+      k_page_style, rows.size(), failed);
   for (const auto& [family, own] : families) {
     plot(folder, family_script(family, own));
     html += fmt::format("<h2>{} {}</h2>\n", family, family_title(family));
-    html += contents(folder / fmt::format("family-{}.svg", family));
+    html += inline_svg(folder / fmt::format("family-{}.svg", family));
     html += "<ul>";
     for (const auto& one : catalogue()) {
       const bool shown = std::any_of(own.begin(), own.end(), [&](const Row* row) { return row->id == one.id(); });
-      if (shown) html += fmt::format("<li><b>{}</b> {}: {}</li>\n", one.id(), escaped(one.title), escaped(one.formula));
+      if (shown)
+        html += fmt::format("<li><b>{}</b> {}: {}</li>\n", one.id(), html_text(one.title), html_text(one.formula));
     }
     html += fmt::format("</ul><details{}><summary>{} rows</summary>{}</details>\n", failed > 0 ? " open" : "",
                         own.size(), family_table(own));

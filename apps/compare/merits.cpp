@@ -1,0 +1,391 @@
+#include "apps/compare/merits.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <tuple>
+
+#include "apps/compare/motion.h"
+#include "apps/compare/statistics.h"
+
+namespace nilas {
+
+namespace {
+
+constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
+/// What differences of rounding alone can be, of the scale.
+constexpr double k_rounding = 1e-12;
+
+Estimate estimate(const std::vector<double>& values) {
+  Estimate e;
+  e.count = static_cast<int>(values.size());
+  e.mean = values.empty() ? k_nan : mean_of(values);
+  e.standard_error = std::sqrt(variance_of(values) / static_cast<double>(std::max<std::size_t>(values.size(), 1)));
+  return e;
+}
+
+class Judge {
+ public:
+  Judge(const Plan& plan, const std::map<std::string, RunResult>& results, std::filesystem::path folder,
+        bool against_first)
+      : plan_(plan), folder_(std::move(folder)), against_first_(against_first) {
+    for (const auto& run : plan.runs) {
+      const auto found = results.find(run.id);
+      found_.rows.push_back({run, found == results.end() ? RunResult{} : found->second, {}, {}});
+    }
+    // the plan's order depends on how fast the machine was; a table's must not
+    const auto place = [](const RunRow& row) { return std::tuple(row.run.kind, row.run.setting, row.run.realisation); };
+    std::sort(found_.rows.begin(), found_.rows.end(),
+              [&](const RunRow& a, const RunRow& b) { return place(a) < place(b); });
+  }
+
+  Findings judged() {
+    choose_headline();
+    measure_motions();
+    measure_loads();
+    choose_measure();
+    for (std::size_t s = 0; s < plan_.settings.size(); ++s) add_merit(s);
+    set_floors();
+    spread_of_times();
+    check_reference();
+    rank();
+    find_orders();
+    return std::move(found_);
+  }
+
+ private:
+  bool is_reference(const RunRow& row) const {
+    return against_first_ ? row.run.kind == RunKind::grid && row.run.setting == 0 : row.run.kind == RunKind::reference;
+  }
+  template <class Wanted>
+  const RunRow* row_of(int realisation, const Wanted& wanted) const {
+    for (const auto& row : found_.rows)
+      if (row.run.realisation == realisation && row.result.done() && wanted(row)) return &row;
+    return nullptr;
+  }
+  const RunRow* reference_of(int realisation) const {
+    return row_of(realisation, [&](const RunRow& row) { return is_reference(row); });
+  }
+  const RunRow* first_of(int realisation) const {
+    return row_of(realisation, [](const RunRow& row) { return row.run.kind == RunKind::grid && row.run.setting == 0; });
+  }
+  const RunRow* twin_of(int realisation) const {
+    return row_of(realisation, [](const RunRow& row) { return row.run.kind == RunKind::twin; });
+  }
+  double load_of(const RunRow& row, const char* statistic = "mean") const {
+    return row.result.number("/loads/" + found_.headline + "/" + statistic);
+  }
+  Motion motion_of(const RunRow& row) const { return read_motion(folder_ / "runs" / row.run.id / "bodies.csv"); }
+
+  /// The horizontal force with the largest mean: what the carriage measures, or what ice does to a vessel without one.
+  void choose_headline() {
+    double largest = -1;
+    for (const auto& row : found_.rows) {
+      if (!row.result.done()) continue;
+      for (const std::vector<const char*>& source :
+           {std::vector{"carriage_fx_N", "carriage_fy_N"}, {"contact_fx_N", "contact_fy_N"}}) {
+        for (const char* channel : source) {
+          const double mean = row.result.number(std::string("/loads/") + channel + "/mean");
+          if (std::abs(mean) > largest) {
+            largest = std::abs(mean);
+            found_.headline = channel;
+          }
+        }
+        if (largest >= 0) return;
+      }
+    }
+  }
+
+  void measure_motions() {
+    found_.horizon_s = plan_.end;
+    for (int r = 0; r < plan_.realisations; ++r) find_horizon(r);
+    for (int r = 0; r < plan_.realisations; ++r) {
+      const RunRow* reference = reference_of(r);
+      if (reference == nullptr) continue;
+      const Motion truth = motion_of(*reference);
+      for (auto& row : found_.rows)
+        if (row.run.realisation == r && row.result.done() && !is_reference(row))
+          row.motion = motion_error(motion_of(row), truth);
+    }
+  }
+
+  /// Twins part exponentially: as soon as they are apart by a ten thousandth of the largest way of a body, motions are
+  /// no longer compared.
+  void find_horizon(int realisation) {
+    constexpr double k_share = 1e-4;
+    const RunRow *first = first_of(realisation), *twin = twin_of(realisation);
+    if (first == nullptr || twin == nullptr) return;
+    const Motion motion = motion_of(*first);
+    constexpr double k_least = 1e-9;  // a thousand times what they start apart [m]
+    const double threshold = std::max(k_least, k_share * largest_way(motion));
+    found_.horizon_threshold_m = std::max(found_.horizon_threshold_m, threshold);
+    double good = plan_.start;
+    for (const auto& apart : distances(motion, motion_of(*twin))) {
+      if (apart.largest > threshold || !apart.same_bodies) {
+        found_.horizon_s = std::min(found_.horizon_s, good);
+        found_.horizon_ends = true;
+        return;
+      }
+      good = apart.t;
+    }
+  }
+
+  std::optional<MotionError> motion_error(const Motion& motion, const Motion& truth) const {
+    MotionError error;
+    int samples = 0;
+    for (const auto& apart : distances(motion, truth)) {
+      if (apart.t > found_.horizon_s || apart.t <= plan_.start) continue;
+      ++samples;
+      error.rms_m = std::max(error.rms_m, apart.rms);
+      error.largest_m = std::max(error.largest_m, apart.largest);
+      error.axes_m = error.axes_m.cwiseMax(apart.axes);
+      error.turn_rad = std::max(error.turn_rad, apart.turn);
+    }
+    return samples > 0 ? std::optional(error) : std::nullopt;
+  }
+
+  void measure_loads() {
+    if (found_.headline.empty()) return;
+    std::vector<double> loads;
+    for (int r = 0; r < plan_.realisations; ++r) {
+      const RunRow* reference = reference_of(r);
+      if (reference == nullptr) continue;
+      loads.push_back(load_of(*reference));
+      for (auto& row : found_.rows)
+        if (row.run.realisation == r && row.result.done() && !is_reference(row))
+          row.load_difference = load_of(row) - loads.back();
+    }
+    found_.reference_load = loads.empty() ? k_nan : mean_of(loads);
+  }
+
+  void choose_measure() {
+    double way = 0, turn = 0, distance = 0;
+    for (const auto& row : found_.rows) {
+      if (!row.motion) continue;
+      distance = std::max(distance, row.motion->rms_m);
+      turn = std::max(turn, row.motion->turn_rad);
+    }
+    if (!found_.headline.empty() && std::abs(found_.reference_load) > 0) {
+      found_.measure = "load";
+      found_.unit = "N";
+      found_.scale = std::abs(found_.reference_load);
+      return;
+    }
+    if (const RunRow* first = first_of(0)) way = largest_way(motion_of(*first));
+    // a top that spins in its place
+    const bool turns = way < k_rounding && turn > distance;
+    found_.measure = turns ? "turn" : "distance";
+    found_.unit = turns ? "rad" : "m";
+    found_.scale = turns ? 1 : way;
+  }
+
+  std::optional<double> primary(const RunRow& row) const {
+    if (found_.measure == "load") return row.load_difference;
+    if (!row.motion) return std::nullopt;
+    return found_.measure == "turn" ? row.motion->turn_rad : row.motion->rms_m;
+  }
+
+  template <class Value>
+  std::vector<double> over_runs(std::size_t setting, const Value& value) const {
+    std::vector<double> values;
+    for (const auto& row : found_.rows)
+      if (row.run.kind == RunKind::grid && row.run.setting == setting && row.result.done())
+        if (const std::optional<double> v = value(row); v && !std::isnan(*v)) values.push_back(*v);
+    return values;
+  }
+  template <class Value>
+  double worst(std::size_t setting, const Value& value) const {
+    double most = 0;
+    for (const double v : over_runs(setting, [&](const RunRow& row) { return std::optional(value(row)); }))
+      most = std::max(most, std::abs(v));
+    return most;
+  }
+
+  void add_merit(std::size_t setting) {
+    Merit m;
+    m.setting = setting;
+    for (const auto& row : found_.rows) {
+      if (row.run.kind != RunKind::grid || row.run.setting != setting) continue;
+      ++m.planned;
+      m.done += row.result.done() ? 1 : 0;
+      m.failed += row.result.failed() ? 1 : 0;
+      if (!row.result.done() && m.trouble.empty())
+        m.trouble = row.result.status + (row.result.cause.empty() ? "" : ": " + row.result.cause);
+    }
+    const auto load = [&](const char* statistic) {
+      return estimate(over_runs(setting, [&](const RunRow& row) { return std::optional(load_of(row, statistic)); }));
+    };
+    const auto number = [&](const char* path) {
+      return worst(setting, [&](const RunRow& row) { return row.result.number(path); });
+    };
+    m.load = load("mean");
+    m.load_std = load("std");
+    m.load_max = load("max");
+    m.load_p99 = load("p99");
+    m.load_difference = estimate(over_runs(setting, [](const RunRow& row) { return row.load_difference; }));
+    const auto of_motion = [&](double MotionError::*member) {
+      return estimate(over_runs(setting, [&](const RunRow& row) {
+        return row.motion ? std::optional((*row.motion).*member) : std::nullopt;
+      }));
+    };
+    m.motion = of_motion(&MotionError::rms_m);
+    m.turn = of_motion(&MotionError::turn_rad);
+    m.penetration_max_m = number("/worst/penetration_max_m/value");
+    m.penetration_mean_m = worst(setting, [](const RunRow& row) { return row.result.penetration_mean_m; });
+    m.law_map_m_s = number("/worst/law_map_m_s/value");
+    m.natural_map_m_s = number("/worst/natural_map_m_s/value");
+    m.energy_error = number("/worst/imbalance_J/relative_to_energy_put_in");
+    m.momentum_error = number("/worst/momentum_imbalance_relative/value");
+    m.unconverged_share = worst(setting, [](const RunRow& row) {
+      return row.result.number("/shortfalls/unconverged_steps") / row.result.number("/steps");
+    });
+    const auto times =
+        over_runs(setting, [](const RunRow& row) { return std::optional(row.result.compute_per_second()); });
+    m.time = median_of(times);
+    m.ms_per_step =
+        median_of(over_runs(setting, [](const RunRow& row) { return std::optional(row.result.ms_per_step()); }));
+    const auto errors = over_runs(setting, [&](const RunRow& row) { return primary(row); });
+    m.error = errors.empty() ? k_nan : std::abs(mean_of(errors));
+    if (against_first_ && setting == 0) m.error = 0;
+    found_.merits.push_back(m);
+  }
+
+  /// Motions within the horizon part by less than its threshold, so that differences above it are told from chaos;
+  /// loads by Student's t on what twins and realisations scatter.
+  void set_floors() {
+    if (found_.measure != "load") {
+      for (auto& m : found_.merits)
+        m.floor = found_.horizon_ends ? found_.horizon_threshold_m : k_rounding * found_.scale;
+      for (auto& m : found_.merits) m.told = m.error > m.floor;
+      return;
+    }
+    std::vector<double> twins, variances;
+    for (int r = 0; r < plan_.realisations; ++r)
+      if (const RunRow* first = first_of(r), *twin = twin_of(r); first != nullptr && twin != nullptr)
+        twins.push_back(load_of(*first) - load_of(*twin));
+    for (const auto& m : found_.merits)
+      if (const double variance = variance_of_difference(m);
+          m.load_difference.count == plan_.realisations && !std::isnan(variance))
+        variances.push_back(variance);
+    const PooledVariance pooled = pooled_variance(twins, variances, plan_.realisations - 1);
+    found_.chaos = std::sqrt(0.5 * pooled.value);
+    for (auto& m : found_.merits) {
+      const double own = variance_of_difference(m),
+                   variance = std::isnan(own) ? pooled.value : std::max(own, pooled.value);
+      m.floor = student_95(pooled.degrees) * std::sqrt(variance / std::max(1, m.load_difference.count)) +
+                k_rounding * found_.scale;
+      m.told = m.error > m.floor;
+    }
+  }
+
+  static double variance_of_difference(const Merit& m) {
+    return m.load_difference.standard_error * m.load_difference.standard_error * m.load_difference.count;
+  }
+
+  /// Runs of one setting do nearly the same work: how far their times scatter is what a time can be trusted to.
+  void spread_of_times() {
+    std::vector<double> relative;
+    for (std::size_t s = 0; s < plan_.settings.size(); ++s) {
+      const auto times = over_runs(s, [](const RunRow& row) { return std::optional(row.result.compute_per_second()); });
+      if (times.size() > 1) relative.push_back(std::sqrt(variance_of(times)) / mean_of(times));
+    }
+    double squares = 0;
+    for (const double r : relative) squares += r * r / static_cast<double>(relative.size());
+    found_.time_spread = relative.empty() ? k_nan : std::sqrt(squares);
+    for (auto& m : found_.merits) m.time_spread = found_.time_spread * m.time;
+  }
+
+  void check_reference() {
+    for (const auto& row : found_.rows)
+      if (row.run.kind == RunKind::check && row.result.done())
+        if (const auto moves = primary(row)) found_.reference_moves = std::abs(*moves);
+    if (!found_.reference_moves) return;
+    const double moves = *found_.reference_moves;
+    // a single run's difference below what chaos does to it is none
+    const double chance = found_.measure == "load" ? 2 * std::sqrt(2.0) * found_.chaos : 0;
+    found_.reference_coarse = moves > chance && std::any_of(found_.merits.begin(), found_.merits.end(),
+                                                            [&](const Merit& m) { return m.told && m.error < moves; });
+  }
+
+  /// Errors below the floor are all alike.
+  static double shown_error(const Merit& m) { return m.told ? m.error : m.floor; }
+
+  void rank() {
+    const auto complete = [](const Merit& m) { return m.done > 0 && m.failed == 0 && !std::isnan(m.error); };
+    for (auto& m : found_.merits)
+      m.dominated = !complete(m) || std::any_of(found_.merits.begin(), found_.merits.end(), [&](const Merit& other) {
+        const bool no_worse = other.told ? m.told && other.error <= m.error : true;
+        const bool better = other.time < m.time || (m.told && (!other.told || other.error < m.error));
+        return &other != &m && complete(other) && other.time <= m.time && no_worse && better;
+      });
+    choose(complete);
+  }
+
+  /// The fastest that is good enough; of those that are as fast by all that times tell, the most accurate, and the
+  /// scene's own setting where that is one of them.
+  template <class Complete>
+  void choose(const Complete& complete) {
+    if (against_first_) return;
+    constexpr double k_deeper = 2;
+    std::vector<const Merit*> enough;
+    for (const auto& m : found_.merits) {
+      const bool deep = m.penetration_max_m > k_deeper * found_.merits.front().penetration_max_m + k_rounding;
+      if (complete(m) && !deep && shown_error(m) <= std::max(k_target * found_.scale, m.floor)) enough.push_back(&m);
+    }
+    if (enough.empty()) return;
+    const auto by_time = [](const Merit* a, const Merit* b) { return a->time < b->time; };
+    const double fastest = (*std::min_element(enough.begin(), enough.end(), by_time))->time;
+    constexpr double k_sure = 2;  // standard deviations
+    const double spread = std::isnan(found_.time_spread) ? 0 : found_.time_spread;
+    std::erase_if(enough, [&](const Merit* m) { return m->time > fastest * (1 + k_sure * spread); });
+    const auto by_error = [](const Merit* a, const Merit* b) { return shown_error(*a) < shown_error(*b); };
+    found_.chosen =
+        enough.front()->setting == 0 ? 0 : (*std::min_element(enough.begin(), enough.end(), by_error))->setting;
+  }
+
+  void find_orders() {
+    std::set<std::size_t> taken;
+    for (std::size_t s = 0; s < plan_.settings.size(); ++s) {
+      if (taken.count(s) > 0) continue;
+      std::vector<double> x, y;
+      for (std::size_t other = s; other < plan_.settings.size(); ++other) {
+        CompareSetting same = plan_.settings[other];
+        same.step = plan_.settings[s].step;
+        if (!(same == plan_.settings[s])) continue;
+        taken.insert(other);
+        const Merit& m = found_.merits[other];
+        if (!m.told || m.done < m.planned) continue;
+        x.push_back(std::log(plan_.settings[other].step));
+        y.push_back(std::log(m.error));
+      }
+      constexpr std::size_t k_least = 3;
+      if (x.size() < k_least) continue;
+      const double mx = mean_of(x), my = mean_of(y);
+      double xy = 0, xx = 0;
+      for (std::size_t k = 0; k < x.size(); ++k) {
+        xy += (x[k] - mx) * (y[k] - my);
+        xx += (x[k] - mx) * (x[k] - mx);
+      }
+      const CompareSetting& one = plan_.settings[s];
+      found_.orders.push_back({fmt::format("{} {} {} {}", one.solver, one.law, one.stabilisation, one.integrator),
+                               xy / xx, static_cast<int>(x.size())});
+    }
+  }
+
+  const Plan& plan_;
+  std::filesystem::path folder_;
+  bool against_first_;
+  Findings found_;
+};
+
+}  // namespace
+
+Findings find(const Plan& plan, const std::map<std::string, RunResult>& results, const std::filesystem::path& folder,
+              bool against_first) {
+  return Judge(plan, results, folder, against_first).judged();
+}
+
+}  // namespace nilas

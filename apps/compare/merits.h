@@ -1,0 +1,87 @@
+#pragma once
+/// What the runs of a comparison say of each setting: errors that mean something, and what they cost.
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/compare/plan.h"
+#include "apps/compare/run_result.h"
+
+namespace nilas {
+
+/// Of one run against the reference of its realisation, over what can be predicted.
+struct MotionError {
+  double rms_m = 0, largest_m = 0;  ///< largest of all samples
+  Vec3 axes_m = Vec3::Zero();       ///< largest per axis
+  double turn_rad = 0;
+};
+
+/// One run with all that is told of it.
+struct RunRow {
+  PlannedRun run;
+  RunResult result;
+  std::optional<MotionError> motion;
+  std::optional<double> load_difference;  ///< of the headline channel's mean from the reference's [N]
+};
+
+/// A mean over realisations.
+struct Estimate {
+  double mean = 0;
+  double standard_error = 0;  ///< NaN of fewer than two
+  int count = 0;
+};
+
+struct Merit {
+  std::size_t setting = 0;
+  int planned = 0, done = 0, failed = 0;  ///< runs; what did not begin or was ended by the budget is neither
+  std::string trouble;                    ///< the first cause why a run is not done
+  Estimate load;                          ///< mean of the headline channel [N]
+  Estimate load_difference;               ///< from the reference, realisation by realisation [N]
+  Estimate load_std, load_max, load_p99;  ///< of the same channel [N]
+  Estimate motion, turn;                  ///< largest rms distance [m] and turn [rad] from the reference
+  double penetration_max_m = 0, penetration_mean_m = 0, law_map_m_s = 0, natural_map_m_s = 0;
+  double energy_error = 0, momentum_error = 0;  ///< relative, the worst of all steps and runs
+  double unconverged_share = 0;                 ///< of steps
+  double time = 0, time_spread = 0;  ///< processor time per simulated second, and the spread of such a time [s/s]
+  double ms_per_step = 0;
+  double error = 0, floor = 0;  ///< of the primary measure; differences below the floor are not called errors
+  bool told = false;            ///< the error lies above the floor
+  bool dominated = false;       ///< another setting is no slower and no worse
+};
+
+/// How fast an error falls with the step, the rest being the same.
+struct Order {
+  std::string rest;  ///< label without the step
+  double order = 0;
+  int steps = 0;
+};
+
+struct Findings {
+  std::string headline;       ///< channel; empty without a vessel
+  std::string measure, unit;  ///< of the primary error: load or distance
+  double scale = 0;           ///< that errors in percent are shares of
+  double reference_load = 0;  ///< [N]
+  double chaos = 0;           ///< standard deviation of a run's primary figure among twins
+  double horizon_s = 0;       ///< until which every realisation can be predicted
+  bool horizon_ends = false;  ///< before the runs do
+  double horizon_threshold_m = 0;
+  std::optional<double> reference_moves;  ///< when its step is doubled, in the primary measure
+  bool reference_coarse = false;          ///< it moves by more than the smallest error told
+  double time_spread = 0;                 ///< relative standard deviation of times of alike runs
+  double slowdown = 1;                    ///< of a run by its neighbours, same steps; NaN: not measured
+  std::vector<RunRow> rows;
+  std::vector<Merit> merits;  ///< one per setting of the plan
+  std::vector<Order> orders;
+  std::optional<std::size_t> chosen;  ///< fastest setting within k_target of the reference or what can be told
+};
+
+/// What is called close enough, of the scale.
+constexpr double k_target = 0.02;
+
+/// Judges by the runs that are done. `folder`: where their motions lie, runs/<id>/bodies.csv. `against_first`: the
+/// first setting is the reference.
+Findings find(const Plan& plan, const std::map<std::string, RunResult>& results, const std::filesystem::path& folder,
+              bool against_first);
+
+}  // namespace nilas

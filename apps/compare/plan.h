@@ -1,0 +1,74 @@
+#pragma once
+/// Which runs a comparison makes within its budget, and what it leaves out.
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "apps/compare/setting.h"
+
+namespace nilas {
+
+/// What the first setting costs, measured on a short run of its own, and what is known of others.
+struct CostModel {
+  double setup_s = 0;  ///< reading, packing ice, writing [s]
+  /// (simulated time [s], processor time per simulated second from the stretch before it on), ascending.
+  std::vector<std::pair<double, double>> rate;
+  double solver_share = 0.5;    ///< of that time
+  double reference_factor = 1;  ///< time of the reference's setting at the first setting's step over that setting's
+
+  /// Of a run of the first setting over `length` simulated seconds; beyond what was measured the last stretch goes on.
+  double seconds(double length) const;
+};
+
+/// What one setting costs per step over what the first costs, by what solvers are known to take.
+double cost_factor(const CompareSetting& setting, const CompareSetting& first, const CostModel& cost);
+
+enum class RunKind { grid, twin, reference, check };
+const char* name_of(RunKind kind);
+
+struct PlannedRun {
+  std::string id;  ///< folder and file name
+  RunKind kind = RunKind::grid;
+  std::size_t setting = 0;  ///< in Plan::settings, of a grid or twin run
+  int realisation = 0;      ///< seed and twin number go up with it
+  double estimate_s = 0;    ///< processor time
+};
+
+/// What was asked for and is not run.
+struct Omission {
+  std::string what, why;
+};
+
+struct PlanRequest {
+  double budget_s = 1200;  ///< wall time of what is planned; 0: no limit
+  int jobs = 2;            ///< at a time
+  int realisations = 3;
+  bool fixed_realisations = false;  ///< the user's own number
+  bool reference = true;            ///< runs of a reference setting are needed
+  bool check = true;                ///< one with double its step tells how far it still moves
+  double start = 0, end = 10;       ///< of the scene [s]
+  double loosest_reference = 1e-7;  ///< tolerance up to which a budget may loosen the reference's [m/s]
+};
+
+struct Plan {
+  std::vector<CompareSetting> settings;  ///< those that run, the first first
+  CompareSetting reference, check;
+  std::vector<PlannedRun> runs;  ///< in the order they start
+  std::vector<Omission> omissions;
+  double start = 0, end = 0;  ///< simulated [s]
+  double sample_every = 0;    ///< between stored states [s]
+  int realisations = 0;
+  double estimate_s = 0;  ///< wall time
+  bool vary_seed = true;  ///< realisations differ in the seed, not only as twins do
+};
+
+/// The longest simulated time, most realisations and most settings that fit. Settings beyond `core` (those that differ
+/// from the first on one axis) go first, the last first; then the reference is loosened, the third realisation goes,
+/// the simulated time is cut, and in the end whole settings.
+Plan make_plan(const std::vector<CompareSetting>& settings, std::size_t core, const CompareSetting& reference,
+               const CostModel& cost, const PlanRequest& request);
+
+/// What the runs of one setting share beside it: seed and twin number.
+Overrides realisation_overrides(std::uint64_t seed, const PlannedRun& run, bool vary_seed);
+
+}  // namespace nilas

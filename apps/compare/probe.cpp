@@ -1,0 +1,67 @@
+#include "apps/compare/probe.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "apps/compare/run_result.h"
+
+namespace nilas {
+
+double Probe::total_ms() const { return std::accumulate(ms.begin(), ms.end(), 0.0); }
+
+double Probe::ms_until(double t) const {
+  constexpr double k_rounding = 1e-9;
+  double sum = 0;
+  for (std::size_t k = 0; k < ms.size() && time_s[k] <= t + k_rounding; ++k) sum += ms[k];
+  return sum;
+}
+
+Probe probe(const SceneRun& run, double start, double limit_s, const std::function<bool()>& stop) {
+  ChildTask task = task_of(run);
+  task.limit_s = limit_s;
+  const ChildResult ended = run_child(task, stop);
+  Probe found;
+  found.exit_code = ended.exit_code;
+  const RunResult result = read_run(run.folder, run.log, ended);
+  if (!ended.timed_out) found.trouble = result.cause;
+  if (std::filesystem::exists(run.folder / "steps.csv")) {
+    StepTimes times = read_step_times(run.folder);
+    found.time_s = std::move(times.time_s);
+    found.ms = std::move(times.ms);
+    found.solver_ms = std::move(times.solver_ms);
+  }
+  found.steps = found.ms.size();
+  found.length = found.steps > 0 ? found.time_s.back() - start : 0;
+  found.setup_s = std::max(0.0, ended.cpu_s - 1e-3 * found.total_ms());
+  std::error_code ignored;
+  std::filesystem::remove_all(run.folder, ignored);
+  return found;
+}
+
+CostModel cost_model(const Probe& first, const Probe* reference, double first_step, double reference_step,
+                     double start) {
+  CostModel cost;
+  cost.setup_s = first.setup_s;
+  constexpr std::size_t k_stretches = 8;
+  const std::size_t stretches = std::min(k_stretches, first.steps);
+  std::size_t done = 0;
+  double before = start;
+  for (std::size_t s = 1; s <= stretches; ++s) {
+    const std::size_t end = first.steps * s / stretches;
+    double ms = 0;
+    for (; done < end; ++done) ms += first.ms[done];
+    const double t = first.time_s[end - 1];
+    cost.rate.emplace_back(t - start, 1e-3 * ms / (t - before));
+    before = t;
+  }
+  const double total = first.total_ms();
+  if (total > 0) cost.solver_share = std::accumulate(first.solver_ms.begin(), first.solver_ms.end(), 0.0) / total;
+  if (reference == nullptr || reference->steps == 0) return cost;
+  // over the same simulated time, at the first setting's number of steps
+  const double together = start + std::min(first.length, reference->length);
+  const double own = first.ms_until(together), other = reference->ms_until(together);
+  if (own > 0 && other > 0) cost.reference_factor = other / own * reference_step / first_step;
+  return cost;
+}
+
+}  // namespace nilas

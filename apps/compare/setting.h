@@ -1,0 +1,48 @@
+#pragma once
+/// One point of a comparison's grid: how a scene is solved and stepped.
+#include <string>
+#include <vector>
+
+#include "core/scene/read_scene.h"
+
+namespace nilas {
+
+/// The simplifications of older tools that a comparison can turn on.
+enum class Simplification { pyramid, equal_friction, no_gyroscopic, split_impulse, discrete, fixed_sweeps, prismatic };
+/// As tables and pages name it.
+const char* name_of(Simplification simplification);
+/// What it does, in a sentence without a stop.
+const char* meaning_of(Simplification simplification);
+const std::vector<Simplification>& all_simplifications();
+/// Why the scene has nothing that it would change; empty where it has.
+std::string no_effect(Simplification simplification, const Scene& scene);
+
+struct CompareSetting {
+  std::string solver, law, integrator, stabilisation;
+  double step = 0;       ///< [s]
+  double tolerance = 0;  ///< on law_map_m_s; 0: always the scene's number of sweeps [m/s]
+  std::vector<Simplification> simplifications{};
+  Overrides more{};  ///< what else it changes of the scene
+
+  /// As `--set` takes them, in an order in which the last wins.
+  Overrides overrides() const;
+  bool operator==(const CompareSetting&) const = default;
+};
+
+/// What the scene asks for.
+CompareSetting setting_of(const Scene& scene);
+/// The scene with every simplification taken out; `scene` must be what the overrides are for.
+CompareSetting without_simplifications(const Scene& scene);
+/// With some turned on, singly or together.
+CompareSetting with_simplifications(const Scene& scene, const std::vector<Simplification>& on);
+
+/// By what it differs from the first setting of its comparison: "nsgs + 0.02 s"; "own setting" where in nothing. Of an
+/// ablation the names of the simplifications.
+std::string label_of(const CompareSetting& setting, const CompareSetting& first);
+/// "auto, coulomb, 0.01 s, to 1e-4 m/s, projection, moreau".
+std::string full_label(const CompareSetting& setting);
+/// Names of the axes on which two settings differ, in the order solver, law, step, tolerance, stabilisation,
+/// integrator.
+std::vector<std::string> differences(const CompareSetting& a, const CompareSetting& b);
+
+}  // namespace nilas

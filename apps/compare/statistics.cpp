@@ -1,0 +1,51 @@
+#include "apps/compare/statistics.h"
+
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace nilas {
+
+double mean_of(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+double variance_of(const std::vector<double>& values) {
+  if (values.size() < 2) return std::numeric_limits<double>::quiet_NaN();
+  const double mean = mean_of(values);
+  double squares = 0;
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  return squares / static_cast<double>(values.size() - 1);
+}
+
+double median_of(std::vector<double> values) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+PooledVariance pooled_variance(const std::vector<double>& twin_differences, const std::vector<double>& variances,
+                               int degrees) {
+  PooledVariance pooled;
+  for (const double difference : twin_differences)
+    pooled.value += difference * difference / static_cast<double>(twin_differences.size());
+  pooled.degrees = static_cast<double>(twin_differences.size());
+  if (degrees < 1 || variances.empty()) return pooled;
+  const boost::math::chi_squared spread(degrees);
+  const double of_settings = median_of(variances) * degrees / boost::math::quantile(spread, 0.5);
+  pooled.value = std::max(pooled.value, of_settings);
+  pooled.degrees += static_cast<double>(degrees) * static_cast<double>(variances.size());
+  return pooled;
+}
+
+double student_95(double degrees) {
+  constexpr double k_upper = 0.975;
+  if (!(degrees > 0)) return std::numeric_limits<double>::infinity();
+  return boost::math::quantile(boost::math::students_t(degrees), k_upper);
+}
+
+}  // namespace nilas

@@ -1,0 +1,26 @@
+#pragma once
+/// Means and standard errors of a handful of runs, and what of a difference is chance.
+#include <vector>
+
+namespace nilas {
+
+double mean_of(const std::vector<double>& values);
+/// Of the values about their mean, with one degree of freedom taken by it; NaN of fewer than two.
+double variance_of(const std::vector<double>& values);
+double median_of(std::vector<double> values);
+
+/// Variance of the difference of two runs of one realisation that nothing but chaos sets apart: the larger of what the
+/// twins say (mean of their squared differences) and of the median of the settings' own variances, divided by the
+/// median of chi^2 over its degrees of freedom, so that a few settings of another kind do not count. `degrees`: of each
+/// setting's variance.
+struct PooledVariance {
+  double value = 0;
+  double degrees = 0;  ///< of freedom behind it
+};
+PooledVariance pooled_variance(const std::vector<double>& twin_differences, const std::vector<double>& variances,
+                               int degrees);
+
+/// Two-sided 95 % quantile of Student's t; infinite without degrees of freedom.
+double student_95(double degrees);
+
+}  // namespace nilas

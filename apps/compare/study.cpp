@@ -1,0 +1,328 @@
+#include "apps/compare/study.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <iostream>
+
+#include "apps/compare/merits.h"
+#include "apps/compare/probe.h"
+#include "apps/compare/study_folder.h"
+#include "apps/compare/study_outputs.h"
+#include "core/base/error.h"
+#include "core/output/console.h"
+
+namespace nilas {
+
+namespace {
+
+constexpr int k_done = 0, k_bad_input = 2, k_numerics = 3, k_interrupted = 130;
+
+std::string default_folder(const std::string& scene) {
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&now, &local);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y%m%d-%H%M%S", &local);
+  return "runs/" + scene + "-compare-" + text;
+}
+
+/// A comparison while it runs.
+class Comparison {
+ public:
+  Comparison(const StudyOptions& options, const std::function<bool()>& stop)
+      : options_(options), stop_(stop), out_(options.json ? std::cerr : std::cout) {}
+
+  int begin() {
+    const Scene scene = read_scene(options_.scene, options_.overrides);
+    const Grid grid = make_grid(scene, options_.overrides, options_.grid);
+    if (options_.reference != "auto" &&
+        !std::filesystem::exists(std::filesystem::path(options_.reference) / "summary.json"))
+      throw InputError(
+          "--reference: " + options_.reference +
+          " is no run folder (there is no summary.json); allowed: auto, or a folder that `nilas run` wrote");
+    folder_.emplace(options_.out.empty() ? default_folder(scene.name) : options_.out, options_.force);
+    describe(scene);
+    for (const auto& refused : grid.refused)
+      study_.refused.push_back({label_of(refused.setting, grid.settings.front()), refused.reason});
+    plan(scene, grid);
+    folder_->write(study_);
+    tell_plan();
+    return execute();
+  }
+
+  int go_on() {
+    folder_.emplace(options_.resume);
+    study_ = folder_->read();
+    const Scene scene = read_scene(study_.scene, study_.overrides);
+    if (scene.fingerprint != study_.fingerprint)
+      throw InputError("--resume: " + study_.scene.string() + " is no longer the scene that the comparison began with");
+    if (options_.jobs > 0) study_.jobs = options_.jobs;
+    study_.budget_s = options_.budget_s;
+    return execute();
+  }
+
+ private:
+  void say(const std::string& line) const {
+    if (!options_.quiet) out_ << line << "\n" << std::flush;
+  }
+  double elapsed() const { return steady_seconds() - started_; }
+  /// Of the budget; 0: there is none.
+  double left() const {
+    constexpr double k_least_s = 1e-3;
+    return study_.budget_s > 0 ? std::max(k_least_s, study_.budget_s - elapsed()) : 0;
+  }
+
+  void describe(const Scene& scene) {
+    study_.scene = std::filesystem::absolute(scene.file);
+    study_.fingerprint = scene.fingerprint;
+    study_.overrides = options_.overrides;
+    study_.seed = scene.seed;
+    study_.ablation = options_.grid.ablate;
+    study_.reference = options_.reference == "auto" ? "auto" : std::filesystem::absolute(options_.reference).string();
+    study_.jobs = options_.jobs > 0 ? options_.jobs : usable_cores();
+    study_.budget_s = options_.budget_s;
+    study_.keep_runs = options_.keep_runs;
+  }
+
+  Probe probe_setting(const Scene& scene, const CompareSetting& setting, const char* name, double limit_s) {
+    SceneRun run{study_.scene,
+                 folder_->run_folder(name),
+                 folder_->run_folder(std::string(name) + ".log"),
+                 study_.overrides,
+                 scene.time.end,
+                 0};
+    const Overrides own = setting.overrides();
+    run.overrides.insert(run.overrides.end(), own.begin(), own.end());
+    return probe(run, scene.time.start, limit_s, stop_);
+  }
+
+  /// A twentieth of the budget for the first setting and as much for the reference, half a minute each at most.
+  void plan(const Scene& scene, const Grid& grid) {
+    constexpr double k_share = 0.05, k_most_s = 30, k_least_s = 1, k_patience = 4;
+    const double limit = study_.budget_s > 0 ? std::clamp(k_share * study_.budget_s, k_least_s, k_most_s) : k_most_s;
+    const bool needs_reference = !study_.ablation && study_.reference == "auto";
+    say(fmt::format("measuring what a step costs, {:.2g} s at most for each of {} settings, alone on the machine ...",
+                    limit, needs_reference ? 2 : 1));
+    Probe first = probe_setting(scene, grid.settings.front(), "probe", limit);
+    if (first.steps == 0 && first.trouble.empty())
+      first = probe_setting(scene, grid.settings.front(), "probe", k_patience * limit);
+    study_.probe_steps = first.steps;
+    study_.probe_ms = first.total_ms();
+    trouble_ = first.trouble;
+    if (first.exit_code == k_bad_input) throw InputError(first.trouble);
+    PlanRequest request;
+    request.budget_s = left();
+    request.jobs = std::min(study_.jobs, usable_cores());
+    request.realisations = options_.realisations.value_or(request.realisations);
+    request.fixed_realisations = options_.realisations.has_value();
+    request.reference = needs_reference;
+    request.start = scene.time.start;
+    request.end = scene.time.end;
+    CompareSetting reference;
+    if (needs_reference) {
+      reference = reference_setting(scene, study_.overrides, grid, options_.reference_tolerance);
+      study_.event_driven = reference.integrator == "reference";
+      request.check = !study_.event_driven;
+      request.loosest_reference = loosest_reference(grid);
+    }
+    Probe tight;
+    if (needs_reference) tight = probe_setting(scene, reference, "probe-reference", limit);
+    request.budget_s = left();
+    const double first_step = grid.settings.front().step;
+    const CostModel cost =
+        cost_model(first, needs_reference ? &tight : nullptr, first_step, reference.step, request.start);
+    study_.plan = make_plan(grid.settings, core_of(grid), reference, cost, request);
+    study_.plan.vary_seed = study_.reference == "auto";
+    // what a budget does to the plan is said in terms of what the user gave
+    for (auto& omission : study_.plan.omissions)
+      if (const auto at = omission.why.find("the budget of "); at == 0)
+        omission.why =
+            fmt::format("the budget of {:g} s", study_.budget_s) + omission.why.substr(omission.why.find(" s", 14) + 2);
+  }
+
+  /// A tenth of the tightest tolerance that is compared.
+  double loosest_reference(const Grid& grid) const {
+    double tightest = 1;
+    for (const auto& setting : grid.settings)
+      if (setting.tolerance > 0) tightest = std::min(tightest, setting.tolerance);
+    constexpr double k_tighter = 0.1;
+    return options_.fixed_reference_tolerance ? options_.reference_tolerance
+                                              : std::max(options_.reference_tolerance, k_tighter * tightest);
+  }
+
+  /// Of the default grid, how many settings differ from the first in one thing; all of a grid that the user named.
+  std::size_t core_of(const Grid& grid) const {
+    if (options_.grid.ablate) return grid.settings.size();
+    const CompareSetting& own = grid.settings.front();
+    std::size_t core = 0;
+    while (core < grid.settings.size()) {
+      auto axes = differences(grid.settings[core], own);
+      // solver and law come together in the default grid
+      if (!options_.grid.names_axes()) std::erase(axes, "law");
+      if (axes.size() > 1) break;
+      ++core;
+    }
+    return core;
+  }
+
+  void tell_plan() const {
+    const Plan& plan = study_.plan;
+    say(fmt::format("{} runs: {} settings x {} realisations, {:g} s simulated; about {} with {} job{}",
+                    plan.runs.size(), plan.settings.size(), plan.realisations, plan.end - plan.start,
+                    duration_text(plan.estimate_s), study_.jobs, study_.jobs == 1 ? "" : "s"));
+    say("own setting: " + full_label(plan.settings.front()));
+    std::string others;
+    for (std::size_t k = 1; k < plan.settings.size(); ++k)
+      others += (others.empty() ? "" : "; ") + label_of(plan.settings[k], plan.settings.front());
+    say("beside it: " + others);
+    if (plan.realisations > 0 && !study_.ablation && study_.reference == "auto")
+      say("judged by: " + full_label(plan.reference));
+    for (const auto& omission : plan.omissions) say(fmt::format("left out: {} ({})", omission.what, omission.why));
+    for (const auto& refused : study_.refused) say(fmt::format("cannot run: {}: {}", refused.what, refused.why));
+  }
+
+  const CompareSetting& setting_of_run(const PlannedRun& run) const {
+    if (run.kind == RunKind::reference) return study_.plan.reference;
+    if (run.kind == RunKind::check) return study_.plan.check;
+    return study_.plan.settings[run.setting];
+  }
+
+  std::string run_label(const PlannedRun& run) const {
+    if (run.kind == RunKind::reference || run.kind == RunKind::check) return full_label(setting_of_run(run));
+    return label_of(setting_of_run(run), study_.plan.settings.front());
+  }
+
+  SceneRun scene_run(const PlannedRun& run) const {
+    SceneRun out{study_.scene,    folder_->run_folder(run.id), folder_->run_folder(run.id + ".log"), study_.overrides,
+                 study_.plan.end, study_.plan.sample_every};
+    for (const Overrides& more :
+         {setting_of_run(run).overrides(), realisation_overrides(study_.seed, run, study_.plan.vary_seed)})
+      out.overrides.insert(out.overrides.end(), more.begin(), more.end());
+    return out;
+  }
+
+  void finish_run(const PlannedRun& run, const ChildResult& ended) {
+    const std::filesystem::path folder = folder_->run_folder(run.id);
+    RunResult result = read_run(folder, folder_->run_folder(run.id + ".log"), ended);
+    if (run.id == "s00-r0" && std::filesystem::exists(folder / "steps.csv")) {
+      const StepTimes times = read_step_times(folder);
+      for (std::size_t k = 0; k < std::min(study_.probe_steps, times.ms.size()); ++k)
+        result.first_steps_ms += times.ms[k];
+      if (times.ms.size() < study_.probe_steps) result.first_steps_ms = 0;
+    }
+    // what was interrupted or ended by the budget runs again when the comparison goes on
+    if (result.done() || result.failed()) folder_->write_result(run.id, result);
+    if (result.status == "budget") late_.push_back(run.id);
+    if (!study_.keep_runs) thin_out(folder);
+    ++ended_;
+    say(fmt::format("[{}/{}] {:<14} {:<11} {:>8}  {}", ended_, study_.plan.runs.size(), run.id, result.status,
+                    duration_text(result.wall_s), run_label(run)));
+    if (!result.cause.empty()) say("    " + result.cause);
+  }
+
+  void run_all(std::map<std::string, RunResult>& results) {
+    std::vector<PlannedRun> runs;
+    std::vector<ChildTask> tasks;
+    for (const auto& run : study_.plan.runs) {
+      if (results.count(run.id) > 0) continue;
+      runs.push_back(run);
+      tasks.push_back(task_of(scene_run(run)));
+    }
+    ended_ = study_.plan.runs.size() - runs.size();
+    const double pool_started = steady_seconds();
+    ChildHooks hooks;
+    hooks.stop = stop_;
+    hooks.begin = [&](std::size_t k, ChildTask& task) {
+      if (study_.budget_s <= 0) return true;
+      const double left = study_.budget_s - elapsed();
+      const bool fits = runs[k].estimate_s < left;
+      if (!fits) late_.push_back(runs[k].id);
+      task.limit_s = left;
+      return fits;
+    };
+    hooks.ended = [&](std::size_t k, const ChildResult& ended) {
+      busy_s_ += ended.wall_s;
+      finish_run(runs[k], ended);
+    };
+    run_children(tasks, study_.jobs, hooks);
+    pool_s_ = steady_seconds() - pool_started;
+    results = folder_->results(study_.plan);
+  }
+
+  int execute() {
+    std::map<std::string, RunResult> results = folder_->results(study_.plan);
+    if (study_.reference != "auto") take_reference(results);
+    run_all(results);
+    if (!late_.empty())
+      say(fmt::format("{} runs are not done: the budget of {:g} s was used up", late_.size(), study_.budget_s));
+    Findings findings = find(study_.plan, results, folder_->path(), study_.ablation);
+    const StudyTiming timing = timing_of(results);
+    findings.slowdown = timing.slowdown;
+    const StudyOutputs outputs{study_, findings, timing, late_, trouble_, stop_()};
+    outputs.write(folder_->path());
+    say(outputs.text());
+    say(fmt::format("in {}; open {}", duration_text(elapsed()), (folder_->path() / "compare.html").string()));
+    if (options_.json) std::cout << outputs.json().dump(2) << "\n";
+    if (stop_()) return k_interrupted;
+    const bool any =
+        std::any_of(findings.rows.begin(), findings.rows.end(), [](const RunRow& row) { return row.result.done(); });
+    return any ? k_done : k_numerics;
+  }
+
+  StudyTiming timing_of(const std::map<std::string, RunResult>& results) const {
+    StudyTiming timing;
+    timing.jobs = study_.jobs;
+    timing.elapsed_s = elapsed();
+    const auto own = results.find("s00-r0");
+    constexpr double k_least_ms = 500;  // below that a time says little
+    if (study_.probe_ms > k_least_ms && own != results.end() && own->second.first_steps_ms > 0 && study_.jobs > 1)
+      timing.slowdown = own->second.first_steps_ms / study_.probe_ms;
+    if (pool_s_ > 0 && busy_s_ > 0) timing.busy = busy_s_ / pool_s_;
+    return timing;
+  }
+
+  /// Every realisation is judged by the run folder that the user named.
+  void take_reference(std::map<std::string, RunResult>& results) {
+    const std::filesystem::path from = study_.reference;
+    ChildResult ended;
+    ended.exit_code = 0;
+    const RunResult result = read_run(from, {}, ended);
+    auto& runs = study_.plan.runs;
+    for (int r = 0; r < study_.plan.realisations; ++r) {
+      const PlannedRun run{fmt::format("reference-r{}", r), RunKind::reference, 0, r, 0};
+      const auto target = folder_->run_folder(run.id);
+      std::filesystem::create_directories(target);
+      if (std::filesystem::exists(from / "bodies.csv"))
+        std::filesystem::copy_file(from / "bodies.csv", target / "bodies.csv",
+                                   std::filesystem::copy_options::overwrite_existing);
+      folder_->write_result(run.id, result);
+      if (std::none_of(runs.begin(), runs.end(), [&](const PlannedRun& other) { return other.id == run.id; }))
+        runs.push_back(run);
+      results[run.id] = result;
+    }
+    folder_->write(study_);
+  }
+
+  const StudyOptions& options_;
+  const std::function<bool()>& stop_;
+  std::ostream& out_;
+  double started_ = steady_seconds();
+  Study study_;
+  std::optional<StudyFolder> folder_;
+  std::string trouble_;            ///< of the probe
+  std::vector<std::string> late_;  ///< runs that did not begin
+  std::size_t ended_ = 0;
+  double busy_s_ = 0, pool_s_ = 0;  ///< wall time of the runs, and of all of them together
+};
+
+}  // namespace
+
+int run_study(const StudyOptions& options, const std::function<bool()>& stop) {
+  Comparison comparison(options, stop);
+  return options.resume.empty() ? comparison.begin() : comparison.go_on();
+}
+
+}  // namespace nilas

@@ -1,0 +1,63 @@
+#pragma once
+/// What a comparison leaves: tables, JSON, pictures, a page and a paragraph.
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "apps/compare/merits.h"
+#include "apps/compare/study_folder.h"
+
+namespace nilas {
+
+/// How the runs shared the machine.
+struct StudyTiming {
+  int jobs = 1;
+  double elapsed_s = 0;
+  double busy = std::numeric_limits<double>::quiet_NaN();  ///< jobs that were at work, on average
+  /// Time of the first setting's first steps beside neighbours over their time alone; NaN: not measured.
+  double slowdown = std::numeric_limits<double>::quiet_NaN();
+
+  /// Share of `jobs` times the work of one that was done.
+  double efficiency() const { return busy / jobs / (std::isnan(slowdown) ? 1 : slowdown); }
+};
+
+class StudyOutputs {
+ public:
+  /// All must outlive this. `late`: runs that did not begin; `trouble`: of the probe, where it made no step.
+  StudyOutputs(const Study& study, const Findings& findings, const StudyTiming& timing,
+               const std::vector<std::string>& late, const std::string& trouble, bool interrupted);
+
+  /// compare.csv, settings.csv, compare.json, then pictures and compare.html. Throws FileError.
+  void write(const std::filesystem::path& folder) const;
+  /// The paragraph, a line per sentence.
+  std::string text() const;
+  nlohmann::ordered_json json() const;
+
+ private:
+  std::string runs_csv() const;
+  std::string settings_csv() const;
+  std::string label(std::size_t setting) const;
+  std::vector<std::string> sentences() const;
+  std::vector<std::string> warnings() const;
+  void say_price(std::vector<std::string>& lines) const;
+  void say_ablation(std::vector<std::string>& lines) const;
+  std::string page(const std::filesystem::path& folder, const std::vector<std::string>& pictures) const;
+  std::string own_setting() const;
+  std::string settings_table() const;
+  std::string runs_table() const;
+  std::string how_measured() const;
+
+  const Study& study_;
+  const Findings& found_;
+  const StudyTiming& timing_;
+  const std::vector<std::string>& late_;
+  std::string trouble_;
+  bool interrupted_;
+};
+
+/// "1.23 N", "0.45 mm": a length, force or angle with a readable unit.
+std::string quantity_text(double value, const std::string& unit);
+
+}  // namespace nilas

@@ -1,0 +1,184 @@
+/// What a comparison says in words.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "apps/compare/study_outputs.h"
+#include "core/output/console.h"
+
+namespace nilas {
+
+namespace {
+
+/// "6.1 times faster", "1.3 times slower", "as fast".
+std::string speed_text(double ratio) {
+  constexpr double k_alike = 1.05;
+  if (ratio > k_alike) return fmt::format("{:.2g} times faster than", ratio);
+  if (ratio < 1 / k_alike) return fmt::format("{:.2g} times slower than", 1 / ratio);
+  return "about as fast as";
+}
+
+std::string percent(double share) { return fmt::format("{:.2g} %", 100 * share); }
+
+}  // namespace
+
+std::string quantity_text(double value, const std::string& unit) {
+  if (!std::isfinite(value)) return "not known";
+  const double size = std::abs(value);
+  if (unit == "m" && size > 0 && size < 0.1)
+    return size < 1e-4 ? fmt::format("{:.3g} um", 1e6 * value) : fmt::format("{:.3g} mm", 1e3 * value);
+  return fmt::format("{:.3g} {}", value, unit);
+}
+
+StudyOutputs::StudyOutputs(const Study& study, const Findings& findings, const StudyTiming& timing,
+                           const std::vector<std::string>& late, const std::string& trouble, bool interrupted)
+    : study_(study), found_(findings), timing_(timing), late_(late), trouble_(trouble), interrupted_(interrupted) {}
+
+std::string StudyOutputs::label(std::size_t setting) const {
+  return label_of(study_.plan.settings[setting], study_.plan.settings.front());
+}
+
+/// What the labels leave out.
+std::string StudyOutputs::own_setting() const {
+  if (study_.plan.settings.empty()) return "";
+  return (study_.ablation ? "Without simplifications: " : "Own setting: ") + full_label(study_.plan.settings.front()) +
+         (study_.ablation ? "." : "; the others are named by what they change.");
+}
+
+/// What the fastest good enough setting buys, and what can be told at all.
+void StudyOutputs::say_price(std::vector<std::string>& lines) const {
+  const Merit& own = found_.merits.front();
+  const std::string of =
+      found_.measure == "load"
+          ? fmt::format("the mean tow force ({}, {})", found_.headline, quantity_text(found_.reference_load, "N"))
+      : found_.measure == "turn" ? "the attitude (1 rad)"
+                                 : fmt::format("the largest way of a body ({})", quantity_text(found_.scale, "m"));
+  if (found_.chosen) {
+    const Merit& best = found_.merits[*found_.chosen];
+    const bool same = best.setting == own.setting;
+    const double within = std::max(k_target, best.told ? 0 : best.floor / found_.scale);
+    if (same)
+      lines.push_back(fmt::format("Within {} of {} no setting is faster than the scene's own ({}).", percent(within),
+                                  of, full_label(study_.plan.settings.front())));
+    else
+      lines.push_back(fmt::format(
+          "Within {} of {}, \"{}\" is {} the scene's own setting (\"{}\"): {:.3g} s of computing per simulated second "
+          "in place of {:.3g} s.",
+          percent(within), of, label(best.setting), speed_text(own.time / best.time),
+          full_label(study_.plan.settings.front()), best.time, own.time));
+    if (!best.told && best.floor > k_target * found_.scale)
+      lines.push_back(
+          fmt::format("Its error cannot be told from chaos: with {} runs of {:g} s each, differences below {} ({} of "
+                      "the scale) are none.",
+                      best.done, study_.plan.end - study_.plan.start, quantity_text(best.floor, found_.unit),
+                      percent(best.floor / found_.scale)));
+  } else {
+    lines.push_back(fmt::format("No setting comes within {} of {}.", percent(k_target), of));
+  }
+  const Merit* worst = nullptr;
+  for (const auto& m : found_.merits)
+    if (m.told && (worst == nullptr || m.error > worst->error)) worst = &m;
+  if (worst != nullptr)
+    lines.push_back(fmt::format("The largest error told is that of \"{}\": {} ({}).", label(worst->setting),
+                                quantity_text(worst->error, found_.unit), percent(worst->error / found_.scale)));
+  else
+    lines.emplace_back("No setting's error can be told from chaos or rounding.");
+}
+
+void StudyOutputs::say_ablation(std::vector<std::string>& lines) const {
+  const Merit& full = found_.merits.front();
+  for (const auto& m : found_.merits) {
+    if (m.setting == 0) continue;
+    const std::string name = label(m.setting);
+    if (m.done == 0 || std::isnan(m.error)) {
+      lines.push_back(fmt::format("{}: no run ended ({}).", name, m.trouble));
+      continue;
+    }
+    const double saved = full.time - m.time;
+    const std::string change =
+        found_.measure == "load"
+            ? fmt::format("changes the mean tow force by {} +- {}{}", quantity_text(m.load_difference.mean, "N"),
+                          quantity_text(m.load_difference.standard_error, "N"),
+                          m.told ? "" : ", which chaos alone can do")
+            : fmt::format("moves bodies by {} (rms) and turns them by {:.2g} rad{}", quantity_text(m.motion.mean, "m"),
+                          m.turn.mean, m.told ? "" : ", which is none");
+    lines.push_back(fmt::format("{}: {}; {} {:.3g} ms per simulated second ({:.3g} ms per step).", name, change,
+                                saved >= 0 ? "saves" : "costs", 1e3 * std::abs(saved),
+                                std::abs(full.ms_per_step - m.ms_per_step)));
+  }
+}
+
+std::vector<std::string> StudyOutputs::sentences() const {
+  std::vector<std::string> lines;
+  if (found_.merits.empty() || found_.merits.front().done == 0 || std::isnan(found_.merits.front().error)) {
+    const std::string why = !trouble_.empty() ? trouble_
+                            : !found_.merits.empty() && !found_.merits.front().trouble.empty()
+                                ? found_.merits.front().trouble
+                            : interrupted_ ? "it was interrupted"
+                                           : "the budget ended before";
+    lines.emplace_back("Nothing can be compared: the runs that settings are judged by did not end (" + why + ").");
+    return lines;
+  }
+  if (study_.ablation)
+    say_ablation(lines);
+  else
+    say_price(lines);
+  if (found_.measure != "load" && found_.headline.size() > 0)
+    lines.emplace_back("The vessel felt no force in this time, so motions are compared.");
+  if (found_.horizon_ends)
+    lines.push_back(
+        fmt::format("Single motions can be predicted until {:.3g} s; twins that start 1e-12 m aside are then {} apart.",
+                    found_.horizon_s, quantity_text(found_.horizon_threshold_m, "m")));
+  for (const auto& order : found_.orders)
+    lines.push_back(fmt::format("Over {} steps the error of \"{}\" falls with order {:.2f}.", order.steps, order.rest,
+                                order.order));
+  return lines;
+}
+
+std::vector<std::string> StudyOutputs::warnings() const {
+  std::vector<std::string> lines;
+  if (interrupted_) lines.emplace_back("Interrupted: what is shown is what was done until then; --resume goes on.");
+  if (!late_.empty())
+    lines.push_back(
+        fmt::format("The budget was used up before {} of {} runs began.", late_.size(), study_.plan.runs.size()));
+  if (found_.reference_coarse)
+    lines.push_back(
+        fmt::format("The reference itself moves by {} when its step is doubled, more than the smallest error shown: "
+                    "small errors are not to be trusted.",
+                    quantity_text(*found_.reference_moves, found_.unit)));
+  double reference_short = 0;
+  for (const auto& row : found_.rows) {
+    if (row.run.kind != RunKind::reference || !row.result.done()) continue;
+    reference_short =
+        std::max(reference_short, row.result.number("/shortfalls/unconverged_steps") / row.result.number("/steps"));
+  }
+  if (reference_short > 0 && study_.reference == "auto")
+    lines.push_back(fmt::format("The reference missed its tolerance of {:.0e} m/s in {} of its steps.",
+                                study_.plan.reference.tolerance, percent(reference_short)));
+  for (const auto& m : found_.merits)
+    if (m.failed > 0)
+      lines.push_back(fmt::format("\"{}\": {} of {} runs failed ({}).", label(m.setting), m.planned - m.done, m.planned,
+                                  m.trouble));
+  if (timing_.slowdown > 1 + std::max(0.1, 2 * found_.time_spread))
+    lines.push_back(
+        fmt::format("Runs beside each other took {:.2f} times as long as alone: all times here are larger by about "
+                    "that, alike for all settings.",
+                    timing_.slowdown));
+  return lines;
+}
+
+std::string StudyOutputs::text() const {
+  std::string text;
+  for (const auto& lines : {sentences(), warnings()})
+    for (const auto& line : lines) text += line + "\n";
+  if (timing_.jobs > 1 && std::isfinite(timing_.efficiency()))
+    text += fmt::format(
+        "{} jobs: {:.2f} at work on average, each {:.2f} times as slow as alone: parallel efficiency {:.2f}\n",
+        timing_.jobs, timing_.busy, std::isnan(timing_.slowdown) ? 1.0 : timing_.slowdown, timing_.efficiency());
+  if (std::isfinite(found_.time_spread))
+    text += fmt::format("times of alike runs scatter by {} (standard deviation)\n", percent(found_.time_spread));
+  if (!text.empty()) text.pop_back();
+  return text;
+}
+
+}  // namespace nilas

@@ -1,0 +1,91 @@
+#include <csignal>
+#include <memory>
+
+#include "apps/compare/study.h"
+#include "apps/nilas/commands.h"
+#include "apps/nilas/scene_flags.h"
+#include "core/base/error.h"
+
+namespace nilas {
+
+namespace {
+
+/// Set by SIGINT and SIGTERM; the only thing a signal handler may touch.
+volatile std::sig_atomic_t stop_requested = 0;
+void request_stop(int) { stop_requested = 1; }
+
+struct CompareOptions {
+  StudyOptions study;
+  SceneFlags scene;
+};
+
+int compare(CompareOptions options) {
+  std::signal(SIGINT, request_stop);
+  std::signal(SIGTERM, request_stop);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is then an error of the write, with a message
+  options.study.scene = options.scene.file;
+  for (const auto& text : options.scene.set) options.study.overrides.push_back(split_override(text));
+  if (options.scene.until) options.study.overrides.emplace_back("time/@end", std::to_string(*options.scene.until));
+  if (options.scene.seed) options.study.overrides.emplace_back("seed/@value", std::to_string(*options.scene.seed));
+  return run_study(options.study, [] { return stop_requested != 0; });
+}
+
+template <class List>
+CLI::Option* add_list(CLI::App& command, const std::string& flag, List& values, const std::string& description) {
+  return command.add_option(flag, values, description)->delimiter(',')->allow_extra_args(false);
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand(
+      "compare", "runs a scene over solvers, laws, steps and tolerances: what accuracy costs, as tables and a page");
+  auto options = std::make_shared<CompareOptions>();
+  StudyOptions& study = options->study;
+  auto* scene = command->add_option("scene", options->scene.file, "scene file (XML)");
+  add_list(*command, "--solvers", study.grid.solvers, "contact solvers, comma-separated (see nilas solvers)");
+  add_list(*command, "--laws", study.grid.laws, "contact laws");
+  add_list(*command, "--dt", study.grid.steps, "time steps [s]")->check(CLI::PositiveNumber);
+  add_list(*command, "--tolerance", study.grid.tolerances,
+           "tolerances of the solver; 0: always its most iterations [m/s]")
+      ->check(at_least(0));
+  add_list(*command, "--integrators", study.grid.integrators, "semi-implicit-euler, moreau");
+  add_list(*command, "--stabilisations", study.grid.stabilisations,
+           "none, baumgarte, split-impulse, tasora, projection");
+  auto* ablate =
+      command->add_flag("--ablate", study.grid.ablate,
+                        "in place of a grid: each simplification of older tools on, singly and all together");
+  command
+      ->add_option("--seeds", study.realisations, "realisations of each setting (default: 3, 2 where the budget asks)")
+      ->check(at_least(1));
+  command->add_option("--reference", study.reference, "auto, or a run folder to judge by")->capture_default_str();
+  auto* tolerance = command
+                        ->add_option("--reference-tolerance", study.reference_tolerance,
+                                     "of the reference's solver; without this flag a budget may loosen it [m/s]")
+                        ->capture_default_str();
+  command->add_option("--budget", study.budget_s, "wall time for all; 0: no limit [s]")
+      ->check(at_least(0))
+      ->capture_default_str();
+  command->add_option("--jobs", study.jobs, "runs at a time (default: one per core)")->check(at_least(1));
+  command->add_option("--resume", study.resume, "in place of a scene: goes on with the comparison in this folder");
+  command->add_option("--out", study.out, "folder (default: runs/<scene>-compare-<time>)");
+  command->add_option("--until", options->scene.until, "end time instead of the scene's [s]");
+  add_value_flags(*command, options->scene);
+  command->add_flag("--keep-runs", study.keep_runs, "keep all outputs of every run, not only summaries and motions");
+  command->add_flag("--force", study.force, "write into a folder that is not empty");
+  command->add_flag("--json", study.json, "compare.json on stdout and nothing else there");
+  command->add_flag("--quiet", study.quiet, "no progress");
+  ablate->excludes("--solvers")
+      ->excludes("--laws")
+      ->excludes("--dt")
+      ->excludes("--tolerance")
+      ->excludes("--integrators")
+      ->excludes("--stabilisations");
+  command->callback([&action, options, scene, tolerance] {
+    if (options->study.resume.empty() && scene->count() == 0) throw CLI::RequiredError("scene");
+    options->study.fixed_reference_tolerance = tolerance->count() > 0;
+    action = [options] { return compare(*options); };
+  });
+}
+
+}  // namespace nilas

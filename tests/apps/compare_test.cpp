@@ -1,0 +1,296 @@
+/// nilas compare as a user runs it: tables that repeat, errors of known size, and a clear end whatever happens.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/support/program.h"
+#include "tests/support/size_limit.h"
+#include "tests/support/started_program.h"
+
+namespace {
+
+using namespace nilas_test;
+
+constexpr const char* k_ship = R"(<scene version="1" name="ship">
+  <time step="0.01" end="0.6"/>
+  <contact law="coulomb" solver="auto" tolerance="1e-6">
+    <friction between="hull ice" static="0.2" kinetic="0.1"/>
+    <friction between="ice ice" static="0.3" kinetic="0.3"/>
+  </contact>
+  <water density="1005"/>
+  <hydro><buoyancy/><drag form="1" skin="0.005"/></hydro>
+  <vessel name="ship" position="0 0">
+    <hull generate="icebreaker" length="3" beam="0.8" draught="0.2" depth="0.4" triangles="300"/>
+    <mass draught="0.2"/>
+    <carriage speed="0.5" ramp="0.05"/>
+  </vessel>
+  <ice thickness="0.05">
+    <floe name="port" outline="2.9 0.02 3.4 0.02 3.4 0.5 2.9 0.5"/>
+    <floe name="starboard" outline="2.95 -0.6 3.4 -0.6 3.4 -0.02 2.95 -0.02"/>
+  </ice>
+</scene>
+)";
+
+nlohmann::json json_of(const fs::path& file) { return nlohmann::json::parse(read_text(file)); }
+
+/// Of settings.csv, by label.
+std::map<std::string, std::size_t> rows_by(const Table& table, const std::string& column) {
+  std::map<std::string, std::size_t> rows;
+  for (std::size_t k = 0; k < table.rows(); ++k) rows[table.text(column)[k]] = k;
+  return rows;
+}
+
+std::string block(const std::string& more) {
+  return "compare '" + shipped_scene("verify/block.xml").string() + "' --out out --force --seeds 1 --quiet " + more;
+}
+
+void expect_page(const fs::path& folder, const std::string& words) {
+  const std::string page = read_text(folder / "compare.html");
+  EXPECT_NE(page.find(words), std::string::npos) << page.substr(0, 3000);
+  EXPECT_NE(page.find("</html>"), std::string::npos);
+}
+
+TEST(Compare, LeavesTablesPicturesAndAPageThatSayTheSame) {
+  const ScratchFolder folder;
+  folder.write("ship.xml", k_ship);
+  const auto result =
+      run_nilas("compare ship.xml --out out --solvers auto,nsgs --dt 0.01,0.005 --seeds 2 --jobs 2", folder.path());
+  ASSERT_EQ(result.exit_code, 0) << result.out << result.err;
+  const fs::path out = folder.path() / "out";
+  const auto json = json_of(out / "compare.json");
+  EXPECT_EQ(json["settings"].size(), 4U);
+  EXPECT_TRUE(json["complete"]);
+  const Table runs(out / "compare.csv");
+  // 4 settings, a twin and a reference for each of 2 realisations, and one to check the reference
+  EXPECT_EQ(runs.rows(), 4U * 2 + 2 + 2 + 1);
+  for (const auto& status : runs.text("status")) EXPECT_EQ(status, "done");
+  EXPECT_TRUE(runs.has("contact_fx_p99_N"));
+  EXPECT_TRUE(runs.has("law_map_m_s"));
+  const Table settings(out / "settings.csv");
+  for (std::size_t k = 0; k < settings.rows(); ++k) {
+    EXPECT_EQ(settings.text("label")[k], json["settings"][k]["label"]);
+    EXPECT_GT(settings["compute_s_per_s"][k], 0);
+    EXPECT_TRUE(std::isfinite(settings["load_difference_N"][k]));
+  }
+  for (const char* name : {"front.svg", "front.png", "compare.html"})
+    EXPECT_GT(fs::file_size(out / name), 1000U) << name;
+  expect_page(out, json["text"][0].get<std::string>().substr(0, 20));
+  EXPECT_EQ(read_text(out / "compare.html").find("http"), read_text(out / "compare.html").find("http://www.w3.org"));
+  EXPECT_NE(result.out.find("parallel efficiency"), std::string::npos) << result.out;
+}
+
+TEST(Compare, GivesTheSameTableAgainButForTimings) {
+  const ScratchFolder folder;
+  folder.write("ship.xml", k_ship);
+  for (const char* out : {"a", "b"})
+    ASSERT_EQ(
+        run_nilas(
+            std::string("compare ship.xml --solvers auto,pgs --laws coulomb,pyramid --seeds 2 --quiet --out ") + out,
+            folder.path())
+            .exit_code,
+        0);
+  const Table a(folder.path() / "a/compare.csv"), b(folder.path() / "b/compare.csv");
+  EXPECT_EQ(a.header(), b.header());
+  for (const auto& column : a.header()) {
+    const bool timing =
+        column.rfind("ms_", 0) == 0 || column == "cpu_s" || column == "wall_s" || column == "compute_s_per_s";
+    if (timing) continue;
+    EXPECT_EQ(a.text(column), b.text(column)) << column;
+  }
+}
+
+TEST(Compare, SaysWhatCannotRunTogether) {
+  const ScratchFolder folder;
+  folder.write("ship.xml", k_ship);
+  const auto result = run_nilas(
+      "compare ship.xml --out out --solvers auto,pgs --laws coulomb,ccp --seeds 1 --until 0.05", folder.path());
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("cannot run: pgs + ccp"), std::string::npos) << result.out;
+  EXPECT_EQ(json_of(folder.path() / "out/compare.json")["cannot_run"].size(), 1U);
+}
+
+TEST(Compare, RefusesNamesThatDoNotExist) {
+  const ScratchFolder folder;
+  folder.write("ship.xml", k_ship);
+  const auto refused = [&](const std::string& flags, const std::string& words) {
+    const auto result = run_nilas("compare ship.xml --out out " + flags, folder.path());
+    EXPECT_EQ(result.exit_code, 2) << flags;
+    EXPECT_NE(result.err.find(words), std::string::npos) << result.err;
+    EXPECT_FALSE(fs::exists(folder.path() / "out")) << flags;
+  };
+  refused("--solvers auto,newtn", "newton");
+  refused("--laws colomb", "coulomb");
+  refused("--integrators moro", "moreau");
+  refused("--stabilisations project", "projection");
+  refused("--dt 0.01,-1", "--dt");
+  refused("--solvers auto", "nothing to compare");
+  refused("--reference nowhere --solvers nsgs", "no run folder");
+  EXPECT_EQ(run_nilas("compare nowhere.xml --out out", folder.path()).exit_code, 4);
+  EXPECT_EQ(run_nilas("compare --resume nowhere", folder.path()).exit_code, 2);
+}
+
+TEST(Compare, ShowsTheKnownErrorOfThePyramid) {
+  const ScratchFolder folder;
+  // 2 m/s at 30 degrees to the tangents, mu 0.3
+  const auto result = run_nilas(block("--laws coulomb,pyramid --integrators moreau "
+                                      "--set \"body[@name='block']/@velocity=1.7320508075688772 1 0\""),
+                                folder.path());
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Table runs(folder.path() / "out/compare.csv");
+  std::map<std::string, std::size_t> row;
+  for (std::size_t k = 0; k < runs.rows(); ++k)
+    if (runs.text("kind")[k] == "grid" && runs.text("integrator")[k] == "moreau") row[runs.text("law")[k]] = k;
+  ASSERT_EQ(row.size(), 2U);
+  // two boxes stop each axis by itself: v_x^2 and v_y^2 over 2 mu g in place of the way along the velocity
+  const double way = 2 * 2 / (2 * 0.3 * 9.81);
+  EXPECT_NEAR(runs["motion_x_m"][row["pyramid"]], way * (std::sqrt(0.75) - 0.75), 1e-3 * way);
+  EXPECT_NEAR(runs["motion_y_m"][row["pyramid"]], way * (0.5 - 0.25), 1e-3 * way);
+  EXPECT_LT(runs["motion_largest_m"][row["coulomb"]], 1e-4);
+}
+
+TEST(Compare, ShowsTheKnownGapOfTheConvexCone) {
+  const ScratchFolder folder;
+  // slow enough that gravity brings the block back within a step: mu v < g h
+  const double speed = 0.3;
+  const auto result =
+      run_nilas(block("--laws coulomb,ccp --until 0.3 --set \"body[@name='block']/@velocity=0.3 0 0\""), folder.path());
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Table runs(folder.path() / "out/compare.csv");
+  double gap = 0;
+  for (std::size_t k = 0; k < runs.rows(); ++k)
+    if (runs.text("law")[k] == "ccp") gap = runs["motion_z_m"][k];
+  EXPECT_NEAR(gap, 0.01 * 0.3 * speed, 1e-6);
+}
+
+TEST(Compare, FindsTheOrdersThatVerifyHolds) {
+  const ScratchFolder folder;
+  const auto result = run_nilas(block("--dt 0.02,0.01,0.005,0.0025"), folder.path());
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto json = json_of(folder.path() / "out/compare.json");
+  ASSERT_EQ(json["orders"].size(), 1U);
+  EXPECT_NEAR(json["orders"][0]["order"].get<double>(), 1, 0.05);
+  EXPECT_EQ(json["measure"], "distance");
+}
+
+TEST(Compare, AblationShowsTheMissingGyroscopicTorqueAndNothingElseOfAFreeTop) {
+  const ScratchFolder folder;
+  const auto result = run_nilas(
+      "compare '" + shipped_scene("verify/top.xml").string() + "' --ablate --until 2 --seeds 1 --out out --quiet",
+      folder.path());
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Table settings(folder.path() / "out/settings.csv");
+  auto row = rows_by(settings, "label");
+  ASSERT_TRUE(row.count("no gyroscopic torque"));
+  EXPECT_GT(settings["turn_rad"][row["no gyroscopic torque"]], 0.1);
+  for (const char* other : {"pyramid", "split impulse", "discrete detection", "50 sweeps"})
+    EXPECT_EQ(settings["turn_rad"][row[other]], 0) << other;
+  EXPECT_FALSE(row.count("prismatic joint"));
+  EXPECT_GT(fs::file_size(folder.path() / "out/ablation.svg"), 1000U);
+}
+
+TEST(Compare, OfATowedShipTurnsOnEverySimplification) {
+  const ScratchFolder folder;
+  folder.write("ship.xml", k_ship);
+  const auto result = run_nilas("compare ship.xml --ablate --seeds 2 --until 0.3 --out out --quiet", folder.path());
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Table settings(folder.path() / "out/settings.csv");
+  EXPECT_EQ(settings.rows(), 9U);
+  for (std::size_t k = 0; k < settings.rows(); ++k) EXPECT_EQ(settings["done"][k], 2) << settings.text("label")[k];
+}
+
+TEST(Compare, AFailingSettingStaysInTheTable) {
+  const ScratchFolder folder;
+  folder.write("stack.xml", R"(<scene version="1" name="stack">
+  <time step="0.01" end="0.1"/>
+  <contact law="coulomb" solver="nsgs" tolerance="1e-1" max_iterations="2" on_failure="stop">
+    <friction between="structure structure" static="0.5" kinetic="0.5"/>
+  </contact>
+  <body name="ground" shape="plane" fixed="true"/>
+  <body name="light" shape="box" size="1 1 1" mass="1" position="0 0 0.5"/>
+  <body name="heavy" shape="box" size="1 1 1" mass="1000" position="0 0 1.5" velocity="1 0 0"/>
+</scene>
+)");
+  const auto result =
+      run_nilas("compare stack.xml --out out --solvers nsgs,newton --tolerance 1e-1,1e-12 --seeds 1", folder.path());
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+  const Table runs(folder.path() / "out/compare.csv");
+  bool failed = false;
+  for (std::size_t k = 0; k < runs.rows(); ++k) {
+    if (runs.text("status")[k] != "failed") continue;
+    failed = true;
+    EXPECT_NE(runs.text("cause")[k].find("exit code 3"), std::string::npos) << runs.text("cause")[k];
+  }
+  EXPECT_TRUE(failed);
+  expect_page(folder.path() / "out", "runs failed");
+}
+
+TEST(Compare, GoesOnAfterAKillAndDoesNotRunAgainWhatIsDone) {
+  const ScratchFolder folder;
+  folder.write("ship.xml", k_ship);
+  const std::string grid = "compare ship.xml --solvers auto,nsgs,apgd --dt 0.01,0.005 --seeds 2 --quiet --out out";
+  {
+    Started started(grid, folder.path());
+    const auto results = [&] {
+      std::error_code error;
+      return std::distance(fs::directory_iterator(folder.path() / "out/results", error), fs::directory_iterator{});
+    };
+    while (started.runs() && (!fs::exists(folder.path() / "out/results") || results() < 3))
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    started.stop(SIGKILL);
+  }
+  std::map<std::string, fs::file_time_type> done;
+  for (const auto& entry : fs::directory_iterator(folder.path() / "out/results"))
+    done[entry.path().string()] = entry.last_write_time();
+  ASSERT_FALSE(done.empty());
+  const auto result = run_nilas("compare --resume out --quiet", folder.path());
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  for (const auto& [file, time] : done) EXPECT_EQ(fs::last_write_time(file), time) << file;
+  const Table runs(folder.path() / "out/compare.csv");
+  for (const auto& status : runs.text("status")) EXPECT_EQ(status, "done");
+  EXPECT_TRUE(json_of(folder.path() / "out/compare.json")["complete"]);
+}
+
+TEST(Compare, InterruptedLeavesAPageAndCode130) {
+  const ScratchFolder folder;
+  folder.write("ship.xml", k_ship);
+  Started started("compare ship.xml --until 20 --dt 0.01,0.001 --out out --budget 0 --quiet", folder.path());
+  while (started.runs() && !fs::exists(folder.path() / "out/study.json"))
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  EXPECT_EQ(started.stop(SIGINT), 130);
+  expect_page(folder.path() / "out", "Interrupted");
+}
+
+TEST(Compare, ABudgetOfASecondStillLeavesAPage) {
+  const ScratchFolder folder;
+  folder.write("ship.xml", k_ship);
+  const auto result = run_nilas("compare ship.xml --until 600 --out out --budget 1", folder.path());
+  EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 3) << result.err;
+  EXPECT_NE(result.out.find("left out"), std::string::npos) << result.out;
+  expect_page(folder.path() / "out", "budget");
+}
+
+TEST(Compare, AFullDiskIsAFileError) {
+  const ScratchFolder folder;
+  folder.write("ship.xml", k_ship);
+  ProgramResult result;
+  {
+    const nilas::test::SizeLimit limit(3000);
+    result = run_nilas("compare ship.xml --dt 0.01,0.005 --seeds 1 --out out", folder.path());
+  }
+  EXPECT_EQ(result.exit_code, 4) << result.out << result.err;
+}
+
+TEST(Compare, CanBeJudgedByARunFolder) {
+  const ScratchFolder folder;
+  folder.write("ship.xml", k_ship);
+  ASSERT_EQ(run_nilas("run ship.xml --out truth --quiet", folder.path()).exit_code, 0);
+  const auto result =
+      run_nilas("compare ship.xml --dt 0.01,0.005 --seeds 1 --reference truth --out out --quiet", folder.path());
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Table settings(folder.path() / "out/settings.csv");
+  auto row = rows_by(settings, "label");
+  EXPECT_EQ(settings["load_difference_N"][row["own setting"]], 0);
+  EXPECT_NE(settings["load_difference_N"][row["0.005 s"]], 0);
+}
+
+}  // namespace
