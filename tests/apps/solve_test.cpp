@@ -30,7 +30,7 @@ bool mentions(const std::string& text, const std::string& word) { return text.fi
 TEST(Solve, AParticleSlidesByExactCoulombFriction) {
   const ScratchFolder folder;
   write_fclib(folder.path() / "particle.hdf5", oblique_particle(), nullptr);
-  const auto run = run_nilas("solve particle.hdf5 --json --write out.hdf5", folder.path());
+  const auto run = run_nilas("solve particle.hdf5 --json --repeat 3 --write out.hdf5", folder.path());
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const auto result = nlohmann::json::parse(run.out);
   EXPECT_EQ(result["problem"], "particle");
@@ -38,6 +38,10 @@ TEST(Solve, AParticleSlidesByExactCoulombFriction) {
   EXPECT_EQ(result["ndof"], 3);
   EXPECT_EQ(result["law"], "coulomb");
   EXPECT_EQ(result["status"], "converged");
+  EXPECT_EQ(result["claimed"], "converged");
+  EXPECT_EQ(result["open"], 0);
+  EXPECT_EQ(result["sticking"], 0);
+  EXPECT_EQ(result["sliding"], 1);
   for (const char* name : {"solver", "used", "message", "iterations", "seconds", "asymmetry"})
     EXPECT_TRUE(result.contains(name));
   const auto written = read_fclib(folder.path() / "out.hdf5");
