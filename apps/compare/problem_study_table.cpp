@@ -1,0 +1,203 @@
+#include "apps/compare/problem_study_table.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <sstream>
+
+#include "contact/registry.h"
+#include "core/base/error.h"
+#include "core/output/csv_row.h"
+
+namespace nilas {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A column: how a row tells it, as text and as JSON, and how it is read back.
+struct Column {
+  std::string name;
+  std::function<void(const StudyRow&, CsvRow&)> write;
+  std::function<Json(const StudyRow&)> value;
+  std::function<bool(StudyRow&, const std::string&)> read;
+};
+
+template <class Number>
+bool parse(const std::string& text, Number& value) {
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && stop == text.data() + text.size();
+}
+
+void write_cell(const std::string& x, CsvRow& out) { out.text(x); }
+void write_cell(int x, CsvRow& out) { out.integer(x); }
+void write_cell(double x, CsvRow& out) { std::isnan(x) ? out.text("") : out.shortest(x); }
+
+Json json_of(const std::string& x) { return x; }
+Json json_of(int x) { return x; }
+Json json_of(double x) { return std::isfinite(x) ? Json(x) : Json(); }
+
+bool read_cell(const std::string& text, std::string& x) {
+  x = text;
+  return true;
+}
+bool read_cell(const std::string& text, int& x) { return parse(text, x); }
+bool read_cell(const std::string& text, double& x) {
+  x = k_unknown;
+  return text.empty() || parse(text, x);
+}
+
+/// `get` gives a reference to the row's own value.
+template <class Get>
+Column column(const std::string& name, Get get) {
+  return {name, [get](const StudyRow& row, CsvRow& out) { write_cell(get(row), out); },
+          [get](const StudyRow& row) { return json_of(get(row)); },
+          [get](StudyRow& row, const std::string& text) { return read_cell(text, get(row)); }};
+}
+
+bool read_outcome(StudyRow& row, const std::string& text) {
+  for (int k = 0; k <= static_cast<int>(RunOutcome::unreadable); ++k) {
+    row.outcome = static_cast<RunOutcome>(k);
+    if (text == to_string(row.outcome)) return true;
+  }
+  return false;
+}
+
+std::vector<Column> make_columns() {
+  std::vector<Column> all{column(
+                              "problem", [](auto& r) -> auto& { return r.problem.name; }),
+                          column(
+                              "form", [](auto& r) -> auto& { return r.problem.form; }),
+                          column(
+                              "contacts", [](auto& r) -> auto& { return r.problem.contacts; }),
+                          column(
+                              "velocities", [](auto& r) -> auto& { return r.problem.velocities; }),
+                          column(
+                              "mass_ratio_1", [](auto& r) -> auto& { return r.problem.mass_ratio; }),
+                          column(
+                              "solver", [](auto& r) -> auto& { return r.solver; }),
+                          column(
+                              "law", [](auto& r) -> auto& { return r.law; }),
+                          column(
+                              "tolerance_m_s", [](auto& r) -> auto& { return r.tolerance; }),
+                          {"outcome", [](const StudyRow& r, CsvRow& out) { out.text(to_string(r.outcome)); },
+                           [](const StudyRow& r) { return Json(to_string(r.outcome)); }, read_outcome},
+                          column(
+                              "claimed", [](auto& r) -> auto& { return r.claimed; }),
+                          column(
+                              "iterations", [](auto& r) -> auto& { return r.iterations; }),
+                          column(
+                              "solve_s", [](auto& r) -> auto& { return r.seconds; })};
+  for (const auto& residual : residual_columns())
+    all.push_back(column(
+        residual.name, [member = residual.member](auto& r) -> auto& { return r.residuals.*member; }));
+  all.push_back(column(
+      "open", [](auto& r) -> auto& { return r.open; }));
+  all.push_back(column(
+      "sticking", [](auto& r) -> auto& { return r.sticking; }));
+  all.push_back(column(
+      "sliding", [](auto& r) -> auto& { return r.sliding; }));
+  all.push_back(column(
+      "process_wall_s", [](auto& r) -> auto& { return r.wall; }));
+  all.push_back(column(
+      "process_cpu_s", [](auto& r) -> auto& { return r.cpu; }));
+  all.push_back(column(
+      "exit_code", [](auto& r) -> auto& { return r.exit_code; }));
+  all.push_back(column(
+      "message", [](auto& r) -> auto& { return r.message; }));
+  return all;
+}
+
+const std::vector<Column>& columns() {
+  static const std::vector<Column> all = make_columns();
+  return all;
+}
+
+/// Cells of one line, quotes undone. Messages hold no line breaks, so a line is a row.
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells(1);
+  bool quoted = false;
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    const char c = line[k];
+    if (c == '"' && quoted && k + 1 < line.size() && line[k + 1] == '"')
+      cells.back() += line[++k];
+    else if (c == '"')
+      quoted = !quoted;
+    else if (c == ',' && !quoted)
+      cells.emplace_back();
+    else
+      cells.back() += c;
+  }
+  return cells;
+}
+
+bool read_row(const std::string& line, StudyRow& row) {
+  const std::vector<std::string> cells = cells_of(line);
+  if (cells.size() != columns().size()) return false;
+  for (std::size_t k = 0; k < cells.size(); ++k)
+    if (!columns()[k].read(row, cells[k])) return false;
+  return true;
+}
+
+std::size_t place_of(const std::string& solver) {
+  const auto& all = solver_registry();
+  return static_cast<std::size_t>(
+      std::find_if(all.begin(), all.end(), [&](const SolverEntry& entry) { return entry.name == solver; }) -
+      all.begin());
+}
+
+}  // namespace
+
+std::string study_header() {
+  std::vector<std::string> names;
+  for (const auto& one : columns()) names.push_back(one.name);
+  return csv_header(names);
+}
+
+std::string study_line(const StudyRow& row) {
+  CsvRow out;
+  for (const auto& one : columns()) one.write(row, out);
+  return std::string(out.line());
+}
+
+Json study_json(const StudyRow& row) {
+  Json object = Json::object();
+  for (const auto& one : columns()) object[one.name] = one.value(row);
+  return object;
+}
+
+StoredRows read_study(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw FileError(file.string() + ": cannot be opened");
+  std::ostringstream content;
+  content << in.rdbuf();
+  const std::string text = content.str(), header = study_header();
+  if (text.rfind(header, 0) != 0)
+    throw InputError(file.string() + ":1: found no header of a study of stored problems by this version");
+  StoredRows stored;
+  std::size_t begin = header.size();
+  for (int line = 2; begin < text.size(); ++line) {
+    const std::size_t end = text.find('\n', begin);
+    if (end == std::string::npos) break;
+    StudyRow row;
+    if (!read_row(text.substr(begin, end - begin), row))
+      throw InputError(file.string() + ":" + std::to_string(line) + ": found no row of a study");
+    stored.rows.push_back(row);
+    begin = end + 1;
+  }
+  stored.bytes = static_cast<std::int64_t>(begin);
+  return stored;
+}
+
+void sort_study(std::vector<StudyRow>& rows) {
+  std::stable_sort(rows.begin(), rows.end(), [](const StudyRow& a, const StudyRow& b) {
+    if (a.problem.name != b.problem.name) return a.problem.name < b.problem.name;
+    if (a.law != b.law) return a.law < b.law;
+    const std::size_t first = place_of(a.solver), second = place_of(b.solver);
+    return first != second ? first < second : a.tolerance > b.tolerance;
+  });
+}
+
+}  // namespace nilas
