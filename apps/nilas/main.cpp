@@ -68,6 +68,7 @@ int main(int argc, char** argv) {
   nilas::add_verify(app, action);
   nilas::add_compare(app, action);
   nilas::add_report(app, action);
+  nilas::add_problems(app, action);
   nilas::add_schema(app, action);
   try {
     app.parse(argc, argv);

@@ -1,0 +1,41 @@
+#include "apps/compare/challenge_scenes.h"
+
+#include <algorithm>
+
+#include "core/base/log.h"
+#include "core/scene/read_scene.h"
+#include "core/sim/simulation.h"
+
+namespace nilas {
+
+namespace {
+
+bool all_can_move(const ContactProblem& problem) {
+  const std::vector<Mat3> diagonal = delassus_diagonal(problem);
+  for (int c = 0; c < problem.num_contacts(); ++c)
+    if (!problem.is_moment(c) && !(diagonal[static_cast<std::size_t>(c)].trace() > 0)) return false;
+  return true;
+}
+
+}  // namespace
+
+std::optional<HardestStep> hardest_step(const std::filesystem::path& scene_file, double until) {
+  const Scene scene = read_scene(scene_file);
+  WarningCounts warnings(make_logger("off", ""));
+  Simulation simulation(scene, 1, warnings);
+  std::optional<HardestStep> hardest;
+  const double end = std::min(until, scene.time.end), half_step = 0.5 * scene.time.step;
+  while (simulation.time() < end - half_step) {
+    simulation.step();
+    for (const auto& part : simulation.solved_parts()) {
+      const int contacts = part.problem.num_contacts(), iterations = part.solution.iterations;
+      const bool harder =
+          !hardest || std::pair(iterations, contacts) > std::pair(hardest->iterations, hardest->problem.num_contacts());
+      if (contacts > 0 && harder && all_can_move(part.problem))
+        hardest = HardestStep{part.problem, simulation.time(), iterations};
+    }
+  }
+  return hardest;
+}
+
+}  // namespace nilas

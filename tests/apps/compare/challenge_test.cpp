@@ -1,0 +1,70 @@
+/// `nilas problems --export`: files that can be read, with solutions that hold.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "apps/compare/challenge_catalogue.h"
+#include "contact/fclib_io.h"
+#include "contact/measure.h"
+#include "tests/support/program.h"
+
+namespace {
+
+using namespace nilas;
+using namespace nilas_test;
+
+TEST(Challenges, AreValidAndNamedApart) {
+  std::set<std::string> names;
+  for (const auto& one : challenges()) {
+    validate(one.problem);
+    EXPECT_TRUE(names.insert(one.name).second) << one.name;
+    EXPECT_GT(one.problem.num_contacts(), 0) << one.name;
+  }
+}
+
+/// A box that is dropped on the ground.
+constexpr const char* k_scene = R"(<scene version="1" name="box">
+  <time step="0.01" end="0.2"/>
+  <contact law="pyramid" solver="pgs" tolerance="1e-9"><friction between="structure structure" static="0.3" kinetic="0.3"/></contact>
+  <body name="ground" shape="plane" fixed="true"/>
+  <body name="box" shape="box" size="1 1 1" mass="2" position="0 0 0.51" velocity="1 0 0"/>
+</scene>
+)";
+
+TEST(ProblemExport, WritesProblemsWithCertifiedSolutions) {
+  const ScratchFolder folder;
+  folder.write("scenes/box.xml", k_scene);
+  const auto run = run_nilas("problems --export out --scenes scenes --json --quiet", folder.path());
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto json = nlohmann::json::parse(run.out);
+  const Table table(folder.path() / "out/problems.csv");
+  EXPECT_EQ(json["problems"].size(), challenges().size() + 1);
+  EXPECT_EQ(table.rows(), challenges().size() + 1);
+  for (const auto& one : json["problems"]) {
+    const std::string name = one["name"];
+    const FclibProblem stored = read_fclib(folder.path() / "out" / (name + ".hdf5"));
+    const auto& problem = std::get<ContactProblem>(stored.problem);
+    ASSERT_TRUE(stored.solution) << name;
+    const double map = measure(problem, *stored.solution).law_map_m_s;
+    EXPECT_DOUBLE_EQ(map, one["law_map_m_s"]) << name;
+    EXPECT_TRUE(one["certified"]) << name << " " << map;
+    EXPECT_LE(map, 1e-8) << name;
+  }
+}
+
+TEST(ProblemExport, IsTheSameEachTimeAndHarmsNoFolder) {
+  const ScratchFolder folder;
+  folder.write("scenes/box.xml", k_scene);
+  folder.write("full/mine.txt", "mine");
+  const auto refused = run_nilas("problems --export full --no-scenes", folder.path());
+  EXPECT_EQ(refused.exit_code, 2) << refused.err;
+  EXPECT_EQ(run_nilas("problems --export out --scenes nowhere", folder.path()).exit_code, 4);
+  EXPECT_EQ(run_nilas("problems --export full --force --quiet --scenes scenes --threads 1", folder.path()).exit_code,
+            0);
+  EXPECT_EQ(run_nilas("problems --export again --quiet --scenes scenes --threads 2", folder.path()).exit_code, 0);
+  EXPECT_EQ(read_text(folder.path() / "full/mine.txt"), "mine");
+  EXPECT_EQ(read_text(folder.path() / "full/problems.csv"), read_text(folder.path() / "again/problems.csv"));
+}
+
+}  // namespace
