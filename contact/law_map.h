@@ -20,7 +20,12 @@ inline Vec3 compliant_velocity(double compliance, const Vec3& r, const Vec3& u) 
   return {u[0] + compliance * r[0], u[1], u[2]};
 }
 
-/// `u` below is the compliant velocity, results are in m/s. A contact that cannot move (d = 0) has r_N = force_limit
+/// `u` below is the compliant velocity. An impulse that is off, r - P(r - u/d), as a vector [N s]; zero for a contact
+/// that cannot move.
+Vec3 natural_residual(const ContactScale& scale, const Vec3& r, const Vec3& u);
+Vec3 law_residual(Law law, int facets, const ContactScale& scale, const Vec3& r, const Vec3& u);
+
+/// d times the length of it, in m/s. A contact that cannot move (d = 0) has r_N = force_limit
 /// while it closes and 0 otherwise; being elsewhere counts as |u_N|, and so does closing without a limit.
 double natural_map(const ContactScale& scale, const Vec3& r, const Vec3& u);
 double ccp_map(const ContactScale& scale, const Vec3& r, const Vec3& u);

@@ -97,14 +97,21 @@ static double momentum_residual(const ContactProblem& problem, const VecX& v, Ve
 }
 
 Residuals measure(const ContactProblem& problem, const VecX& r, const VecX& v) {
+  std::vector<double> ignored;
+  return measure(problem, r, v, ignored);
+}
+
+Residuals measure(const ContactProblem& problem, const VecX& r, const VecX& v, std::vector<double>& d) {
   NILAS_DEMAND(r.size() == 3 * problem.num_contacts() && v.size() == problem.num_velocities());
   const MassInverse masses(problem);
   std::vector<double> response(largest_response(problem));
   VecX excess = -problem.f;
   Residuals out;
+  d.assign(static_cast<std::size_t>(problem.num_contacts()), 0);
   for (int c = 0; c < problem.num_contacts(); ++c) {
     const Vec3 r_c = r.segment<3>(3 * static_cast<Eigen::Index>(c));
     const ContactScale scale = contact_scale(problem, c, inverse_mass_scale(problem, masses, c, response.data()));
+    d[static_cast<std::size_t>(c)] = problem.is_moment(c) ? 0 : scale.d;
     const Vec3 u = compliant_velocity(problem.compliance[static_cast<std::size_t>(c)], r_c,
                                       contact_velocity(problem, c, v.data()));
     add_impulse(problem, c, -r_c, excess.data());

@@ -21,6 +21,8 @@ struct Residuals {
 
 /// Residuals of impulses r with the velocities v that go with them.
 Residuals measure(const ContactProblem& problem, const VecX& r, const VecX& v);
+/// The same, and d_a of every contact for what else is to be judged (contact/impulse_residual.h); 0 of a moment.
+Residuals measure(const ContactProblem& problem, const VecX& r, const VecX& v, std::vector<double>& d);
 /// The same with v = M^-1 (f + H r).
 Residuals measure(const ContactProblem& problem, const VecX& r);
 

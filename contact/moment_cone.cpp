@@ -44,20 +44,39 @@ ForceAndMoment project_moment_cone(const ForceAndMoment& x, double mu, double ca
   return {{n, t * x.force[1], t * x.force[2]}, {s * x.moment[0], m * x.moment[1], m * x.moment[2]}};
 }
 
-static double cone_map(const ContactScale& scale, const ForceAndMoment& r, const ForceAndMoment& u, double shift) {
+static ForceAndMoment cone_residual(const ContactScale& scale, const ForceAndMoment& r, const ForceAndMoment& u,
+                                    double shift) {
   const Vec3 u_hat(u.force[0] + shift, u.force[1], u.force[2]);
   const ForceAndMoment nearest =
       project_moment_cone({r.force - u_hat / scale.d, r.moment - u.moment / scale.d}, scale.mu, scale.force_limit);
-  return scale.d * std::sqrt((r.force - nearest.force).squaredNorm() + (r.moment - nearest.moment).squaredNorm());
+  return {r.force - nearest.force, r.moment - nearest.moment};
+}
+
+static double length(const ForceAndMoment& x) { return std::sqrt(x.force.squaredNorm() + x.moment.squaredNorm()); }
+
+/// u_hat - u of exact Coulomb in force and moment.
+static double coulomb_shift(const ContactScale& scale, const ForceAndMoment& u) {
+  return scale.mu * tangential_norm(u.force) + std::abs(u.moment[0]) + rolling_norm(u.moment);
 }
 
 double natural_map(const ContactScale& scale, const ForceAndMoment& r, const ForceAndMoment& u) {
   if (scale.d == 0) return natural_map(scale, r.force, u.force);
-  return cone_map(scale, r, u, scale.mu * tangential_norm(u.force) + std::abs(u.moment[0]) + rolling_norm(u.moment));
+  return scale.d * length(cone_residual(scale, r, u, coulomb_shift(scale, u)));
 }
 
 double ccp_map(const ContactScale& scale, const ForceAndMoment& r, const ForceAndMoment& u) {
-  return scale.d == 0 ? ccp_map(scale, r.force, u.force) : cone_map(scale, r, u, 0);
+  return scale.d == 0 ? ccp_map(scale, r.force, u.force) : scale.d * length(cone_residual(scale, r, u, 0));
+}
+
+Vec3 natural_residual(const ContactScale& scale, const ForceAndMoment& r, const ForceAndMoment& u) {
+  return scale.d == 0 ? Vec3::Zero() : cone_residual(scale, r, u, coulomb_shift(scale, u)).force;
+}
+
+/// The laws that take moments: the box's force rows stand by themselves.
+Vec3 law_residual(Law law, const ContactScale& scale, const ForceAndMoment& r, const ForceAndMoment& u) {
+  if (law == Law::coulomb) return natural_residual(scale, r, u);
+  if (law == Law::ccp) return scale.d == 0 ? Vec3::Zero() : cone_residual(scale, r, u, 0).force;
+  return law_residual(law, 0, scale, r.force, u.force);
 }
 
 double law_map(Law law, const ContactScale& scale, const ForceAndMoment& r, const ForceAndMoment& u) {

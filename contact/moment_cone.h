@@ -20,6 +20,10 @@ struct ForceAndMoment {
 /// Nearest point of K.
 ForceAndMoment project_moment_cone(const ForceAndMoment& x, double mu, double cap);
 
+/// The force of law_map.h's residual vectors for a contact with moments, as below [N s].
+Vec3 natural_residual(const ContactScale& scale, const ForceAndMoment& r, const ForceAndMoment& u);
+Vec3 law_residual(Law law, const ContactScale& scale, const ForceAndMoment& r, const ForceAndMoment& u);
+
 /// The residuals of law_map.h for a contact with moments; `u` compliant, `scale` of its force rows. Laws: coulomb, and
 /// pyramid with each of T1, T2, S, R1, R2 clamped on its own.
 double natural_map(const ContactScale& scale, const ForceAndMoment& r, const ForceAndMoment& u);

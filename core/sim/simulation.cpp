@@ -67,7 +67,7 @@ ContactSolution Simulation::World::solve(AssembledContacts& contacts, const std:
   ContactSolution solution = model.solve(problem, guess);
   warm.keep(problem.key, solution.r);
   broken_contacts.forget();
-  note_residuals(measure(problem, solution.r, solution.v), record);
+  note_residuals(measure(problem, solution.r, solution.v, contact_d), record);
   note_solution(solution, record);
   return solution;
 }
@@ -77,6 +77,7 @@ void Simulation::World::keep_solved(ContactProblem& problem, ContactSolution& so
   kept.problem = std::move(problem);
   kept.solution = std::move(solution);
   kept.points = motion.points;
+  kept.d = std::move(contact_d);
   const auto touching = [&](int body) -> TouchingBody {
     const auto b = static_cast<std::size_t>(body);
     return {parts.bodies.id[b], parts.bodies.motion[b] == Motion::fixed ? 0 : 1 / parts.bodies.mass[b]};
@@ -182,7 +183,7 @@ void Simulation::World::part_of_step(bool may_cut, StepRecord& record, MomentumB
   energy.velocity_step(parts.bodies, motion, loads, vessel);
   energy.position_step(kinetic_energy(parts.bodies), potential(), pseudo, motion, loads);
   balance += momentum_balance(parts.bodies, motion, loads, vessel);
-  if (parts.vessel) note_vessel(motion, record);
+  if (parts.vessel) note_vessel(motion, contacts.C, record);
   if (crushing) crushing->note_crushed(parts.bodies, motion);
   if (breaking) breaking->note_loads(parts.bodies, *parts.ice_properties, motion);
   ++record.parts;

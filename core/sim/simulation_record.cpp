@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/hash.h"
 #include "core/base/order_free_sum.h"
+#include "core/sim/load_residual.h"
 #include "core/sim/simulation_world.h"
 
 namespace nilas {
@@ -48,10 +49,13 @@ VesselAccount Simulation::World::vessel_account() const {
   return account;
 }
 
-VesselRecord Simulation::World::vessel_record(const StepMotion& motion) const {
+VesselRecord Simulation::World::vessel_record(const StepMotion& motion, const std::vector<Mat3>& C) const {
   VesselRecord record;
   const Wrench impulse = contact_impulse_on(motion, parts.vessel_index);
   record.contact = {impulse.force / h, impulse.torque / h};
+  const LoadResidual off = load_residual(solved.back(), C, motion, parts.vessel_index);
+  record.solver_residual = {off.solver.force / h, off.solver.torque / h};
+  record.law_residual = {off.law.force / h, off.law.torque / h};
   const auto vessel = static_cast<std::size_t>(parts.vessel_index);
   OrderFreeVectorSum on_port, on_starboard;
   for (std::size_t i = 0; i < motion.points.size(); ++i) {
@@ -78,8 +82,8 @@ static void add_share(const Wrench& part, double share, Wrench& sum) {
 }
 
 /// Loads are means over the step: each part adds its share.
-void Simulation::World::note_vessel(const StepMotion& motion, StepRecord& record) const {
-  VesselRecord part = vessel_record(motion);
+void Simulation::World::note_vessel(const StepMotion& motion, const std::vector<Mat3>& C, StepRecord& record) const {
+  VesselRecord part = vessel_record(motion, C);
   if (h == whole_step) {
     record.vessel = std::move(part);
     return;
@@ -88,6 +92,8 @@ void Simulation::World::note_vessel(const StepMotion& motion, StepRecord& record
   if (!record.vessel) record.vessel.emplace();
   VesselRecord& sum = *record.vessel;
   add_share(part.contact, share, sum.contact);
+  add_share(part.solver_residual, share, sum.solver_residual);
+  add_share(part.law_residual, share, sum.law_residual);
   sum.contact_port += share * part.contact_port;
   sum.contact_starboard += share * part.contact_starboard;
   if (part.carriage) {

@@ -68,7 +68,7 @@ struct Simulation::World {
   void copy_vessel_state();
   VesselAccount vessel_account() const;
   StepLoads step_loads() const;
-  VesselRecord vessel_record(const StepMotion& motion) const;
+  VesselRecord vessel_record(const StepMotion& motion, const std::vector<Mat3>& C) const;
   StepRecord reference_step();
   void keep_solved(ContactProblem& problem, ContactSolution& solution, const StepMotion& motion);
   const SolvedProblem& last() const;
@@ -77,7 +77,7 @@ struct Simulation::World {
   std::vector<FloeBreak> take_breaks();
   void break_ice(StepRecord& record);
   void follow_bodies(const std::vector<NewPiece>& new_pieces);
-  void note_vessel(const StepMotion& motion, StepRecord& record) const;
+  void note_vessel(const StepMotion& motion, const std::vector<Mat3>& C, StepRecord& record) const;
   void note_end(const MomentumBalance& balance, StepRecord& record) const;
   void stop_on_failure(const StepRecord& record) const;
   std::uint64_t state_hash() const;
@@ -102,6 +102,7 @@ struct Simulation::World {
   ContactDetector detector;
   ContactModel model;
   WarmStart warm;
+  std::vector<double> contact_d;   ///< per contact of the last solution, as from `measure` [1/kg]
   BrokenContacts broken_contacts;  ///< of the step before, until the next impulses
   Wrenches weight, free_loads;
   std::vector<Wrenches> module_loads;

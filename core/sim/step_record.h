@@ -32,6 +32,9 @@ struct VesselRecord {
   Vec3 contact_port = Vec3::Zero(), contact_starboard = Vec3::Zero();  ///< its force by side of the hull [N]
   std::optional<CarriageLoads> carriage;
   bool has_cells = false;
+  /// What its contacts' residuals amount to (docs/theory_load_error.md): of the law that was asked, the sum of their
+  /// absolute values; of exact Coulomb beyond that law, the signed sum.
+  Wrench solver_residual, law_residual;
   std::optional<Wrench> hydro;
   VesselState state;  ///< at the step's end
 };
@@ -103,6 +106,7 @@ struct SolvedProblem {
   ContactSolution solution;
   std::vector<ContactPoint> points;                   ///< where the contacts were found
   std::vector<std::array<TouchingBody, 2>> touching;  ///< per point, a and b
+  std::vector<double> d;                              ///< per contact, as from `measure` [1/kg]
   std::vector<Vec3> impulses;                         ///< per point, on body b, in G [N s]
   std::vector<Vec3> couples;         ///< per point, on body b, in G [N m s]; empty without rolling friction
   Vec3 vessel_p = Vec3::Zero();      ///< its centre of mass where the contacts were found, in G [m]

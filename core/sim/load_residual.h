@@ -1,0 +1,19 @@
+#pragma once
+/// What the residuals of a step's contacts amount to, as loads on the vessel. Theory: docs/theory_load_error.md.
+#include "contact/impulse_residual.h"
+#include "core/sim/step_motion.h"
+#include "core/sim/step_record.h"
+
+namespace nilas {
+
+/// Impulses on the vessel in G, torques about its centre of mass where the contacts were found [N s, N m s].
+struct LoadResidual {
+  Wrench solver;  ///< of the law that was asked: sum of the absolute values, component by component
+  Wrench law;     ///< of exact Coulomb less those of the law that was asked: signed sum; 0 for coulomb
+};
+
+/// `C`: as in AssembledContacts.
+LoadResidual load_residual(const SolvedProblem& solved, const std::vector<Mat3>& C, const StepMotion& motion,
+                           int vessel);
+
+}  // namespace nilas
