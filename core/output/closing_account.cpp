@@ -45,10 +45,31 @@ std::string shortfall_lines(const Shortfalls& shortfalls, long steps) {
   return text;
 }
 
+std::string load_lines(const LoadError& error) {
+  const ChannelError& load = error.channels[error.headline];
+  const bool towed = load.channel.starts_with("carriage");
+  const char axis = load.channel[load.channel.find("_f") + 2];
+  const std::string chaos = load.chaos ? fmt::format("chaos {:.2g} N; step", *load.chaos) : "N; chaos, step";
+  return fmt::format("{:<22}{:.4g} N +- {:.2g} N{}\n", fmt::format("{} {}", towed ? "tow force" : "ice load", axis),
+                     load.mean, load.total, error.from_twins ? ", mean over twins" : "") +
+         fmt::format("{:<22}solver {:.2g}, law {:.2g}{} {} unknown\n", "  of that", load.solver, load.law,
+                     load.chaos ? "," : "", chaos);
+}
+
+std::string twin_lines(const TwinStatistics& twins) {
+  std::string text =
+      fmt::format("{:<22}{}, {}", "twins", twins.count,
+                  twins.horizon ? fmt::format("predictable until {:g} s", *twins.horizon) : "predictable to the end");
+  if (twins.e_folding) text += fmt::format(", apart e-fold in {:.2g} s", *twins.e_folding);
+  text += "\n";
+  for (const FailedTwin& f : twins.failed) text += fmt::format("{:<22}{} failed at {:g} s\n", "twin", f.twin, f.time);
+  return text;
+}
+
 }  // namespace
 
 std::string closing_account(const RunStatistics& statistics, double wall_s, const std::filesystem::path& outputs,
-                            const std::optional<BrokenIce>& ice) {
+                            const std::optional<BrokenIce>& ice, const TwinStatistics* twins) {
   const double simulated = statistics.end_time() - statistics.start_time();
   std::string text = fmt::format("{:<22}{:g} s in {} steps\n", "simulated", simulated, statistics.steps());
   text += fmt::format("{:<22}{}, {:.3g} x real time\n", "wall-clock", duration_text(wall_s),
@@ -59,6 +80,8 @@ std::string closing_account(const RunStatistics& statistics, double wall_s, cons
   const Worst& imbalance = statistics.worst("imbalance_J");
   text += fmt::format("{:<22}{:.3g} J at {:g} s, {:.2g} of the energy put in\n", "worst energy error", imbalance.value,
                       imbalance.time, statistics.relative_imbalance());
+  if (const auto error = statistics.load_error(twins)) text += load_lines(*error);
+  if (twins != nullptr) text += twin_lines(*twins);
   if (ice)
     text += fmt::format("{:<22}{} at the start, {} at the end\n{:<22}{:.3g} kg crushed, {:.3g} kg brash\n", "floes",
                         ice->floes, ice->floes_end, "ice lost", ice->crushed_mass, ice->brash_mass);

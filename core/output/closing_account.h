@@ -14,10 +14,10 @@ struct BrokenIce {
   double crushed_mass = 0, brash_mass = 0, extruded_mass = 0;  ///< [kg]
 };
 
-/// Wall-clock time, where it went per phase, the worst solver residual, penetration and energy imbalance, the path of
-/// the outputs; of ice that can break what became of it. Lines of at most 80 columns, the path's excepted. `wall_s`: of
-/// the whole run.
+/// Wall-clock time, where it went per phase, the worst solver residual, penetration and energy imbalance, the tow
+/// force and what it is worth, the path of the outputs; of ice that can break what became of it, of twins when they
+/// part. Lines of at most 80 columns, the path's excepted. `wall_s`: of the whole run.
 std::string closing_account(const RunStatistics& statistics, double wall_s, const std::filesystem::path& outputs,
-                            const std::optional<BrokenIce>& ice = {});
+                            const std::optional<BrokenIce>& ice = {}, const TwinStatistics* twins = nullptr);
 
 }  // namespace nilas

@@ -50,6 +50,7 @@ void RunStatistics::add(const StepRecord& record, const std::vector<double>& ves
   shortfalls_.uncorrected_steps += !record.positions_corrected;
   shortfalls_.detection_fallbacks += record.detection_fallbacks;
   for (std::size_t c = 0; c < load_series_.size(); ++c) load_series_[c].push_back(vessel_values[c]);
+  if (!load_series_.empty()) load_residuals_.add(record.vessel.value());
 }
 
 void RunStatistics::note(std::size_t column, double value, double t) {
@@ -69,6 +70,7 @@ void RunStatistics::save(StateWriter out) const {
   out.add("worst", worst);
   out.add("worst_time", times);
   for (std::size_t c = 0; c < load_series_.size(); ++c) out.group("loads").add(load_names_[c], load_series_[c]);
+  if (!load_series_.empty()) load_residuals_.save(out.group("load_residuals"));
   out.add("works", works_);
   out.add("energy_put_in", energy_put_in_);
   out.add("t_start", t_start_);
@@ -91,6 +93,7 @@ void RunStatistics::restore(const StateReader& in) {
   in.get("steps", steps_);
   for (std::size_t c = 0; c < load_series_.size(); ++c)
     in.group("loads").get(load_names_[c], load_series_[c], static_cast<std::size_t>(steps_));
+  if (!load_series_.empty()) load_residuals_.restore(in.group("load_residuals"));
   in.get("works", works_, works_.size());
   in.get("energy_put_in", energy_put_in_);
   in.get("t_start", t_start_);
@@ -108,6 +111,10 @@ const Worst& RunStatistics::worst(const std::string& name) const {
 }
 
 double RunStatistics::relative_imbalance() const { return ratio(std::abs(worst("imbalance_J").value), energy_put_in_); }
+
+std::optional<LoadError> RunStatistics::load_error(const TwinStatistics* twins) const {
+  return nilas::load_error({load_names_, load_series_, t_start_, t_end_}, load_residuals_, twins);
+}
 
 double RunStatistics::mean_ms(Phase phase) const {
   return steps_ > 0 ? total_ms_[static_cast<std::size_t>(phase)] / static_cast<double>(steps_) : 0;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/state.h"
+#include "core/output/load_error.h"
 #include "core/output/vessel_channels.h"
 #include "core/sim/step_record.h"
 
@@ -51,6 +52,8 @@ class RunStatistics {
 
   const std::vector<std::string>& load_names() const { return load_names_; }
   const std::vector<double>& load_series(std::size_t channel) const { return load_series_[channel]; }
+  /// Nothing without a vessel. `twins`: of the run, or none.
+  std::optional<LoadError> load_error(const TwinStatistics* twins) const;
 
   void save(StateWriter out) const;
   /// Throws InputError when the state is one of a run with other columns.
@@ -62,6 +65,7 @@ class RunStatistics {
   std::vector<Worst> worst_;
   std::vector<std::string> load_names_;
   std::vector<std::vector<double>> load_series_;
+  LoadResidualSums load_residuals_;
   std::vector<double> works_;  ///< of the step before [J]
   double energy_put_in_ = 0;
   double t_start_ = 0, t_end_ = 0;

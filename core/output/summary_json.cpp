@@ -1,5 +1,6 @@
 #include "core/output/summary_json.h"
 
+#include "core/output/load_error_json.h"
 #include "core/output/load_statistics.h"
 #include "core/output/output_file.h"
 
@@ -69,6 +70,9 @@ Json summary_json(const RunInfo& info, const RunStatistics& statistics, const Su
   summary["worst"] = worst_json(statistics);
   summary["shortfalls"] = shortfalls_json(statistics.shortfalls());
   summary["loads"] = loads_json(statistics);
+  const TwinStatistics* const twins = input.twins ? &*input.twins : nullptr;
+  if (const auto error = statistics.load_error(twins)) summary["load_error"] = load_error_json(*error, twins);
+  if (twins != nullptr) summary["twins"] = twins_json(*twins);
   summary["modules"] = modules_json(info, statistics);
   summary["not_built"] = info.not_built;
   summary["versions"] = input.versions;

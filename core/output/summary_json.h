@@ -24,6 +24,7 @@ struct SummaryInput {
   double crushed_mass = 0;   ///< of ice that the hull and bodies took the place of [kg]
   double brash_mass = 0;     ///< of ice that broke too small to follow [kg]
   double extruded_mass = 0;  ///< of crushed ice that was cut out of its floes [kg]
+  std::optional<TwinStatistics> twins;
 };
 
 nlohmann::ordered_json summary_json(const RunInfo& info, const RunStatistics& statistics, const SummaryInput& input);

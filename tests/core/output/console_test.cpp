@@ -115,12 +115,24 @@ TEST(ClosingAccount, ShowsWhereTheTimeWentAndTheWorstValues) {
             "worst law residual    1e-07 m/s at 0.01 s\n"
             "worst penetration     0.002 m at 0.01 s\n"
             "worst energy error    1e-12 J at 0.01 s, 6.7e-14 of the energy put in\n"
+            "tow force x           1 N +- 0 N\n"
+            "  of that             solver 0, law 0 N; chaos, step unknown\n"
             "outputs               runs/sample\n");
   for (const auto& line : split(text)) EXPECT_LE(line.size(), 80u);
   const std::string broken = closing_account(statistics, 0.056, "runs/sample", BrokenIce{515, 594, 1234567, 0.0123, 0});
   EXPECT_NE(broken.find("floes                 515 at the start, 594 at the end\n"
                         "ice lost              1.23e+06 kg crushed, 0.0123 kg brash\n"),
             std::string::npos);
+  TwinStatistics twins;
+  twins.count = 2;
+  twins.horizon = 4.25;
+  twins.e_folding = 0.314;
+  twins.failed = {{2, 7.5, "left finite numbers"}};
+  const std::string with_twins = closing_account(statistics, 0.056, "runs/sample", {}, &twins);
+  EXPECT_NE(with_twins.find("twins                 2, predictable until 4.25 s, apart e-fold in 0.31 s\n"
+                            "twin                  2 failed at 7.5 s\n"),
+            std::string::npos)
+      << with_twins;
 }
 
 }  // namespace

@@ -28,7 +28,8 @@ TEST(EventsCsv, HasARowPerBrokenFloe) {
   csv.finish();
   const auto rows = test::lines(folder / "events.csv");
   ASSERT_EQ(rows.size(), 3u);
-  EXPECT_EQ(rows[0], "time_s,kind,floe_id,x_m,y_m,z_m,energy_J,length_m,pieces,radius_m,load_ratio,brash_kg,extruded_kg");
+  EXPECT_EQ(rows[0],
+            "time_s,kind,floe_id,x_m,y_m,z_m,energy_J,length_m,pieces,radius_m,load_ratio,brash_kg,extruded_kg");
   EXPECT_EQ(rows[1], "1.25,bending,7,1,-2,0.5,0.125,3,9;10;11,0.5,1.5,0.25,0.75");
   EXPECT_EQ(rows[2], rows[1]);
 }

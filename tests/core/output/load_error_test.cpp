@@ -1,0 +1,103 @@
+#include "core/output/load_error.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/output/load_error_json.h"
+#include "tests/core/output/sample_run.h"
+
+namespace nilas {
+namespace {
+
+const std::vector<std::string> k_names{"contact_fx_N",   "contact_fy_N",  "contact_fz_N",  "contact_mx_Nm",
+                                       "contact_my_Nm",  "contact_mz_Nm", "carriage_fx_N", "carriage_fy_N",
+                                       "carriage_mx_Nm", "hydro_fx_N"};
+
+/// Every channel with the values given, over one second.
+struct Series {
+  std::vector<std::vector<double>> values = std::vector<std::vector<double>>(k_names.size());
+  LoadRecord record() const { return {k_names, values, 0, 1}; }
+};
+
+Series all_channels(const std::vector<double>& values) {
+  Series series;
+  for (auto& channel : series.values) channel = values;
+  return series;
+}
+
+LoadResidualSums residuals_of(int steps, double solver, double law) {
+  LoadResidualSums sums;
+  VesselRecord vessel;
+  vessel.solver_residual.force.x() = solver;
+  vessel.law_residual.force.x() = law;
+  for (int k = 0; k < steps; ++k) sums.add(vessel);
+  return sums;
+}
+
+TEST(LoadError, TakesTheLargestHorizontalForceOfTheCarriage) {
+  Series series = all_channels({99, 99});
+  series.values[6] = {1, 1};
+  series.values[7] = {-2, -2};
+  const auto error = load_error(series.record(), residuals_of(2, 0.5, 0), nullptr);
+  ASSERT_TRUE(error.has_value());
+  EXPECT_EQ(error->channels.size(), 8u) << "moments about the joint and water loads are not mapped";
+  const ChannelError& headline = error->channels[error->headline];
+  EXPECT_EQ(headline.channel, "carriage_fy_N");
+  EXPECT_EQ(headline.mean, -2);
+  EXPECT_FALSE(headline.chaos.has_value()) << "two steps";
+  EXPECT_EQ(headline.total, 0);
+  EXPECT_EQ(error->channels[6].total, 0.5);
+}
+
+TEST(LoadError, AddsPartsThatHoldStillAndChaosAsIndependent) {
+  const Series series = all_channels(std::vector<double>(100, 7));
+  TwinStatistics twins;
+  twins.mean_loads.assign(k_names.size(), {7, 9});
+  twins.horizon = 0.4;
+  const LoadResidualSums residuals = residuals_of(100, 1, -2);
+  EXPECT_DOUBLE_EQ(residuals.solver(0, 100), 1);
+  EXPECT_DOUBLE_EQ(residuals.law(0, 100), 2 + 2 * 2 / 10.0);
+  const auto error = load_error(series.record(), residuals, &twins);
+  EXPECT_TRUE(error->from_twins);
+  EXPECT_EQ(error->channels[0].mean, 8);
+  const double chaos = 12.7062 * std::sqrt(3.0);  // one more draw of two
+  EXPECT_NEAR(*error->channels[0].chaos, chaos, 1e-3);
+  EXPECT_NEAR(error->channels[0].total, std::hypot(chaos, 3.4), 1e-3);
+  EXPECT_EQ(*load_error(series.record(), residuals, nullptr)->channels[0].chaos, 0) << "a constant load";
+}
+
+TEST(LoadError, TwinsThatPartTooLateDoNotStandForChaos) {
+  std::vector<double> values;
+  for (int k = 0; k < 640; ++k) values.push_back(k / 10 % 2 == 0 ? 1 : -1);  // 64 batches, up and down
+  Series series = all_channels(values);
+  for (std::size_t c = 6; c < series.values.size(); ++c) series.values[c].assign(640, 3);
+  TwinStatistics twins;
+  twins.mean_loads.assign(k_names.size(), {0, 0, 0});
+  const auto chaos = [&](std::optional<double> horizon) {
+    twins.horizon = horizon;
+    const auto error = load_error(series.record(), {}, &twins);
+    EXPECT_EQ(error->chaos_from_twins, horizon == 0.3);
+    EXPECT_EQ(*error->channels[6].chaos, *error->channels[0].chaos) << "of the carriage that of the contact load";
+    return *error->channels[0].chaos;
+  };
+  EXPECT_EQ(chaos(0.3), 0);
+  EXPECT_EQ(chaos(0.8), chaos(std::nullopt));
+  EXPECT_EQ(chaos(0.8), *load_error(series.record(), {}, nullptr)->channels[0].chaos);
+}
+
+TEST(LoadError, IsWrittenWithItsMethods) {
+  const Series series = all_channels(std::vector<double>(100, 7));
+  const auto json = load_error_json(*load_error(series.record(), residuals_of(100, 1, 0), nullptr), nullptr);
+  EXPECT_EQ(json["channel"], "carriage_fx_N");
+  EXPECT_TRUE(json["step_N"].is_null());
+  EXPECT_EQ(json["known"].size(), 3u);
+  EXPECT_EQ(json["runs"], 1);
+  EXPECT_EQ(json["channels"]["contact_fx_N"]["solver"], 1);
+  for (const char* part : {"solver", "law", "chaos", "step"}) EXPECT_TRUE(json["methods"].contains(part)) << part;
+}
+
+TEST(LoadError, NothingWithoutAVessel) { EXPECT_FALSE(load_error({{}, {}}, {}, nullptr).has_value()); }
+
+}  // namespace
+}  // namespace nilas
