@@ -12,6 +12,7 @@
 #include "apps/nilas/program_identity.h"
 #include "apps/nilas/resume.h"
 #include "apps/nilas/scene_flags.h"
+#include "apps/nilas/twin_runs.h"
 #include "core/base/error.h"
 #include "core/output/claim_folder.h"
 #include "core/output/closing_account.h"
@@ -30,7 +31,7 @@ void request_stop(int) { stop_requested = 1; }
 struct RunOptions {
   SceneFlags scene;
   std::string out, resume, log_level = "info";
-  int threads = 1;
+  int threads = 1, twins = 0;
   bool force = false, json = false, quiet = false;
 };
 
@@ -87,6 +88,7 @@ class Run {
       go_on(simulation, console);
     else
       begin(simulation);
+    if (options_.twins > 0) twins_.emplace(scene_, simulation, options_.twins, options_.threads);
     const Ending ending = advance(simulation, console);
     const double wall = wall_seconds();
     if (!ending.message.empty()) logger_->error("{}", ending.message);
@@ -95,12 +97,14 @@ class Run {
     input.brash_mass = simulation.brash_mass();
     input.crushed_mass = simulation.crushed_mass();
     input.extruded_mass = simulation.extruded_mass();
+    if (twins_) input.twins = twins_->statistics();
+    const auto twins = input.twins;
     std::optional<BrokenIce> ice;
     if (scene_.fracture && simulation.info().floes > 0)
       ice = {simulation.info().floes, floes_of(simulation.bodies()), input.crushed_mass, input.brash_mass,
              input.extruded_mass};
     const auto summary = folder_.finish(std::move(input), simulation.bodies());
-    console.close(closing_account(folder_.statistics(), wall, folder_.path(), ice));
+    console.close(closing_account(folder_.statistics(), wall, folder_.path(), ice, twins ? &*twins : nullptr));
     if (options_.json) std::cout << summary.dump(2) << "\n";
     return ending.exit_code;
   }
@@ -166,7 +170,7 @@ class Run {
     std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is then an error of the write, with a message
     try {
       for (long k = done; k < steps && !stop_requested; ++k) {
-        const StepRecord record = simulation.step();
+        const StepRecord record = twins_ ? twins_->step(simulation) : simulation.step();
         folder_.store(record, simulation.last_problem());
         folder_.record(record, simulation.solved_parts(), simulation.bodies());
         console.progress(simulation.time(), k + 1 - done);
@@ -209,6 +213,7 @@ class Run {
   bool goes_on_ = false;                    ///< the folder holds the run's beginning
   std::optional<State> checkpoint_;         ///< to go on from
   std::optional<CheckpointOrigin> origin_;  ///< of the checkpoints, once there are any
+  std::optional<TwinRuns> twins_;           ///< where they are asked for
   long steps_saved_ = -1;                   ///< in the newest checkpoint
   double started_ = steady_seconds(), wall_before_ = 0;
   std::shared_ptr<spdlog::logger> logger_;
@@ -217,7 +222,7 @@ class Run {
 
 /// Throws InputError for flags that would change what a run has done already.
 void demand_resumable(const CLI::App& command) {
-  for (const char* flag : {"scene", "--dt", "--solver", "--law", "--seed", "--set", "--out", "--force"})
+  for (const char* flag : {"scene", "--dt", "--solver", "--law", "--seed", "--set", "--twins", "--out", "--force"})
     if (command.get_option(flag)->count() > 0)
       throw InputError(std::string("--resume: a run goes on as it began, in its own folder; remove ") + flag +
                        " (allowed: --until, --checkpoint-every, --threads, --json, --quiet, --log-level)");
@@ -249,6 +254,12 @@ void add_run(CLI::App& app, Action& action) {
   command->add_option("--out", options->out, "run folder (default: the scene's, else runs/<scene>-<time>)");
   command->add_option("--threads", options->threads, "threads; the results do not depend on it")
       ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  command
+      ->add_option("--twins", options->twins,
+                   "runs of the same scene started 1e-12 m aside, in step with it: mean, standard error and horizon "
+                   "of predictability in summary.json")
+      ->check(CLI::Range(0, 1000))
       ->capture_default_str();
   command->add_flag("--force", options->force, "write into a folder that is not empty");
   command->add_flag("--json", options->json, "summary as JSON on stdout and nothing else there");

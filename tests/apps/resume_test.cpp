@@ -288,7 +288,7 @@ TEST_F(Resume, ADoneRunSaysSo) {
 TEST_F(Resume, FlagsThatWouldChangeThePastAreRefused) {
   ASSERT_EQ(nilas("run ice.xml --quiet --until 0.1 --checkpoint-every 0.05 --out run").exit_code, 0);
   for (const std::string flag : {"ice.xml", "--dt 0.02", "--solver pgs", "--law ccp", "--seed 3", "--force",
-                                 "--set contact/@tolerance=1", "--out other"}) {
+                                 "--set contact/@tolerance=1", "--twins 2", "--out other"}) {
     const auto result = nilas("run --resume run " + flag);
     EXPECT_EQ(result.exit_code, 2) << flag;
     const std::string name = flag == "ice.xml" ? "scene" : flag.substr(0, flag.find(' '));

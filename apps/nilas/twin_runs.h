@@ -1,0 +1,36 @@
+#pragma once
+/// A scene's twins, run in step with it.
+#include <memory>
+#include <vector>
+
+#include "core/output/twin_statistics.h"
+#include "core/output/vessel_channels.h"
+#include "core/sim/simulation.h"
+
+namespace nilas {
+
+class TwinRuns {
+ public:
+  /// `count` twins of a scene that `itself` was built of, numbered on from its own. Throws as Simulation does.
+  TwinRuns(const Scene& scene, const Simulation& itself, int count, int threads);
+  ~TwinRuns();
+
+  /// A step of the scene and of each twin, side by side on so many threads. Throws what `itself` throws; a twin whose
+  /// numerics fail goes no further.
+  StepRecord step(Simulation& itself);
+
+  TwinStatistics statistics() const;
+
+ private:
+  struct Twin;
+  void note_loads(const StepRecord& record, std::vector<double>& sums) const;
+
+  VesselChannels channels_;
+  int threads_;
+  long steps_ = 0;
+  std::vector<double> loads_;  ///< sums of the scene's own
+  std::vector<std::unique_ptr<Twin>> twins_;
+  TwinHorizon horizon_;
+};
+
+}  // namespace nilas
