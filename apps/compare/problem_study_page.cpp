@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "apps/compare/problem_study_run.h"
+#include "core/output/html.h"
 #include "core/output/output_file.h"
 
 namespace nilas {
@@ -24,28 +25,13 @@ constexpr const char* k_style =
     "summary{cursor:pointer;margin:.5em 0}svg{max-width:100%;height:auto}.lead{font-size:16px}"
     ".note{background:#f4f0e0;padding:.5em 1em}";
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '&')
-      out += "&amp;";
-    else
-      out += c;
-  }
-  return out;
-}
-
 std::string cell(const std::string& text, const char* kind = "") {
-  return fmt::format("<td{}>{}</td>", *kind != '\0' ? fmt::format(" class='{}'", kind) : "", escaped(text));
+  return fmt::format("<td{}>{}</td>", *kind != '\0' ? fmt::format(" class='{}'", kind) : "", html_text(text));
 }
 
 std::string heading(const std::vector<std::string>& names) {
   std::string out = "<div class='wide'><table><tr>";
-  for (const auto& name : names) out += "<th>" + escaped(name) + "</th>";
+  for (const auto& name : names) out += "<th>" + html_text(name) + "</th>";
   return out + "</tr>\n";
 }
 
@@ -65,7 +51,7 @@ std::string drawing(const std::filesystem::path& folder, const StudyFigure& figu
   text << in.rdbuf();
   std::string svg = text.str();
   svg.erase(0, std::min(svg.size(), svg.find("<svg")));
-  return fmt::format("<h3>{}</h3>\n{}\n", escaped(figure.title), svg);
+  return fmt::format("<h3>{}</h3>\n{}\n", html_text(figure.title), svg);
 }
 
 std::string drawings(const std::filesystem::path& folder, const std::vector<StudyFigure>& figures,
@@ -146,7 +132,7 @@ std::string failure_table(const StudyReport& report) {
   std::string unreadable;
   for (const auto& row : report.rows) {
     if (row.solver.empty()) {
-      unreadable += fmt::format("<li>{}: {}</li>\n", escaped(row.problem.name), escaped(row.message));
+      unreadable += fmt::format("<li>{}: {}</li>\n", html_text(row.problem.name), html_text(row.message));
       continue;
     }
     if (counts.find(row.solver) == counts.end()) solvers.push_back(row.solver);
@@ -196,8 +182,8 @@ std::string how_measured(const StudyReport& report) {
       "left out. Problems: {}. Machine: {}. Tables: <code>compare.csv</code>, <code>profiles.csv</code>, "
       "<code>work-precision.csv</code>; pictures also as PNG.</p>\n",
       report.jobs, report.limit_s, k_study_repeats, report.planned - std::min(report.planned, report.dropped.size()),
-      report.planned, report.wall_s, report.budget_s, report.dropped.size(), escaped(report.problems.string()),
-      escaped(report.machine));
+      report.planned, report.wall_s, report.budget_s, report.dropped.size(), html_text(report.problems.string()),
+      html_text(report.machine));
 }
 
 std::string state_of(const StudyReport& report) {
@@ -206,9 +192,9 @@ std::string state_of(const StudyReport& report) {
     html += fmt::format(
         "<p class='note'>This study is {}: what follows is what is done so far. <code>nilas compare "
         "--resume</code> goes on.</p>\n",
-        report.status == "running" ? "running, or was killed" : escaped(report.status));
+        report.status == "running" ? "running, or was killed" : html_text(report.status));
   const std::string dropped = dropped_text(report);
-  if (!dropped.empty()) html += "<p class='note'>Left out for lack of time: " + escaped(dropped) + "</p>\n";
+  if (!dropped.empty()) html += "<p class='note'>Left out for lack of time: " + html_text(dropped) + "</p>\n";
   return html;
 }
 
@@ -249,10 +235,10 @@ void write_study_page(const std::filesystem::path& folder, const StudyReport& re
       k_style);
   const bool any = !comparisons.empty();
   const StudyFigure* const first = figures.empty() ? nullptr : &figures.front();
-  html += any ? "<p class='lead'>" + escaped(headline(comparisons.front())) + "</p>\n"
+  html += any ? "<p class='lead'>" + html_text(headline(comparisons.front())) + "</p>\n"
               : "<p class='lead'>No problem has been tried with all solvers yet.</p>\n";
   if (first != nullptr) html += drawing(folder, *first);
-  if (!no_pictures.empty()) html += "<p class='note'>There are no pictures: " + escaped(no_pictures) + "</p>\n";
+  if (!no_pictures.empty()) html += "<p class='note'>There are no pictures: " + html_text(no_pictures) + "</p>\n";
   html += state_of(report);
   if (any) html += score_table(comparisons.front());
   if (first != nullptr) {
@@ -272,13 +258,13 @@ void write_study_page(const std::filesystem::path& folder, const StudyReport& re
   if (any) {
     const Comparison& c = comparisons.front();
     html += "<h2>By class of problem</h2>\n" + class_table(report, c);
-    html += fmt::format("<h2>Times at {} m/s, law {}</h2>\n", in_words(c.tolerance), escaped(c.law)) +
+    html += fmt::format("<h2>Times at {} m/s, law {}</h2>\n", in_words(c.tolerance), html_text(c.law)) +
             time_matrix(report, c);
   }
   html += "<h2>Runs by outcome, all tolerances</h2>\n" + failure_table(report);
   html += "<h2>All runs</h2>\n" + run_table(report);
   html += "<h2>In words</h2>\n<p>";
-  for (const auto& c : comparisons) html += fmt::format("Law {}. {} ", escaped(c.law), escaped(headline(c)));
+  for (const auto& c : comparisons) html += fmt::format("Law {}. {} ", html_text(c.law), html_text(headline(c)));
   html += "</p>\n" + how_measured(report) + "</body></html>\n";
   write_whole(folder / "compare.html", html);
 }

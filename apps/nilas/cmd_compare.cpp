@@ -1,6 +1,7 @@
 #include <csignal>
 #include <memory>
 
+#include "apps/compare/problem_study.h"
 #include "apps/compare/study.h"
 #include "apps/nilas/commands.h"
 #include "apps/nilas/scene_flags.h"
@@ -16,13 +17,38 @@ void request_stop(int) { stop_requested = 1; }
 
 struct CompareOptions {
   StudyOptions study;
+  std::string problems;  ///< folder of stored problems, in place of a scene
   SceneFlags scene;
 };
+
+int compare_problems(const CompareOptions& options, bool goes_on) {
+  const StudyOptions& shared = options.study;
+  ProblemStudyOptions study;
+  study.folder = options.problems;
+  study.solvers = shared.grid.solvers;
+  study.laws = shared.grid.laws;
+  study.tolerances = shared.grid.tolerances;
+  study.budget_s = shared.budget_s;
+  study.jobs = shared.jobs;
+  study.out = shared.out;
+  study.json = shared.json;
+  study.quiet = shared.quiet;
+  study.force = shared.force;
+  if (goes_on) study.resume = shared.resume;
+  return run_problem_study(study, [] { return stop_requested != 0; });
+}
+
+/// Whether a folder holds a study of stored problems and not of a scene.
+bool holds_problem_study(const std::filesystem::path& folder) {
+  return std::filesystem::exists(folder / "compare.json") && !std::filesystem::exists(folder / "study.json");
+}
 
 int compare(CompareOptions options) {
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);
   std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is then an error of the write, with a message
+  const bool goes_on = holds_problem_study(options.study.resume);
+  if (!options.problems.empty() || goes_on) return compare_problems(options, goes_on);
   options.study.scene = options.scene.file;
   for (const auto& text : options.scene.set) options.study.overrides.push_back(split_override(text));
   if (options.scene.until) options.study.overrides.emplace_back("time/@end", std::to_string(*options.scene.until));
@@ -39,10 +65,14 @@ CLI::Option* add_list(CLI::App& command, const std::string& flag, List& values, 
 
 void add_compare(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand(
-      "compare", "runs a scene over solvers, laws, steps and tolerances: what accuracy costs, as tables and a page");
+      "compare",
+      "runs a scene, or stored contact problems, over solvers, laws, steps and tolerances: what accuracy costs, as "
+      "tables and a page");
   auto options = std::make_shared<CompareOptions>();
   StudyOptions& study = options->study;
   auto* scene = command->add_option("scene", options->scene.file, "scene file (XML)");
+  auto* problems = command->add_option("--problems", options->problems,
+                                       "in place of a scene: a folder of stored contact problems (FCLIB files)");
   add_list(*command, "--solvers", study.grid.solvers, "contact solvers, comma-separated (see nilas solvers)");
   add_list(*command, "--laws", study.grid.laws, "contact laws");
   add_list(*command, "--dt", study.grid.steps, "time steps [s]")->check(CLI::PositiveNumber);
@@ -75,14 +105,15 @@ void add_compare(CLI::App& app, Action& action) {
   command->add_flag("--force", study.force, "write into a folder that is not empty");
   command->add_flag("--json", study.json, "compare.json on stdout and nothing else there");
   command->add_flag("--quiet", study.quiet, "no progress");
-  ablate->excludes("--solvers")
-      ->excludes("--laws")
-      ->excludes("--dt")
-      ->excludes("--tolerance")
-      ->excludes("--integrators")
-      ->excludes("--stabilisations");
+  for (const char* flag : {"--solvers", "--laws", "--dt", "--tolerance", "--integrators", "--stabilisations"})
+    ablate->excludes(flag);
+  for (const char* flag : {"--dt", "--integrators", "--stabilisations", "--ablate", "--seeds", "--reference",
+                           "--reference-tolerance", "--until", "--seed", "--set", "--keep-runs"})
+    problems->excludes(flag);
+  problems->excludes(scene);
   command->callback([&action, options, scene, tolerance] {
-    if (options->study.resume.empty() && scene->count() == 0) throw CLI::RequiredError("scene");
+    if (options->study.resume.empty() && options->problems.empty() && scene->count() == 0)
+      throw CLI::RequiredError("scene");
     options->study.fixed_reference_tolerance = tolerance->count() > 0;
     action = [options] { return compare(*options); };
   });
