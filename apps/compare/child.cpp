@@ -52,7 +52,7 @@ int open_for_child(const std::filesystem::path& file) {
 [[noreturn]] void become(char* const* arguments, int out, int log, int core, pid_t parent) {
   // a group of its own: Ctrl-C on the terminal reaches this program, which ends its children in order
   ::setpgid(0, 0);
-  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(k_not_started);
   cpu_set_t set;
   CPU_ZERO(&set);
@@ -155,20 +155,23 @@ void run_children(std::vector<ChildTask> tasks, int jobs, const ChildHooks& hook
       running.push_back(start(next, tasks[next], slot, cores[static_cast<std::size_t>(slot) % cores.size()]));
     }
     if (running.empty()) return;
+    std::vector<std::pair<std::size_t, ChildResult>> gone;
     for (auto child = running.begin(); child != running.end();) {
+      ChildResult result;
+      if (ended(*child, result)) {
+        gone.emplace_back(child->task, result);
+        child = running.erase(child);
+        continue;
+      }
       child->stopped = child->stopped || (stop && !child->timed_out);
       child->timed_out =
           child->timed_out || (!child->stopped && child->limit_s > 0 && since(child->started) > child->limit_s);
-      ChildResult result;
-      if (ended(*child, result)) {
-        const std::size_t task = child->task;
-        child = running.erase(child);
-        if (hooks.ended) hooks.ended(task, result);
-        continue;
-      }
       if (child->stopped || child->timed_out) press(*child);
       ++child;
     }
+    if (hooks.ended)
+      for (const auto& [task, result] : gone) hooks.ended(task, result);
+    if (!gone.empty()) continue;
     std::this_thread::sleep_for(k_poll);
   }
 }

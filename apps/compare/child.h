@@ -30,8 +30,8 @@ int usable_cores();
 /// Runs the tasks in their order, `jobs` at a time, each pinned to a core of its own (they share where there are fewer)
 /// with one thread for libraries that would take more. `begin(k)` may shorten a task's limit or refuse it (false: it
 /// never begins, `ended` is not called). `ended(k, result)` is called on the calling thread as each ends. When `stop`
-/// turns true, running children are asked to end (SIGTERM, SIGKILL after 10 s) and no more begin. Children end with
-/// this process whatever ends it. Throws FileError when a process cannot be made or its files cannot be written.
+/// turns true, running children are asked to end (SIGTERM, SIGKILL after 10 s) and no more begin. Children are killed
+/// with this process whatever ends it. Throws FileError when a process cannot be made or its files cannot be written.
 struct ChildHooks {
   std::function<bool(std::size_t, ChildTask&)> begin;
   std::function<void(std::size_t, const ChildResult&)> ended;

@@ -100,7 +100,10 @@ CompareSetting with_model(CompareSetting setting, const Model& model) {
   const bool same_solver = setting.solver == model.solver;
   setting.solver = model.solver;
   setting.law = model.law;
-  if (setting.tolerance == 0 && !same_solver) setting.tolerance = k_usual_tolerance;
+  if (setting.tolerance == 0 && !same_solver) {
+    setting.tolerance = k_usual_tolerance;
+    setting.more = {{"contact/@max_iterations", "1000"}};
+  }
   return setting;
 }
 
@@ -131,15 +134,21 @@ void add_default(const CompareSetting& own, std::vector<CompareSetting>& all) {
     for (const double tolerance : tolerances) all.push_back(with_model(aiming(own, tolerance), model));
 }
 
-void add_ablation(const Scene& scene, Collector& collector) {
+void add_ablation(const Scene& scene, const Grid& grid, Collector& collector) {
   std::vector<Simplification> together;
   collector.add(without_simplifications(scene));
+  if (grid.settings.empty()) return;
   for (const Simplification which : all_simplifications()) {
     if (!no_effect(which, scene).empty()) continue;
     collector.add(with_simplifications(scene, {which}));
     together.push_back(which);
   }
   collector.add(with_simplifications(scene, together));
+}
+
+/// Everything is named by what it differs from the first setting in.
+void demand_first(const Grid& grid) {
+  if (!grid.refused.empty() && grid.settings.empty()) throw InputError(grid.refused.front().reason);
 }
 
 }  // namespace
@@ -164,7 +173,8 @@ Grid make_grid(const Scene& scene, const Overrides& overrides, const GridRequest
   Grid grid;
   Collector collector(scene, overrides, grid);
   if (request.ablate) {
-    add_ablation(scene, collector);
+    add_ablation(scene, grid, collector);
+    demand_first(grid);
     return grid;
   }
   const CompareSetting own = setting_of(scene);
@@ -178,6 +188,7 @@ Grid make_grid(const Scene& scene, const Overrides& overrides, const GridRequest
       return differences(a, own).size() < differences(b, own).size();
     });
   collector.add(own);
+  demand_first(grid);
   for (const auto& setting : all) collector.add(setting);
   if (grid.settings.size() < 2) {
     std::string why;
@@ -195,7 +206,10 @@ CompareSetting reference_setting(const Scene& scene, const Overrides& overrides,
   reference.law = scene.contact.law == "frictionless" ? "frictionless" : "coulomb";
   reference.tolerance = tolerance;
   reference.stabilisation = "projection";
-  reference.more = {{"contact/@gyroscopic", "true"}};
+  constexpr int k_iterations = 1000;  // the default of <contact>
+  reference.more = {{"contact/@gyroscopic", "true"},
+                    {"contact/@max_iterations", std::to_string(std::max(k_iterations, scene.contact.max_iterations))},
+                    {"contact/@on_failure", "record"}};
   const auto taken = [&] {
     try {
       read_with(scene, overrides, reference);

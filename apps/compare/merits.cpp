@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 #include <tuple>
 
+#include "apps/compare/load_errors.h"
 #include "apps/compare/motion.h"
+#include "apps/compare/ranking.h"
 #include "apps/compare/statistics.h"
 
 namespace nilas {
@@ -16,8 +17,6 @@ namespace nilas {
 namespace {
 
 constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
-/// What differences of rounding alone can be, of the scale.
-constexpr double k_rounding = 1e-12;
 
 Estimate estimate(const std::vector<double>& values) {
   Estimate e;
@@ -29,12 +28,14 @@ Estimate estimate(const std::vector<double>& values) {
 
 class Judge {
  public:
-  Judge(const Plan& plan, const std::map<std::string, RunResult>& results, std::filesystem::path folder,
-        bool against_first)
-      : plan_(plan), folder_(std::move(folder)), against_first_(against_first) {
+  Judge(const Plan& plan, const std::map<std::string, RunResult>& results, std::filesystem::path folder, Judged judged)
+      : plan_(plan),
+        folder_(std::move(folder)),
+        against_first_(judged == Judged::by_first_setting),
+        one_reference_(judged == Judged::by_one_run) {
     for (const auto& run : plan.runs) {
       const auto found = results.find(run.id);
-      found_.rows.push_back({run, found == results.end() ? RunResult{} : found->second, {}, {}});
+      found_.rows.push_back({run, found == results.end() ? RunResult{} : found->second, {}, {}, {}});
     }
     // the plan's order depends on how fast the machine was; a table's must not
     const auto place = [](const RunRow& row) { return std::tuple(row.run.kind, row.run.setting, row.run.realisation); };
@@ -43,23 +44,55 @@ class Judge {
   }
 
   Findings judged() {
+    if (!against_first_) find_stand_in();
     choose_headline();
     measure_motions();
     measure_loads();
     choose_measure();
     for (std::size_t s = 0; s < plan_.settings.size(); ++s) add_merit(s);
     set_floors();
+    if (found_.measure == "load" && !against_first_) judge_load_errors(plan_, chaos_of_difference_, found_);
     spread_of_times();
     check_reference();
-    rank();
-    find_orders();
+    rank(found_);
+    if (!against_first_) choose(found_);
+    find_orders(plan_, found_);
     return std::move(found_);
   }
 
  private:
   bool is_reference(const RunRow& row) const {
-    return against_first_ ? row.run.kind == RunKind::grid && row.run.setting == 0 : row.run.kind == RunKind::reference;
+    if (judging_setting_) return row.run.kind == RunKind::grid && row.run.setting == *judging_setting_;
+    return row.run.kind == (by_check_ ? RunKind::check : RunKind::reference);
   }
+
+  /// Where no run of the reference is done: the one at twice its step, else the most accurate setting that is done.
+  void find_stand_in() {
+    const auto done = [&](RunKind kind) {
+      return std::any_of(found_.rows.begin(), found_.rows.end(),
+                         [&](const RunRow& row) { return row.run.kind == kind && row.result.done(); });
+    };
+    for (const auto& row : found_.rows)
+      if (row.run.kind == RunKind::reference && !row.result.done() && found_.reference_trouble.empty())
+        found_.reference_trouble = row.result.status + (row.result.cause.empty() ? "" : ": " + row.result.cause);
+    if (done(RunKind::reference)) return;
+    by_check_ = done(RunKind::check);
+    if (by_check_) found_.stand_in = "the reference at twice its step";
+    if (by_check_) return;
+    const auto finer = [&](std::size_t a, std::size_t b) {
+      const CompareSetting &x = plan_.settings[a], &y = plan_.settings[b];
+      return std::tuple(x.law != "coulomb", x.step, x.tolerance == 0, x.tolerance) <
+             std::tuple(y.law != "coulomb", y.step, y.tolerance == 0, y.tolerance);
+    };
+    std::optional<std::size_t> finest;
+    for (const auto& row : found_.rows)
+      if (row.run.kind == RunKind::grid && row.result.done() && (!finest || finer(row.run.setting, *finest)))
+        finest = row.run.setting;
+    if (!finest) return;
+    judging_setting_ = finest;
+    found_.stand_in = '"' + label_of(plan_.settings[*finest], plan_.settings.front()) + '"';
+  }
+
   template <class Wanted>
   const RunRow* row_of(int realisation, const Wanted& wanted) const {
     for (const auto& row : found_.rows)
@@ -78,24 +111,25 @@ class Judge {
   double load_of(const RunRow& row, const char* statistic = "mean") const {
     return row.result.number("/loads/" + found_.headline + "/" + statistic);
   }
-  Motion motion_of(const RunRow& row) const { return read_motion(folder_ / "runs" / row.run.id / "bodies.csv"); }
+  /// Empty where the run stored none, as a run folder of the user's may.
+  Motion motion_of(const RunRow& row) const {
+    const std::filesystem::path file = folder_ / "runs" / row.run.id / "bodies.csv";
+    return std::filesystem::exists(file) && std::filesystem::file_size(file) > 0 ? read_motion(file) : Motion();
+  }
 
-  /// The horizontal force with the largest mean: what the carriage measures, or what ice does to a vessel without one.
+  /// The horizontal force of the ice with the larger mean: what holds a carriage back has the inertia of the start in
+  /// it, by which no error is small or large.
   void choose_headline() {
     double largest = -1;
     for (const auto& row : found_.rows) {
       if (!row.result.done()) continue;
-      for (const std::vector<const char*>& source :
-           {std::vector{"carriage_fx_N", "carriage_fy_N"}, {"contact_fx_N", "contact_fy_N"}}) {
-        for (const char* channel : source) {
-          const double mean = row.result.number(std::string("/loads/") + channel + "/mean");
-          if (std::abs(mean) > largest) {
-            largest = std::abs(mean);
-            found_.headline = channel;
-          }
-        }
-        if (largest >= 0) return;
+      for (const char* channel : {"contact_fx_N", "contact_fy_N"}) {
+        const double mean = row.result.number(std::string("/loads/") + channel + "/mean");
+        if (!(std::abs(mean) > largest)) continue;
+        largest = std::abs(mean);
+        found_.headline = channel;
       }
+      if (largest >= 0) return;
     }
   }
 
@@ -176,7 +210,7 @@ class Judge {
     }
     if (const RunRow* first = first_of(0)) way = largest_way(motion_of(*first));
     // a top that spins in its place
-    const bool turns = way < k_rounding && turn > distance;
+    const bool turns = way < k_rounding_share && turn > distance;
     found_.measure = turns ? "turn" : "distance";
     found_.unit = turns ? "rad" : "m";
     found_.scale = turns ? 1 : way;
@@ -249,7 +283,7 @@ class Judge {
         median_of(over_runs(setting, [](const RunRow& row) { return std::optional(row.result.ms_per_step()); }));
     const auto errors = over_runs(setting, [&](const RunRow& row) { return primary(row); });
     m.error = errors.empty() ? k_nan : std::abs(mean_of(errors));
-    if (against_first_ && setting == 0) m.error = 0;
+    if (setting == judging_setting_) m.error = 0;
     found_.merits.push_back(m);
   }
 
@@ -257,8 +291,8 @@ class Judge {
   /// loads by Student's t on what twins and realisations scatter.
   void set_floors() {
     if (found_.measure != "load") {
-      for (auto& m : found_.merits)
-        m.floor = found_.horizon_ends ? found_.horizon_threshold_m : k_rounding * found_.scale;
+      found_.common_floor = found_.horizon_ends ? found_.horizon_threshold_m : k_rounding_share * found_.scale;
+      for (auto& m : found_.merits) m.floor = found_.common_floor;
       for (auto& m : found_.merits) m.told = m.error > m.floor;
       return;
     }
@@ -271,14 +305,25 @@ class Judge {
           m.load_difference.count == plan_.realisations && !std::isnan(variance))
         variances.push_back(variance);
     const PooledVariance pooled = pooled_variance(twins, variances, plan_.realisations - 1);
-    found_.chaos = std::sqrt(0.5 * pooled.value);
+    const bool measured = pooled.degrees > 0;
+    found_.chaos = measured ? std::sqrt(0.5 * pooled.value) : k_nan;
+    chaos_of_difference_ = measured ? student_95(pooled.degrees) * std::sqrt(pooled.value) : k_nan;
+    found_.common_floor = floor_of(pooled.value, pooled.degrees, plan_.realisations);
     for (auto& m : found_.merits) {
-      const double own = variance_of_difference(m),
-                   variance = std::isnan(own) ? pooled.value : std::max(own, pooled.value);
-      m.floor = student_95(pooled.degrees) * std::sqrt(variance / std::max(1, m.load_difference.count)) +
-                k_rounding * found_.scale;
+      const int count = m.load_difference.count;
+      const double own = variance_of_difference(m);
+      const bool wild = !std::isnan(own) && own > scatter_95(count - 1, pooled.degrees) * pooled.value;
+      m.floor = wild ? floor_of(own, count - 1, count) : floor_of(pooled.value, pooled.degrees, count);
       m.told = m.error > m.floor;
     }
+  }
+
+  /// Of a mean of `count` differences of variance v. One run that all are judged by does not average out: it has half
+  /// of the variance.
+  double floor_of(double v, double degrees, int count) const {
+    const double of_mean = one_reference_ ? 0.5 * v / std::max(1, count) + 0.5 * v : v / std::max(1, count);
+    return degrees > 0 ? student_95(degrees) * std::sqrt(of_mean) + k_rounding_share * found_.scale
+                       : std::numeric_limits<double>::infinity();
   }
 
   static double variance_of_difference(const Merit& m) {
@@ -300,92 +345,30 @@ class Judge {
 
   void check_reference() {
     for (const auto& row : found_.rows)
-      if (row.run.kind == RunKind::check && row.result.done())
+      if (row.run.kind == RunKind::check && row.result.done() && found_.stand_in.empty())
         if (const auto moves = primary(row)) found_.reference_moves = std::abs(*moves);
     if (!found_.reference_moves) return;
     const double moves = *found_.reference_moves;
     // a single run's difference below what chaos does to it is none
-    const double chance = found_.measure == "load" ? 2 * std::sqrt(2.0) * found_.chaos : 0;
+    const double chance = found_.measure == "load" && !std::isnan(found_.chaos) ? 2 * std::sqrt(2.0) * found_.chaos : 0;
     found_.reference_coarse = moves > chance && std::any_of(found_.merits.begin(), found_.merits.end(),
                                                             [&](const Merit& m) { return m.told && m.error < moves; });
   }
 
-  /// Errors below the floor are all alike.
-  static double shown_error(const Merit& m) { return m.told ? m.error : m.floor; }
-
-  void rank() {
-    const auto complete = [](const Merit& m) { return m.done > 0 && m.failed == 0 && !std::isnan(m.error); };
-    for (auto& m : found_.merits)
-      m.dominated = !complete(m) || std::any_of(found_.merits.begin(), found_.merits.end(), [&](const Merit& other) {
-        const bool no_worse = other.told ? m.told && other.error <= m.error : true;
-        const bool better = other.time < m.time || (m.told && (!other.told || other.error < m.error));
-        return &other != &m && complete(other) && other.time <= m.time && no_worse && better;
-      });
-    choose(complete);
-  }
-
-  /// The fastest that is good enough; of those that are as fast by all that times tell, the most accurate, and the
-  /// scene's own setting where that is one of them.
-  template <class Complete>
-  void choose(const Complete& complete) {
-    if (against_first_) return;
-    constexpr double k_deeper = 2;
-    std::vector<const Merit*> enough;
-    for (const auto& m : found_.merits) {
-      const bool deep = m.penetration_max_m > k_deeper * found_.merits.front().penetration_max_m + k_rounding;
-      if (complete(m) && !deep && shown_error(m) <= std::max(k_target * found_.scale, m.floor)) enough.push_back(&m);
-    }
-    if (enough.empty()) return;
-    const auto by_time = [](const Merit* a, const Merit* b) { return a->time < b->time; };
-    const double fastest = (*std::min_element(enough.begin(), enough.end(), by_time))->time;
-    constexpr double k_sure = 2;  // standard deviations
-    const double spread = std::isnan(found_.time_spread) ? 0 : found_.time_spread;
-    std::erase_if(enough, [&](const Merit* m) { return m->time > fastest * (1 + k_sure * spread); });
-    const auto by_error = [](const Merit* a, const Merit* b) { return shown_error(*a) < shown_error(*b); };
-    found_.chosen =
-        enough.front()->setting == 0 ? 0 : (*std::min_element(enough.begin(), enough.end(), by_error))->setting;
-  }
-
-  void find_orders() {
-    std::set<std::size_t> taken;
-    for (std::size_t s = 0; s < plan_.settings.size(); ++s) {
-      if (taken.count(s) > 0) continue;
-      std::vector<double> x, y;
-      for (std::size_t other = s; other < plan_.settings.size(); ++other) {
-        CompareSetting same = plan_.settings[other];
-        same.step = plan_.settings[s].step;
-        if (!(same == plan_.settings[s])) continue;
-        taken.insert(other);
-        const Merit& m = found_.merits[other];
-        if (!m.told || m.done < m.planned) continue;
-        x.push_back(std::log(plan_.settings[other].step));
-        y.push_back(std::log(m.error));
-      }
-      constexpr std::size_t k_least = 3;
-      if (x.size() < k_least) continue;
-      const double mx = mean_of(x), my = mean_of(y);
-      double xy = 0, xx = 0;
-      for (std::size_t k = 0; k < x.size(); ++k) {
-        xy += (x[k] - mx) * (y[k] - my);
-        xx += (x[k] - mx) * (x[k] - mx);
-      }
-      const CompareSetting& one = plan_.settings[s];
-      found_.orders.push_back({fmt::format("{} {} {} {}", one.solver, one.law, one.stabilisation, one.integrator),
-                               xy / xx, static_cast<int>(x.size())});
-    }
-  }
-
   const Plan& plan_;
   std::filesystem::path folder_;
-  bool against_first_;
+  bool against_first_, one_reference_;
+  std::optional<std::size_t> judging_setting_ = against_first_ ? std::optional<std::size_t>(0) : std::nullopt;
+  bool by_check_ = false;
+  double chaos_of_difference_ = k_nan;  ///< of two runs of one realisation, 95 % [N]
   Findings found_;
 };
 
 }  // namespace
 
 Findings find(const Plan& plan, const std::map<std::string, RunResult>& results, const std::filesystem::path& folder,
-              bool against_first) {
-  return Judge(plan, results, folder, against_first).judged();
+              Judged judged) {
+  return Judge(plan, results, folder, judged).judged();
 }
 
 }  // namespace nilas

@@ -17,11 +17,30 @@ struct MotionError {
   double turn_rad = 0;
 };
 
+/// What a run is said to be off in the headline channel's mean, about 95 % [N]; docs/theory_load_error.md. Solver, law
+/// and `alone` are the run's own words; what twins and other steps of the comparison tell of chaos and step is known
+/// here only. NaN: not known.
+struct LoadErrorParts {
+  double alone = 0;  ///< as the run says by itself
+  double solver = 0, law = 0, chaos = 0, step = 0;
+
+  /// Root of chaos squared and (solver + law + step) squared, as far as they are known.
+  double total() const;
+};
+
+/// How well estimates hold against errors that were measured.
+struct Coverage {
+  int runs = 0;
+  double share = 0;  ///< of runs whose measured error lies within the estimate
+  double width = 0;  ///< median of estimate over measured error
+};
+
 /// One run with all that is told of it.
 struct RunRow {
   PlannedRun run;
   RunResult result;
   std::optional<MotionError> motion;
+  std::optional<LoadErrorParts> load_error;
   std::optional<double> load_difference;  ///< of the headline channel's mean from the reference's [N]
 };
 
@@ -62,26 +81,35 @@ struct Findings {
   std::string measure, unit;  ///< of the primary error: load or distance
   double scale = 0;           ///< that errors in percent are shares of
   double reference_load = 0;  ///< [N]
-  double chaos = 0;           ///< standard deviation of a run's primary figure among twins
+  double chaos = 0;           ///< standard deviation of a run's mean load by chance; NaN: not measured [N]
   double horizon_s = 0;       ///< until which every realisation can be predicted
   bool horizon_ends = false;  ///< before the runs do
   double horizon_threshold_m = 0;
   std::optional<double> reference_moves;  ///< when its step is doubled, in the primary measure
+  std::string stand_in;                   ///< what is judged by where no reference run is done; empty: the reference
+  std::string reference_trouble;          ///< why a run of the reference is not done
+  double common_floor = 0;                ///< of a setting that scatters as the others do; NaN: not measured
   bool reference_coarse = false;          ///< it moves by more than the smallest error told
   double time_spread = 0;                 ///< relative standard deviation of times of alike runs
   double slowdown = 1;                    ///< of a run by its neighbours, same steps; NaN: not measured
   std::vector<RunRow> rows;
   std::vector<Merit> merits;  ///< one per setting of the plan
   std::vector<Order> orders;
+  std::optional<Coverage> coverage, coverage_alone;  ///< of load errors with all parts, and as runs say by themselves
   std::optional<std::size_t> chosen;  ///< fastest setting within k_target of the reference or what can be told
 };
 
 /// What is called close enough, of the scale.
 constexpr double k_target = 0.02;
+/// What rounding alone can be, of the scale.
+constexpr double k_rounding_share = 1e-12;
 
-/// Judges by the runs that are done. `folder`: where their motions lie, runs/<id>/bodies.csv. `against_first`: the
-/// first setting is the reference.
+/// What runs are judged by.
+enum class Judged { by_reference, by_one_run, by_first_setting };
+
+/// Judges by the runs that are done. `folder`: where their motions lie, runs/<id>/bodies.csv. `by_one_run`: the
+/// reference runs are all the same one.
 Findings find(const Plan& plan, const std::map<std::string, RunResult>& results, const std::filesystem::path& folder,
-              bool against_first);
+              Judged judged);
 
 }  // namespace nilas

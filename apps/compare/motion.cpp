@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "apps/compare/csv_columns.h"
 
@@ -14,7 +15,8 @@ Quat turned(const Quat& q, const Vec3& angle) {
   return size > 0 ? Quat(Eigen::AngleAxisd(size, angle / size)) * q : q;
 }
 
-Distance distance(const Sample& a, const Sample& b) {
+/// Nothing where no body is in both.
+std::optional<Distance> distance(const Sample& a, const Sample& b) {
   Distance apart;
   apart.t = a.t;
   const double late = a.t - b.t;
@@ -32,7 +34,8 @@ Distance distance(const Sample& a, const Sample& b) {
     apart.turn = std::max(apart.turn, one.q.angularDistance(turned(other.q, late * other.w)));
   }
   apart.same_bodies = shared == a.bodies.size() && shared == b.bodies.size();
-  if (shared > 0) apart.rms = std::sqrt(squares / static_cast<double>(shared));
+  if (shared == 0) return std::nullopt;
+  apart.rms = std::sqrt(squares / static_cast<double>(shared));
   return apart;
 }
 
@@ -57,7 +60,8 @@ std::vector<Distance> distances(const Motion& a, const Motion& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     const double spacing = i > 0 ? a[i].t - a[i - 1].t : (a.size() > 1 ? a[1].t - a[0].t : 0);
     while (k + 1 < b.size() && std::abs(b[k + 1].t - a[i].t) <= std::abs(b[k].t - a[i].t)) ++k;
-    if (k < b.size() && std::abs(b[k].t - a[i].t) <= 0.5 * spacing) all.push_back(distance(a[i], b[k]));
+    if (k >= b.size() || std::abs(b[k].t - a[i].t) > 0.5 * spacing) continue;
+    if (const auto apart = distance(a[i], b[k])) all.push_back(*apart);
   }
   return all;
 }

@@ -17,7 +17,7 @@ constexpr double k_share = 0.85;
 constexpr double k_closing_s = 3;
 
 /// Time of a solve to 1e-6 over that of nsgs, as in docs/validation.md's fields of floes.
-double solver_weight(const std::string& solver) {
+double time_of(const std::string& solver) {
   static const std::map<std::string, double> weights{{"pgs", 0.6},          {"nsgs", 1},     {"auto", 1.2}, {"eg", 10},
                                                      {"apgd", 5},           {"admm", 8},     {"newton", 5}, {"ipm", 25},
                                                      {"eg-order-free", 20}, {"enumerate", 1}};
@@ -33,9 +33,7 @@ double tolerance_weight(double tolerance) {
   return tolerance > 0 ? std::pow(k_per_decade, std::log10(k_usual / tolerance)) : 1;
 }
 
-double weight(const CompareSetting& setting) {
-  return solver_weight(setting.solver) * tolerance_weight(setting.tolerance);
-}
+double weight(const CompareSetting& setting) { return time_of(setting.solver) * tolerance_weight(setting.tolerance); }
 
 /// The plan's parts while it is cut to size.
 struct Draft {
@@ -62,7 +60,7 @@ class Planner {
     if (!fits()) keep_core();
     if (!fits()) loosen_reference();
     if (!fits() && !request_.fixed_realisations) draft_.realisations = std::min(draft_.realisations, 2);
-    if (!fits()) shorten();
+    if (!fits() && !request_.fixed_length) shorten();
     if (!fits()) drop_core();
     refill();
     return written();
@@ -70,14 +68,16 @@ class Planner {
 
  private:
   double setting_seconds(std::size_t k) const {
-    const double own = cost_.seconds(draft_.length) - cost_.setup_s;
-    return cost_.setup_s + own * cost_factor(settings_[k], settings_.front(), cost_);
-  }
-  double reference_seconds(double step) const {
-    const double own = cost_.seconds(draft_.length) - cost_.setup_s;
-    const double decades = std::log10(draft_.reference_tolerance / reference_.tolerance);
+    const CompareSetting &setting = settings_[k], &first = settings_.front();
     return cost_.setup_s +
-           own * cost_.reference_factor * settings_.front().step / step / std::pow(k_per_decade, decades);
+           cost_.steps_seconds(draft_.length, solver_weight(setting, first)) * first.step / setting.step;
+  }
+  /// Problems grow harder as ice piles up, and tight solves feel it most.
+  double reference_seconds(double step) const {
+    constexpr double k_harder = 1.5;
+    const double decades = std::log10(draft_.reference_tolerance / reference_.tolerance);
+    const double weight = k_harder * cost_.reference_weight / std::pow(k_per_decade, decades);
+    return cost_.setup_s + cost_.steps_seconds(draft_.length, weight) * settings_.front().step / step;
   }
   double references_seconds() const {
     if (!request_.reference) return 0;
@@ -165,7 +165,7 @@ class Planner {
 
   void list_omissions(Plan& plan) const {
     const auto omit = [&](const std::string& what, const std::string& why) { plan.omissions.push_back({what, why}); };
-    const std::string budget = fmt::format("the budget of {:g} s", request_.budget_s);
+    const std::string budget = fmt::format("the budget of {:g} s", request_.stated_budget_s);
     const double full = request_.end - request_.start;
     if (draft_.length < full)
       omit(fmt::format("simulated time from {:g} s to {:g} s", plan.end, request_.end),
@@ -211,21 +211,20 @@ class Planner {
 
 }  // namespace
 
-double CostModel::seconds(double length) const {
-  double sum = setup_s, before = 0, last = 0;
-  for (const auto& [until, per_second] : rate) {
-    const double stretch = std::min(until, length) - before;
-    if (stretch <= 0) break;
-    sum += stretch * per_second;
-    before += stretch;
-    last = per_second;
+double CostModel::steps_seconds(double length, double weight) const {
+  double sum = 0, before = 0, last = 0;
+  for (const Stretch& stretch : rate) {
+    const double lasts = std::min(stretch.until, length) - before;
+    if (lasts <= 0) break;
+    last = stretch.other + weight * stretch.solver;
+    sum += lasts * last;
+    before += lasts;
   }
   return sum + std::max(0.0, length - before) * last;
 }
 
-double cost_factor(const CompareSetting& setting, const CompareSetting& first, const CostModel& cost) {
-  const double per_step = 1 - cost.solver_share + cost.solver_share * weight(setting) / weight(first);
-  return per_step * first.step / setting.step;
+double solver_weight(const CompareSetting& setting, const CompareSetting& first) {
+  return weight(setting) / weight(first);
 }
 
 const char* name_of(RunKind kind) {

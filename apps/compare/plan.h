@@ -10,18 +10,23 @@ namespace nilas {
 
 /// What the first setting costs, measured on a short run of its own, and what is known of others.
 struct CostModel {
+  /// Processor time per simulated second from the stretch before it until a time.
+  struct Stretch {
+    double until = 0;   ///< since the start [s]
+    double other = 0;   ///< beside the solver [s/s]
+    double solver = 0;  ///< [s/s]
+  };
   double setup_s = 0;  ///< reading, packing ice, writing [s]
-  /// (simulated time [s], processor time per simulated second from the stretch before it on), ascending.
-  std::vector<std::pair<double, double>> rate;
-  double solver_share = 0.5;    ///< of that time
-  double reference_factor = 1;  ///< time of the reference's setting at the first setting's step over that setting's
+  std::vector<Stretch> rate;
+  double reference_weight = 1;  ///< time of a step's solve to the reference's tolerance over the first setting's
 
-  /// Of a run of the first setting over `length` simulated seconds; beyond what was measured the last stretch goes on.
-  double seconds(double length) const;
+  /// Of the steps of a run of the first setting over `length` simulated seconds, with a solver that takes `weight`
+  /// times as long; beyond what was measured the last stretch goes on.
+  double steps_seconds(double length, double weight = 1) const;
 };
 
-/// What one setting costs per step over what the first costs, by what solvers are known to take.
-double cost_factor(const CompareSetting& setting, const CompareSetting& first, const CostModel& cost);
+/// What a solve of one setting takes over one of the first, by what solvers are known to take.
+double solver_weight(const CompareSetting& setting, const CompareSetting& first);
 
 enum class RunKind { grid, twin, reference, check };
 const char* name_of(RunKind kind);
@@ -44,6 +49,8 @@ struct PlanRequest {
   int jobs = 2;            ///< at a time
   int realisations = 3;
   bool fixed_realisations = false;  ///< the user's own number
+  bool fixed_length = false;        ///< the simulated time is not cut
+  double stated_budget_s = 0;       ///< as the user gave it, for what is said
   bool reference = true;            ///< runs of a reference setting are needed
   bool check = true;                ///< one with double its step tells how far it still moves
   double start = 0, end = 10;       ///< of the scene [s]

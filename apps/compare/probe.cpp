@@ -9,10 +9,10 @@ namespace nilas {
 
 double Probe::total_ms() const { return std::accumulate(ms.begin(), ms.end(), 0.0); }
 
-double Probe::ms_until(double t) const {
+double Probe::solver_ms_until(double t) const {
   constexpr double k_rounding = 1e-9;
   double sum = 0;
-  for (std::size_t k = 0; k < ms.size() && time_s[k] <= t + k_rounding; ++k) sum += ms[k];
+  for (std::size_t k = 0; k < solver_ms.size() && time_s[k] <= t + k_rounding; ++k) sum += solver_ms[k];
   return sum;
 }
 
@@ -24,12 +24,10 @@ Probe probe(const SceneRun& run, double start, double limit_s, const std::functi
   found.exit_code = ended.exit_code;
   const RunResult result = read_run(run.folder, run.log, ended);
   if (!ended.timed_out) found.trouble = result.cause;
-  if (std::filesystem::exists(run.folder / "steps.csv")) {
-    StepTimes times = read_step_times(run.folder);
-    found.time_s = std::move(times.time_s);
-    found.ms = std::move(times.ms);
-    found.solver_ms = std::move(times.solver_ms);
-  }
+  StepTimes times = read_step_times(run.folder);
+  found.time_s = std::move(times.time_s);
+  found.ms = std::move(times.ms);
+  found.solver_ms = std::move(times.solver_ms);
   found.steps = found.ms.size();
   found.length = found.steps > 0 ? found.time_s.back() - start : 0;
   found.setup_s = std::max(0.0, ended.cpu_s - 1e-3 * found.total_ms());
@@ -48,19 +46,20 @@ CostModel cost_model(const Probe& first, const Probe* reference, double first_st
   double before = start;
   for (std::size_t s = 1; s <= stretches; ++s) {
     const std::size_t end = first.steps * s / stretches;
-    double ms = 0;
-    for (; done < end; ++done) ms += first.ms[done];
+    double other = 0, solver = 0;
+    for (; done < end; ++done) {
+      other += 1e-3 * (first.ms[done] - first.solver_ms[done]);
+      solver += 1e-3 * first.solver_ms[done];
+    }
     const double t = first.time_s[end - 1];
-    cost.rate.emplace_back(t - start, 1e-3 * ms / (t - before));
+    cost.rate.push_back({t - start, other / (t - before), solver / (t - before)});
     before = t;
   }
-  const double total = first.total_ms();
-  if (total > 0) cost.solver_share = std::accumulate(first.solver_ms.begin(), first.solver_ms.end(), 0.0) / total;
   if (reference == nullptr || reference->steps == 0) return cost;
-  // over the same simulated time, at the first setting's number of steps
+  // over the same simulated time, per step
   const double together = start + std::min(first.length, reference->length);
-  const double own = first.ms_until(together), other = reference->ms_until(together);
-  if (own > 0 && other > 0) cost.reference_factor = other / own * reference_step / first_step;
+  const double own = first.solver_ms_until(together), tight = reference->solver_ms_until(together);
+  if (own > 0 && tight > 0) cost.reference_weight = tight / own * reference_step / first_step;
   return cost;
 }
 

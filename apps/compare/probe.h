@@ -14,8 +14,8 @@ struct Probe {
   int exit_code = 0;
 
   double total_ms() const;
-  /// Of the steps up to a simulated time.
-  double ms_until(double t) const;
+  /// Of the solver in the steps up to a simulated time.
+  double solver_ms_until(double t) const;
 };
 
 /// Runs until `limit_s` of wall time have gone. `start`: of the scene [s].

@@ -70,8 +70,7 @@ double RunResult::ms_per_step() const {
   for (int p = 0; p < k_num_phases; ++p)
     if (static_cast<Phase>(p) != Phase::output) ms += phase_ms(to_string(static_cast<Phase>(p)));
   // the phases are timed by the wall clock: what the run waited for is taken out in proportion
-  const double inside = number("/wall_s");
-  return inside > 0 && cpu_s < wall_s ? ms * cpu_s / wall_s : ms;
+  return cpu_s > 0 && cpu_s < wall_s ? ms * cpu_s / wall_s : ms;
 }
 
 double RunResult::compute_per_second() const {
@@ -116,7 +115,9 @@ RunResult read_run(const std::filesystem::path& folder, const std::filesystem::p
     result.status = "failed";
     result.cause = "left no summary.json";
   }
-  if (!std::filesystem::exists(folder / "steps.csv")) return result;
+  // a run that was ended while it began left a file without its header
+  if (!std::filesystem::exists(folder / "steps.csv") || std::filesystem::file_size(folder / "steps.csv") == 0)
+    return result;
   const auto columns = csv_columns(folder / "steps.csv", {"stabilisation_J", "penetration_mean_m"});
   if (!columns[0].empty()) result.stabilisation_J = columns[0].back();
   result.penetration_mean_m = mean(columns[1]);
@@ -133,6 +134,8 @@ void thin_out(const std::filesystem::path& folder) {
 }
 
 StepTimes read_step_times(const std::filesystem::path& folder) {
+  if (!std::filesystem::exists(folder / "steps.csv") || std::filesystem::file_size(folder / "steps.csv") == 0)
+    return {};
   std::vector<std::string> names{"time_s", "ms_solver"};
   for (int p = 0; p < k_num_phases; ++p)
     if (static_cast<Phase>(p) != Phase::output && static_cast<Phase>(p) != Phase::solver)

@@ -9,7 +9,7 @@
 namespace nilas {
 
 struct RunResult {
-  std::string status = "not run";  ///< done, failed, crashed, budget, interrupted, not run
+  std::string status = "not run";  ///< done, failed, crashed, too slow, budget, interrupted, not run
   std::string cause;               ///< one line where it is not done
   double cpu_s = 0, wall_s = 0;
   double stabilisation_J = 0;      ///< energy that the correction of penetration took out
@@ -19,7 +19,7 @@ struct RunResult {
 
   bool done() const { return status == "done"; }
   /// By itself, not because the budget or the user ended it.
-  bool failed() const { return status == "failed" || status == "crashed"; }
+  bool failed() const { return status == "failed" || status == "crashed" || status == "too slow"; }
   /// Processor time per simulated second, without reading, packing ice and output [s/s].
   double compute_per_second() const;
   /// Of one step, the same way [ms].
@@ -39,7 +39,7 @@ RunResult read_run(const std::filesystem::path& folder, const std::filesystem::p
 /// Removes from a run folder what is large and no longer needed: all but the scene, log, summary and bodies.csv.
 void thin_out(const std::filesystem::path& folder);
 
-/// When each step ended and what it took but for output.
+/// When each step ended and what it took but for output; empty where the run made none.
 struct StepTimes {
   std::vector<double> time_s, solver_ms, ms;  ///< one per step
 };

@@ -118,12 +118,16 @@ CompareSetting setting_of(const Scene& scene) {
 
 CompareSetting without_simplifications(const Scene& scene) {
   constexpr double k_tolerance = 1e-6;  // [m/s]
+  constexpr int k_iterations = 1000;    // the default of <contact>
   CompareSetting setting = setting_of(scene);
   setting.law = "coulomb";
   if (setting.solver == "pgs") setting.solver = "auto";
   if (setting.tolerance == 0) setting.tolerance = k_tolerance;
   setting.stabilisation = "projection";
-  setting.more = {{"contact/@gyroscopic", "true"}, {"contact/@detection", "continuous"}};
+  // a preset's fixed number of sweeps is a simplification, too
+  setting.more = {{"contact/@gyroscopic", "true"},
+                  {"contact/@detection", "continuous"},
+                  {"contact/@max_iterations", std::to_string(std::max(k_iterations, scene.contact.max_iterations))}};
   if (scene.vessel && scene.vessel->carriage)
     setting.more.emplace_back("vessel/carriage/force_balance/@kind", "six-cells");
   return setting;
@@ -162,7 +166,7 @@ static std::string axis_text(const CompareSetting& setting, const std::string& a
   if (axis == "law") return setting.law;
   if (axis == "step") return fmt::format("{:g} s", setting.step);
   if (axis == "tolerance")
-    return setting.tolerance > 0 ? fmt::format("to {:.0e} m/s", setting.tolerance) : std::string("fixed sweeps");
+    return setting.tolerance > 0 ? fmt::format("to {:g} m/s", setting.tolerance) : std::string("fixed sweeps");
   return axis == "stabilisation" ? setting.stabilisation : setting.integrator;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
@@ -40,6 +41,12 @@ PooledVariance pooled_variance(const std::vector<double>& twin_differences, cons
   pooled.value = std::max(pooled.value, of_settings);
   pooled.degrees += static_cast<double>(degrees) * static_cast<double>(variances.size());
   return pooled;
+}
+
+double scatter_95(double degrees, double degrees_below) {
+  constexpr double k_upper = 0.95;
+  if (!(degrees > 0) || !(degrees_below > 0)) return std::numeric_limits<double>::infinity();
+  return boost::math::quantile(boost::math::fisher_f(degrees, degrees_below), k_upper);
 }
 
 double student_95(double degrees) {

@@ -20,6 +20,9 @@ struct PooledVariance {
 PooledVariance pooled_variance(const std::vector<double>& twin_differences, const std::vector<double>& variances,
                                int degrees);
 
+/// 95 % quantile of the ratio of two variances of the same kind (Fisher); infinite without degrees of freedom.
+double scatter_95(double degrees, double degrees_below);
+
 /// Two-sided 95 % quantile of Student's t; infinite without degrees of freedom.
 double student_95(double degrees);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <ctime>
 #include <iostream>
+#include <set>
 
 #include "apps/compare/merits.h"
 #include "apps/compare/probe.h"
@@ -38,16 +39,22 @@ class Comparison {
   int begin() {
     const Scene scene = read_scene(options_.scene, options_.overrides);
     const Grid grid = make_grid(scene, options_.overrides, options_.grid);
-    if (options_.reference != "auto" &&
-        !std::filesystem::exists(std::filesystem::path(options_.reference) / "summary.json"))
-      throw InputError(
-          "--reference: " + options_.reference +
-          " is no run folder (there is no summary.json); allowed: auto, or a folder that `nilas run` wrote");
+    if (options_.reference != "auto") demand_reference_run(scene);
     folder_.emplace(options_.out.empty() ? default_folder(scene.name) : options_.out, options_.force);
-    describe(scene);
-    for (const auto& refused : grid.refused)
-      study_.refused.push_back({label_of(refused.setting, grid.settings.front()), refused.reason});
-    plan(scene, grid);
+    try {
+      describe(scene);
+      for (const auto& refused : grid.refused)
+        study_.refused.push_back({label_of(refused.setting, grid.settings.front()), refused.reason});
+      plan(scene, grid);
+    } catch (...) {
+      folder_->abandon();
+      throw;
+    }
+    if (stop_()) {  // nothing is known yet that could go on
+      folder_->abandon();
+      say("interrupted before it began");
+      return k_interrupted;
+    }
     folder_->write(study_);
     tell_plan();
     return execute();
@@ -60,7 +67,7 @@ class Comparison {
     if (scene.fingerprint != study_.fingerprint)
       throw InputError("--resume: " + study_.scene.string() + " is no longer the scene that the comparison began with");
     if (options_.jobs > 0) study_.jobs = options_.jobs;
-    study_.budget_s = options_.budget_s;
+    if (options_.budget_s) study_.budget_s = *options_.budget_s;
     return execute();
   }
 
@@ -83,8 +90,24 @@ class Comparison {
     study_.ablation = options_.grid.ablate;
     study_.reference = options_.reference == "auto" ? "auto" : std::filesystem::absolute(options_.reference).string();
     study_.jobs = options_.jobs > 0 ? options_.jobs : usable_cores();
-    study_.budget_s = options_.budget_s;
+    constexpr double k_budget_s = 1200;
+    study_.budget_s = options_.budget_s.value_or(k_budget_s);
     study_.keep_runs = options_.keep_runs;
+  }
+
+  /// The user's own reference must be a whole run of the same length.
+  void demand_reference_run(const Scene& scene) const {
+    const std::filesystem::path from = options_.reference;
+    const std::string allowed = "; allowed: auto, or a folder in which `nilas run` of this scene came to its end";
+    if (!std::filesystem::exists(from / "summary.json"))
+      throw InputError("--reference: " + from.string() + " is no run folder (there is no summary.json)" + allowed);
+    const RunResult run = read_run(from, {}, ChildResult{.exit_code = 0});
+    if (run.summary.is_null() || run.summary.value("status", "") != "done")
+      throw InputError("--reference: the run in " + from.string() + " is not done" + allowed);
+    const double end = run.number("/time_end_s");
+    if (!(std::abs(end - scene.time.end) < scene.time.step))
+      throw InputError(fmt::format("--reference: the run in {} ends at {:g} s, the scene at {:g} s{}", from.string(),
+                                   end, scene.time.end, allowed));
   }
 
   Probe probe_setting(const Scene& scene, const CompareSetting& setting, const char* name, double limit_s) {
@@ -104,17 +127,19 @@ class Comparison {
     constexpr double k_share = 0.05, k_most_s = 30, k_least_s = 1, k_patience = 4;
     const double limit = study_.budget_s > 0 ? std::clamp(k_share * study_.budget_s, k_least_s, k_most_s) : k_most_s;
     const bool needs_reference = !study_.ablation && study_.reference == "auto";
+    const auto at_most = [&](double wanted) { return study_.budget_s > 0 ? std::min(wanted, left()) : wanted; };
     say(fmt::format("measuring what a step costs, {:.2g} s at most for each of {} settings, alone on the machine ...",
                     limit, needs_reference ? 2 : 1));
-    Probe first = probe_setting(scene, grid.settings.front(), "probe", limit);
+    Probe first = probe_setting(scene, grid.settings.front(), "probe", at_most(limit));
     if (first.steps == 0 && first.trouble.empty())
-      first = probe_setting(scene, grid.settings.front(), "probe", k_patience * limit);
+      first = probe_setting(scene, grid.settings.front(), "probe", at_most(k_patience * limit));
     study_.probe_steps = first.steps;
     study_.probe_ms = first.total_ms();
     trouble_ = first.trouble;
     if (first.exit_code == k_bad_input) throw InputError(first.trouble);
     PlanRequest request;
-    request.budget_s = left();
+    request.stated_budget_s = study_.budget_s;
+    request.fixed_length = study_.reference != "auto";
     request.jobs = std::min(study_.jobs, usable_cores());
     request.realisations = options_.realisations.value_or(request.realisations);
     request.fixed_realisations = options_.realisations.has_value();
@@ -129,23 +154,18 @@ class Comparison {
       request.loosest_reference = loosest_reference(grid);
     }
     Probe tight;
-    if (needs_reference) tight = probe_setting(scene, reference, "probe-reference", limit);
+    if (needs_reference) tight = probe_setting(scene, reference, "probe-reference", at_most(limit));
     request.budget_s = left();
     const double first_step = grid.settings.front().step;
     const CostModel cost =
         cost_model(first, needs_reference ? &tight : nullptr, first_step, reference.step, request.start);
     study_.plan = make_plan(grid.settings, core_of(grid), reference, cost, request);
     study_.plan.vary_seed = study_.reference == "auto";
-    // what a budget does to the plan is said in terms of what the user gave
-    for (auto& omission : study_.plan.omissions)
-      if (const auto at = omission.why.find("the budget of "); at == 0)
-        omission.why =
-            fmt::format("the budget of {:g} s", study_.budget_s) + omission.why.substr(omission.why.find(" s", 14) + 2);
   }
 
   /// A tenth of the tightest tolerance that is compared.
   double loosest_reference(const Grid& grid) const {
-    double tightest = 1;
+    double tightest = 1e-6;  // [m/s], where all go by sweeps
     for (const auto& setting : grid.settings)
       if (setting.tolerance > 0) tightest = std::min(tightest, setting.tolerance);
     constexpr double k_tighter = 0.1;
@@ -173,7 +193,7 @@ class Comparison {
     say(fmt::format("{} runs: {} settings x {} realisations, {:g} s simulated; about {} with {} job{}",
                     plan.runs.size(), plan.settings.size(), plan.realisations, plan.end - plan.start,
                     duration_text(plan.estimate_s), study_.jobs, study_.jobs == 1 ? "" : "s"));
-    say("own setting: " + full_label(plan.settings.front()));
+    say((study_.ablation ? "without simplifications: " : "own setting: ") + full_label(plan.settings.front()));
     std::string others;
     for (std::size_t k = 1; k < plan.settings.size(); ++k)
       others += (others.empty() ? "" : "; ") + label_of(plan.settings[k], plan.settings.front());
@@ -213,9 +233,16 @@ class Comparison {
         result.first_steps_ms += times.ms[k];
       if (times.ms.size() < study_.probe_steps) result.first_steps_ms = 0;
     }
-    // what was interrupted or ended by the budget runs again when the comparison goes on
-    if (result.done() || result.failed()) folder_->write_result(run.id, result);
+    if (result.status == "budget" && patient_.count(run.id) > 0) {
+      result.status = "too slow";
+      result.cause = fmt::format("ended after {:.3g} s, where {:.3g} s were expected", result.wall_s, run.estimate_s);
+    }
+    session_[run.id] = result;
+    // what was interrupted, slow or ended by the budget runs again when the comparison goes on
+    if (result.done() || (result.failed() && result.status != "too slow")) folder_->write_result(run.id, result);
     if (result.status == "budget") late_.push_back(run.id);
+    constexpr int k_file_error = 4;
+    if (ended.exit_code == k_file_error) throw FileError("run " + run.id + ": " + result.cause);
     if (!study_.keep_runs) thin_out(folder);
     ++ended_;
     say(fmt::format("[{}/{}] {:<14} {:<11} {:>8}  {}", ended_, study_.plan.runs.size(), run.id, result.status,
@@ -237,10 +264,17 @@ class Comparison {
     hooks.stop = stop_;
     hooks.begin = [&](std::size_t k, ChildTask& task) {
       if (study_.budget_s <= 0) return true;
-      const double left = study_.budget_s - elapsed();
+      const double left = study_.budget_s - k_closing_s * std::min(1.0, study_.budget_s / k_long_s) - elapsed();
       const bool fits = runs[k].estimate_s < left;
       if (!fits) late_.push_back(runs[k].id);
+      // one that is far slower than thought must not take what the others need
+      constexpr double k_patience = 4, k_share = 0.1;
       task.limit_s = left;
+      const double share = std::max(1.0, static_cast<double>(study_.jobs) / usable_cores());
+      const bool needed = runs[k].kind == RunKind::reference || (runs[k].kind == RunKind::grid && runs[k].setting == 0);
+      if (!needed)
+        task.limit_s = std::min(left, std::max(k_patience * share * runs[k].estimate_s, k_share * study_.budget_s));
+      if (task.limit_s < left) patient_.insert(runs[k].id);
       return fits;
     };
     hooks.ended = [&](std::size_t k, const ChildResult& ended) {
@@ -250,6 +284,7 @@ class Comparison {
     run_children(tasks, study_.jobs, hooks);
     pool_s_ = steady_seconds() - pool_started;
     results = folder_->results(study_.plan);
+    for (const auto& [id, result] : session_) results[id] = result;
   }
 
   int execute() {
@@ -258,18 +293,21 @@ class Comparison {
     run_all(results);
     if (!late_.empty())
       say(fmt::format("{} runs are not done: the budget of {:g} s was used up", late_.size(), study_.budget_s));
-    Findings findings = find(study_.plan, results, folder_->path(), study_.ablation);
+    const Judged judged = study_.ablation              ? Judged::by_first_setting
+                          : study_.reference != "auto" ? Judged::by_one_run
+                                                       : Judged::by_reference;
+    Findings findings = find(study_.plan, results, folder_->path(), judged);
     const StudyTiming timing = timing_of(results);
     findings.slowdown = timing.slowdown;
     const StudyOutputs outputs{study_, findings, timing, late_, trouble_, stop_()};
-    outputs.write(folder_->path());
+    const std::string picture_trouble = outputs.write(folder_->path());
     say(outputs.text());
+    if (!picture_trouble.empty()) std::cerr << "warning: " << picture_trouble << "\n";
     say(fmt::format("in {}; open {}", duration_text(elapsed()), (folder_->path() / "compare.html").string()));
-    if (options_.json) std::cout << outputs.json().dump(2) << "\n";
+    if (options_.json)
+      std::cout << outputs.json().dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
     if (stop_()) return k_interrupted;
-    const bool any =
-        std::any_of(findings.rows.begin(), findings.rows.end(), [](const RunRow& row) { return row.result.done(); });
-    return any ? k_done : k_numerics;
+    return outputs.compared() ? k_done : k_numerics;
   }
 
   StudyTiming timing_of(const std::map<std::string, RunResult>& results) const {
@@ -287,9 +325,8 @@ class Comparison {
   /// Every realisation is judged by the run folder that the user named.
   void take_reference(std::map<std::string, RunResult>& results) {
     const std::filesystem::path from = study_.reference;
-    ChildResult ended;
-    ended.exit_code = 0;
-    const RunResult result = read_run(from, {}, ended);
+    if (results.count("reference-r0") > 0) return;
+    const RunResult result = read_run(from, {}, ChildResult{.exit_code = 0});
     auto& runs = study_.plan.runs;
     for (int r = 0; r < study_.plan.realisations; ++r) {
       const PlannedRun run{fmt::format("reference-r{}", r), RunKind::reference, 0, r, 0};
@@ -306,14 +343,19 @@ class Comparison {
     folder_->write(study_);
   }
 
+  /// Tables and pictures take so long; of short budgets less is kept for them.
+  static constexpr double k_closing_s = 3, k_long_s = 30;
+
   const StudyOptions& options_;
   const std::function<bool()>& stop_;
   std::ostream& out_;
   double started_ = steady_seconds();
   Study study_;
   std::optional<StudyFolder> folder_;
-  std::string trouble_;            ///< of the probe
-  std::vector<std::string> late_;  ///< runs that did not begin
+  std::string trouble_;                       ///< of the probe
+  std::map<std::string, RunResult> session_;  ///< of this session, what is not kept too
+  std::set<std::string> patient_;             ///< runs that end before the budget does if they take too long
+  std::vector<std::string> late_;             ///< runs that did not begin
   std::size_t ended_ = 0;
   double busy_s_ = 0, pool_s_ = 0;  ///< wall time of the runs, and of all of them together
 };

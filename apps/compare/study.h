@@ -15,7 +15,7 @@ struct StudyOptions {
   std::string reference = "auto";          ///< or a run folder
   double reference_tolerance = 1e-10;      ///< [m/s]
   bool fixed_reference_tolerance = false;  ///< it is not loosened to fit the budget
-  double budget_s = 1200;                  ///< wall time; 0: no limit
+  std::optional<double> budget_s;          ///< wall time; 0: no limit; default 1200, of a resumed study its own [s]
   int jobs = 0;                            ///< 0: one per core
   std::string out, resume;
   bool force = false, json = false, quiet = false, keep_runs = false;

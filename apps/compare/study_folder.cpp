@@ -5,7 +5,6 @@
 #include <fstream>
 
 #include "core/base/error.h"
-#include "core/output/claim_folder.h"
 #include "core/output/output_file.h"
 
 namespace nilas {
@@ -111,18 +110,35 @@ Plan plan_of(const Json& json) {
 }  // namespace
 
 StudyFolder::StudyFolder(std::filesystem::path path, bool force) : path_(std::move(path)) {
-  claim_folder(path_, force);
   std::error_code error;
+  const bool empty = !std::filesystem::exists(path_) || std::filesystem::is_empty(path_, error);
+  if (error) throw FileError(path_.string() + ": " + error.message());
+  if (!empty && !force)
+    throw InputError(path_.string() + " is not empty; name another folder, or --force to write there");
+  // only what a comparison wrote is taken away: runs/ may as well hold someone's runs
+  const bool earlier = std::filesystem::exists(path_ / "study.json");
+  if (!earlier && std::filesystem::exists(path_ / "runs"))
+    throw InputError(path_.string() + " holds a folder runs that no comparison wrote; name another folder");
+  for (const char* part :
+       {"study.json", "compare.json", "compare.html", "compare.csv", "settings.csv", "runs", "results"})
+    if (earlier) std::filesystem::remove_all(path_ / part, error);
   for (const char* part : {"runs", "results"}) {
-    std::filesystem::remove_all(path_ / part, error);
     std::filesystem::create_directories(path_ / part, error);
     if (error) throw FileError((path_ / part).string() + ": " + error.message());
   }
+  lock_.emplace(path_);
+}
+
+void StudyFolder::abandon() const {
+  std::error_code ignored;
+  for (const char* part : {"runs", "results", "nilas.log"}) std::filesystem::remove_all(path_ / part, ignored);
+  std::filesystem::remove(path_, ignored);  // where nothing else is in it
 }
 
 StudyFolder::StudyFolder(std::filesystem::path path) : path_(std::move(path)) {
   if (!std::filesystem::exists(path_ / "study.json"))
     throw InputError("--resume: " + path_.string() + " holds no comparison (there is no study.json)");
+  lock_.emplace(path_);
 }
 
 void StudyFolder::write(const Study& study) const {
@@ -141,7 +157,7 @@ void StudyFolder::write(const Study& study) const {
                   {"keep_runs", study.keep_runs},
                   {"refused", json_of(study.refused)},
                   {"plan", json_of(study.plan)}};
-  write_whole(path_ / "study.json", json.dump(k_indent) + "\n");
+  write_whole(path_ / "study.json", json.dump(k_indent, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 Study StudyFolder::read() const {
@@ -171,7 +187,8 @@ Study StudyFolder::read() const {
 }
 
 void StudyFolder::write_result(const std::string& id, const RunResult& result) const {
-  write_whole(path_ / "results" / (id + ".json"), to_json(result).dump(k_indent) + "\n");
+  write_whole(path_ / "results" / (id + ".json"),
+              to_json(result).dump(k_indent, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 std::map<std::string, RunResult> StudyFolder::results(const Plan& plan) const {
@@ -180,7 +197,11 @@ std::map<std::string, RunResult> StudyFolder::results(const Plan& plan) const {
     std::ifstream in(path_ / "results" / (run.id + ".json"));
     if (!in) continue;
     const Json json = Json::parse(in, nullptr, false);
-    if (!json.is_discarded()) all[run.id] = run_result_from(json);
+    try {
+      if (!json.is_discarded()) all[run.id] = run_result_from(json);
+    } catch (const nlohmann::json::exception&) {
+      continue;  // not ours, or of another version: the run is made again
+    }
   }
   return all;
 }

@@ -7,10 +7,12 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "apps/compare/plan.h"
 #include "apps/compare/run_result.h"
+#include "core/output/run_lock.h"
 
 namespace nilas {
 
@@ -35,10 +37,14 @@ struct Study {
 
 class StudyFolder {
  public:
-  /// Takes a folder for a new comparison (as claim_folder).
+  /// Takes a folder for a new comparison; one that holds anything is refused (InputError) unless `force`, which removes
+  /// what an earlier comparison wrote there and nothing else. Throws FileError.
   StudyFolder(std::filesystem::path path, bool force);
   /// One that is there. Throws InputError where it holds none.
   explicit StudyFolder(std::filesystem::path path);
+
+  /// For a comparison that could not begin: removes what was made, and the folder when nothing else is in it.
+  void abandon() const;
 
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path run_folder(const std::string& id) const { return path_ / "runs" / id; }
@@ -52,6 +58,7 @@ class StudyFolder {
 
  private:
   std::filesystem::path path_;
+  std::optional<RunLock> lock_;  ///< keeps a second comparison out
 };
 
 }  // namespace nilas

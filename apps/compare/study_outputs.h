@@ -29,8 +29,11 @@ class StudyOutputs {
   StudyOutputs(const Study& study, const Findings& findings, const StudyTiming& timing,
                const std::vector<std::string>& late, const std::string& trouble, bool interrupted);
 
-  /// compare.csv, settings.csv, compare.json, then pictures and compare.html. Throws FileError.
-  void write(const std::filesystem::path& folder) const;
+  /// compare.csv, settings.csv, compare.json, then pictures and compare.html. Returns why there are no pictures, or
+  /// nothing. Throws FileError where a table or the page cannot be written.
+  std::string write(const std::filesystem::path& folder) const;
+  /// Whether anything could be judged.
+  bool compared() const;
   /// The paragraph, a line per sentence.
   std::string text() const;
   nlohmann::ordered_json json() const;
@@ -43,8 +46,10 @@ class StudyOutputs {
   std::vector<std::string> warnings() const;
   void say_price(std::vector<std::string>& lines) const;
   void say_ablation(std::vector<std::string>& lines) const;
-  std::string page(const std::filesystem::path& folder, const std::vector<std::string>& pictures) const;
+  std::string page(const std::filesystem::path& folder, const std::vector<std::string>& pictures,
+                   const std::string& instead) const;
   std::string own_setting() const;
+  std::string blocked() const;
   std::string settings_table() const;
   std::string runs_table() const;
   std::string how_measured() const;

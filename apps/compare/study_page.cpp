@@ -50,7 +50,7 @@ std::string StudyOutputs::settings_table() const {
       "[{0}]</th><th>told from chaos above [{0}]</th>{1}"
       "<th>rms distance [m]</th><th>deepest penetration [m]</th><th>energy error</th><th>law residual "
       "[m/s]</th><th>steps short of the tolerance</th><th></th></tr>\n",
-      found_.unit, load ? "<th>mean tow force [N]</th><th>std [N]</th><th>99 % [N]</th>" : "");
+      found_.unit, load ? "<th>mean ice load [N]</th><th>std [N]</th><th>99 % [N]</th>" : "");
   for (const auto& m : found_.merits) {
     std::string remark = found_.chosen == m.setting   ? "chosen"
                          : m.dominated || m.done == 0 ? ""
@@ -119,11 +119,12 @@ std::string StudyOutputs::how_measured() const {
       plan.realisations,
       plan.vary_seed ? "the scene itself, then other seeds and starts 1e-12 m aside, the same ones for every setting"
                      : "the scene itself and starts 1e-12 m aside"));
-  if (found_.measure == "load")
+  if (found_.measure == "load" && !std::isnan(found_.chaos))
     item(fmt::format(
         "Chaos: twins that start 1e-12 m aside differ in the mean load by {} (standard deviation of one run). "
         "Differences below Student's 95 % limit of what twins and realisations scatter are not called errors.",
         quantity_text(found_.chaos, "N")));
+  if (found_.measure == "load" && std::isnan(found_.chaos)) item("What chaos does was not measured: no twin is done.");
   item(found_.horizon_ends ? fmt::format("Motions are compared until {:.4g} s, where twins first part by {}.",
                                          found_.horizon_s, quantity_text(found_.horizon_threshold_m, "m"))
                            : "Motions are compared over the whole time: twins do not part.");
@@ -143,7 +144,8 @@ std::string StudyOutputs::how_measured() const {
   return html + "</ul>\n";
 }
 
-std::string StudyOutputs::page(const std::filesystem::path& folder, const std::vector<std::string>& pictures) const {
+std::string StudyOutputs::page(const std::filesystem::path& folder, const std::vector<std::string>& pictures,
+                               const std::string& instead) const {
   const std::string scene = study_.scene.stem().string();
   std::string html = fmt::format(
       "<!doctype html><html lang='en'><head><meta charset='utf-8'><title>{0}: nilas compare</title><style>{1}"
@@ -161,7 +163,7 @@ std::string StudyOutputs::page(const std::filesystem::path& folder, const std::v
   html += "<p><b>" + html_text(lines.front()) + "</b></p>\n";
   for (const auto& warning : warnings()) html += "<p class=warning>" + html_text(warning) + "</p>\n";
   for (const auto& picture : pictures) figure(picture);
-  if (pictures.empty()) html += "<p>There is nothing to draw.</p>\n";
+  if (pictures.empty()) html += "<p class=warning>" + html_text(instead) + "</p>\n";
   html += "<h2>Settings</h2>\n<p>" + html_text(own_setting()) + "</p>\n" + settings_table() + "<h2>In words</h2>\n<p>";
   for (const auto& line : lines) html += html_text(line) + "<br>\n";
   html += "</p><h2>How it was measured</h2>\n" + how_measured();
@@ -170,16 +172,23 @@ std::string StudyOutputs::page(const std::filesystem::path& folder, const std::v
          "<p>Every figure with its unit: compare.csv (a row per run), settings.csv, compare.json.</p></body></html>\n";
 }
 
-void StudyOutputs::write(const std::filesystem::path& folder) const {
+std::string StudyOutputs::write(const std::filesystem::path& folder) const {
   write_whole(folder / "compare.csv", runs_csv());
   write_whole(folder / "settings.csv", settings_csv());
-  write_whole(folder / "compare.json", json().dump(2) + "\n");
+  write_whole(folder / "compare.json", json().dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
   std::vector<std::string> labels, pictures;
   for (std::size_t k = 0; k < study_.plan.settings.size(); ++k) labels.push_back(label(k));
   // without its pictures the page still says all there is
-  write_whole(folder / "compare.html", page(folder, {}));
-  if (!found_.merits.empty()) pictures = draw_study(folder, study_, found_, labels);
-  write_whole(folder / "compare.html", page(folder, pictures));
+  write_whole(folder / "compare.html", page(folder, {}, "The pictures are not drawn yet."));
+  std::string trouble;
+  try {
+    if (!found_.merits.empty()) pictures = draw_study(folder, study_, found_, labels);
+  } catch (const FileError& e) {
+    trouble = e.what();
+  }
+  write_whole(folder / "compare.html",
+              page(folder, pictures, trouble.empty() ? "There is nothing to draw." : "No pictures: " + trouble));
+  return trouble;
 }
 
 }  // namespace nilas

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "apps/compare/ranking.h"
 #include "core/output/plot.h"
 
 namespace nilas {
@@ -40,12 +41,24 @@ constexpr const char* k_axes =
     "set logscale xy\nset format x '10^{%L}'\nset format y '10^{%L}'\nset grid lc rgb '#dddddd'\nset key outside "
     "bottom center horizontal noenhanced\n";
 
+/// Labels at 1, 2 and 5 of each decade where there are few of these, else at the decades.
+std::string log_tics(const char* axis, double low, double high) {
+  const int first = static_cast<int>(std::floor(std::log10(low))), last = static_cast<int>(std::ceil(std::log10(high)));
+  constexpr int k_few = 2;
+  std::string list;
+  for (int decade = first; decade <= last; ++decade)
+    for (const int digit : last - first > k_few ? std::vector{1} : std::vector{1, 2, 5})
+      list += fmt::format("{}{}", list.empty() ? "" : ", ", digit * std::pow(10.0, decade));
+  return fmt::format("set {0}range [{1}:{2}]\nset format {0} '%g'\nset {0}tics ({3})\n", axis, low, high, list);
+}
+
 /// Time against error: what nothing beats in black, the rest grey; what chaos hides hollow, at the level up to which it
 /// does; the chosen setting in a ring.
 std::string front(const Findings& found, const std::vector<std::string>& labels) {
-  double fastest = 1e300, slowest = 0;
+  double fastest = 1e300, slowest = 0, least = 1e300, most = 0;
+  int place = 0;
   Block best{"best", {}}, beaten{"beaten", {}}, hidden{"hidden", {}}, chosen{"chosen", {}}, names{"names", {}},
-      numbers{"numbers", {}};
+      numbers{"numbers", {}}, below{"below", {}};
   for (const auto& m : found.merits) {
     const double error = m.told ? m.error : m.floor;
     if (!(m.time > 0) || !(error > 0) || !std::isfinite(error) || m.done == 0) continue;
@@ -56,31 +69,43 @@ std::string front(const Findings& found, const std::vector<std::string>& labels)
     if (found.chosen == m.setting) chosen.rows += row;
     slowest = std::max(slowest, m.time);
     fastest = std::min(fastest, m.time);
+    least = std::min(least, error);
+    most = std::max(most, error + spread);
     const bool named = !m.dominated || found.chosen == m.setting || m.setting == 0;
-    (named ? names : numbers).rows += fmt::format(
+    // names of neighbours above and below in turn
+    (!named             ? numbers
+     : ++place % 2 == 0 ? below
+                        : names)
+        .rows += fmt::format(
         "{} {} {}\n", m.time, error,
         quoted(named ? fmt::format("{}  {}", m.setting + 1, labels[m.setting]) : std::to_string(m.setting + 1)));
   }
-  const std::string unit = found.unit;
-  std::string drawing =
-      best.text() + beaten.text() + hidden.text() + chosen.text() + names.text() + numbers.text() + k_axes;
-  drawing += fmt::format(
-      "set xlabel 'computing time per simulated second [s/s]'\nset ylabel 'error of the {} [{}]'\nset offsets graph "
-      "0.05, graph 0.35, graph 0.1, graph 0.1\n",
-      found.measure == "load"   ? "mean tow force"
-      : found.measure == "turn" ? "attitude"
-                                : "positions (rms)",
-      unit);
+  if (least > most) return "";
+  std::string drawing = best.text() + beaten.text() + hidden.text() + chosen.text() + names.text() + below.text() +
+                        numbers.text() + k_axes;
+  constexpr double k_room = 1.6, k_for_names = 4;
+  drawing += log_tics("x", fastest / k_room, slowest * k_for_names) + log_tics("y", least / k_room, most * k_room);
+  drawing += fmt::format("set xlabel 'computing time per simulated second [s/s]'\nset ylabel 'error of the {} [{}]'\n",
+                         found.measure == "load"   ? "mean ice load"
+                         : found.measure == "turn" ? "attitude"
+                                                   : "positions (rms)",
+                         found.unit);
   std::vector<std::string> layers;
   const auto layer = [&](const Block& block, const std::string& how) {
     if (!block.empty()) layers.push_back("$" + block.name + " " + how);
   };
-  layer(beaten, "using 1:2:3:4 with yerrorbars pt 7 ps 1 lw LW lc rgb '#aaaaaa' title 'another is faster and better'");
+  layer(beaten,
+        "using 1:2:3:4 with yerrorbars pt 7 ps 1 lw LW lc rgb '#aaaaaa' title 'another is faster and better, or not "
+        "all done'");
   layer(best, "using 1:2:3:4 with yerrorbars pt 7 ps 1.3 lw LW lc rgb '#000000' title 'nothing is faster and better'");
   layer(hidden, "using 1:2 with points pt 10 ps 1.3 lw LW lc rgb '#0072b2' title 'below what can be told from chaos'");
   layer(chosen, "using 1:2 with points pt 6 ps 3 lw 2*LW lc rgb '#d55e00' title 'chosen'");
-  layer(names, "using 1:2:3 with labels left offset char 1,0.4 noenhanced notitle");
+  layer(names, "using 1:2:3 with labels left offset char 1,0.6 noenhanced notitle");
+  layer(below, "using 1:2:3 with labels left offset char 1,-0.6 noenhanced notitle");
   layer(numbers, "using 1:2:3 with labels left offset char 0.6,0.3 tc rgb '#888888' noenhanced notitle");
+  if (found.reference_moves && *found.reference_moves > 0)
+    layers.push_back(fmt::format("{} with lines dt 2 lw LW lc rgb '#009e73' title 'the reference moves by'",
+                                 *found.reference_moves));
   std::string plot;
   for (const auto& one : layers) plot += (plot.empty() ? "plot " : ", \\\n  ") + one;
   return layers.empty() ? "" : drawing + plot + "\n";
@@ -136,7 +161,7 @@ std::string ablation(const Findings& found, const std::vector<std::string>& labe
         "xerrorbars pt 0 lc rgb '#000000' lw LW notitle\n",
         label, data, using_, data + " using 2:1:3");
   };
-  const std::string measure = found.measure == "load" ? "change of the mean tow force [N]"
+  const std::string measure = found.measure == "load" ? "change of the mean ice load [N]"
                                                       : "error of " + found.measure + " [" + found.unit + "]";
   return changes.text() + saved.text() +
          fmt::format(
@@ -152,14 +177,15 @@ std::string ablation(const Findings& found, const std::vector<std::string>& labe
 Findings by_motion(Findings found) {
   found.measure = "distance";
   found.unit = "m";
+  found.reference_moves.reset();
+  found.chosen.reset();
+  std::erase_if(found.merits, [](const Merit& m) { return m.done == 0 || std::isnan(m.motion.mean); });
   for (auto& m : found.merits) {
     m.error = m.motion.mean;
-    m.floor = found.horizon_threshold_m;
-    m.told = m.error > 1e-3 * m.floor;
-    m.dominated = std::any_of(found.merits.begin(), found.merits.end(), [&](const Merit& other) {
-      return other.done > 0 && other.time < m.time && other.motion.mean < m.motion.mean;
-    });
+    m.floor = found.horizon_ends ? found.horizon_threshold_m : k_rounding_share;
+    m.told = m.error > m.floor;
   }
+  rank(found);
   return found;
 }
 

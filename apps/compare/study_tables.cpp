@@ -56,10 +56,27 @@ std::vector<std::string> run_columns(const std::vector<std::string>& channels) {
                                  "compute_s_per_s",
                                  "ms_per_step"};
   for (int p = 0; p < k_num_phases; ++p) names.push_back(std::string("ms_") + to_string(static_cast<Phase>(p)));
-  for (const char* name :
-       {"load_difference_N", "motion_rms_m", "motion_largest_m", "motion_x_m", "motion_y_m", "motion_z_m", "turn_rad",
-        "penetration_max_m", "penetration_mean_m", "imbalance_relative", "momentum_imbalance_relative",
-        "stabilisation_J", "load_error_estimate_N", "unconverged_steps", "steps", "floes_end"})
+  for (const char* name : {"load_difference_N",
+                           "motion_rms_m",
+                           "motion_largest_m",
+                           "motion_x_m",
+                           "motion_y_m",
+                           "motion_z_m",
+                           "turn_rad",
+                           "penetration_max_m",
+                           "penetration_mean_m",
+                           "imbalance_relative",
+                           "momentum_imbalance_relative",
+                           "stabilisation_J",
+                           "load_error_estimate_N",
+                           "load_error_solver_N",
+                           "load_error_law_N",
+                           "load_error_chaos_N",
+                           "load_error_step_N",
+                           "load_error_alone_N",
+                           "unconverged_steps",
+                           "steps",
+                           "floes_end"})
     names.emplace_back(name);
   for (const auto& residual : residual_columns()) names.emplace_back(residual.name);
   for (const auto& channel : channels)
@@ -113,6 +130,10 @@ Json json_of(const Estimate& e) {
   return {{"mean", number_or_null(e.mean)}, {"standard_error", number_or_null(e.standard_error)}, {"runs", e.count}};
 }
 
+Json json_of(const std::optional<Coverage>& c) {
+  return c ? Json{{"runs", c->runs}, {"share", c->share}, {"median_width", number_or_null(c->width)}} : Json(nullptr);
+}
+
 }  // namespace
 
 std::string StudyOutputs::runs_csv() const {
@@ -139,7 +160,9 @@ std::string StudyOutputs::runs_csv() const {
         .number(result.penetration_mean_m);
     cells.number(result.number("/worst/imbalance_J/relative_to_energy_put_in"));
     cells.number(result.number("/worst/momentum_imbalance_relative/value")).number(result.stabilisation_J);
-    cells.number(result.number("/load_error/estimate_N"));
+    const LoadErrorParts parts = row.load_error.value_or(LoadErrorParts{k_nan, k_nan, k_nan, k_nan, k_nan});
+    cells.number(row.load_error ? parts.total() : k_nan).number(parts.solver).number(parts.law);
+    cells.number(parts.chaos).number(parts.step).number(parts.alone);
     for (const char* path : {"/shortfalls/unconverged_steps", "/steps", "/ice/floes_end"})
       cells.number(result.number(path));
     for (const auto& residual : residual_columns())
@@ -170,6 +193,7 @@ std::string StudyOutputs::settings_csv() const {
                                 "error_" + found_.unit,
                                 "floor_" + found_.unit,
                                 "told_from_chaos",
+                                "reference_moves_" + found_.unit,
                                 "dominated",
                                 "chosen",
                                 "load_N",
@@ -195,7 +219,8 @@ std::string StudyOutputs::settings_csv() const {
     cells.number(static_cast<double>(m.setting + 1)).text(label(m.setting));
     add_setting(setting, cells);
     cells.words(m.trouble).number(m.planned).number(m.done).number(m.time).number(m.time_spread).number(m.ms_per_step);
-    cells.number(m.error).number(m.floor).number(m.told ? 1 : 0).number(m.dominated ? 1 : 0);
+    cells.number(m.error).number(m.floor).number(m.told ? 1 : 0);
+    cells.number(found_.reference_moves.value_or(k_nan)).number(m.dominated ? 1 : 0);
     cells.number(found_.chosen == m.setting ? 1 : 0);
     cells.number(m.load.mean).number(m.load.standard_error);
     cells.number(m.load_difference.mean).number(m.load_difference.standard_error);
@@ -248,19 +273,22 @@ Json StudyOutputs::json() const {
           {"channel", found_.headline},
           {"scale", number_or_null(found_.scale)},
           {"reference", study_.reference},
+          {"judged_in_its_place_by", found_.stand_in},
           {"reference_moves", found_.reference_moves ? Json(*found_.reference_moves) : Json(nullptr)},
           {"reference_coarse", found_.reference_coarse},
-          {"chaos", found_.chaos},
+          {"chaos", number_or_null(found_.chaos)},
           {"horizon_s", found_.horizon_s},
           {"horizon_ends", found_.horizon_ends},
           {"simulated_s", study_.plan.end - study_.plan.start},
           {"realisations", study_.plan.realisations},
+          {"load_error_coverage", json_of(found_.coverage)},
+          {"load_error_coverage_alone", json_of(found_.coverage_alone)},
           {"chosen", found_.chosen ? Json(label(*found_.chosen)) : Json(nullptr)},
           {"settings", settings},
           {"orders", orders},
           {"left_out", left_out},
           {"cannot_run", refused},
-          {"did_not_begin", late_},
+          {"not_done_for_the_budget", late_},
           {"text", sentences()},
           {"warnings", warnings()},
           {"jobs", timing_.jobs},

@@ -18,7 +18,7 @@ std::string speed_text(double ratio) {
   return "about as fast as";
 }
 
-std::string percent(double share) { return fmt::format("{:.2g} %", 100 * share); }
+std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
 
 }  // namespace
 
@@ -48,9 +48,13 @@ std::string StudyOutputs::own_setting() const {
 /// What the fastest good enough setting buys, and what can be told at all.
 void StudyOutputs::say_price(std::vector<std::string>& lines) const {
   const Merit& own = found_.merits.front();
+  if (own.done == 0) {
+    lines.emplace_back("The scene's own setting is not done.");
+    return;
+  }
   const std::string of =
       found_.measure == "load"
-          ? fmt::format("the mean tow force ({}, {})", found_.headline, quantity_text(found_.reference_load, "N"))
+          ? fmt::format("the mean ice load ({}, {})", found_.headline, quantity_text(found_.reference_load, "N"))
       : found_.measure == "turn" ? "the attitude (1 rad)"
                                  : fmt::format("the largest way of a body ({})", quantity_text(found_.scale, "m"));
   if (found_.chosen) {
@@ -97,7 +101,7 @@ void StudyOutputs::say_ablation(std::vector<std::string>& lines) const {
     const double saved = full.time - m.time;
     const std::string change =
         found_.measure == "load"
-            ? fmt::format("changes the mean tow force by {} +- {}{}", quantity_text(m.load_difference.mean, "N"),
+            ? fmt::format("changes the mean ice load by {} +- {}{}", quantity_text(m.load_difference.mean, "N"),
                           quantity_text(m.load_difference.standard_error, "N"),
                           m.told ? "" : ", which chaos alone can do")
             : fmt::format("moves bodies by {} (rms) and turns them by {:.2g} rad{}", quantity_text(m.motion.mean, "m"),
@@ -108,27 +112,48 @@ void StudyOutputs::say_ablation(std::vector<std::string>& lines) const {
   }
 }
 
+bool StudyOutputs::compared() const {
+  return std::any_of(found_.merits.begin(), found_.merits.end(),
+                     [](const Merit& m) { return m.done > 0 && std::isfinite(m.error); });
+}
+
+/// Why nothing could be judged.
+std::string StudyOutputs::blocked() const {
+  if (!trouble_.empty()) return trouble_;
+  for (const auto& row : found_.rows)
+    if (row.result.failed()) return row.run.id + ": " + row.result.status + ", " + row.result.cause;
+  const bool any =
+      std::any_of(found_.rows.begin(), found_.rows.end(), [](const auto& row) { return row.result.done(); });
+  if (any && found_.horizon_ends && found_.horizon_s <= study_.plan.start)
+    return "twins part before the first states that are stored";
+  return interrupted_ ? "it was interrupted" : "the budget ended before";
+}
+
 std::vector<std::string> StudyOutputs::sentences() const {
   std::vector<std::string> lines;
-  if (found_.merits.empty() || found_.merits.front().done == 0 || std::isnan(found_.merits.front().error)) {
-    const std::string why = !trouble_.empty() ? trouble_
-                            : !found_.merits.empty() && !found_.merits.front().trouble.empty()
-                                ? found_.merits.front().trouble
-                            : interrupted_ ? "it was interrupted"
-                                           : "the budget ended before";
-    lines.emplace_back("Nothing can be compared: the runs that settings are judged by did not end (" + why + ").");
+  if (!compared()) {
+    lines.emplace_back("Nothing can be compared: " + blocked() + ".");
     return lines;
   }
   if (study_.ablation)
     say_ablation(lines);
   else
     say_price(lines);
+  if (lines.empty()) lines.emplace_back("The budget left no simplification to run.");
   if (found_.measure != "load" && found_.headline.size() > 0)
     lines.emplace_back("The vessel felt no force in this time, so motions are compared.");
   if (found_.horizon_ends)
     lines.push_back(
         fmt::format("Single motions can be predicted until {:.3g} s; twins that start 1e-12 m aside are then {} apart.",
                     found_.horizon_s, quantity_text(found_.horizon_threshold_m, "m")));
+  if (found_.coverage)
+    lines.push_back(
+        fmt::format("The load error estimate, with what twins and other steps tell of chaos and step, covers the "
+                    "measured error in {} of "
+                    "{} runs and is {:.2g} times as wide in the median; what each run says by itself covers {} and is "
+                    "{:.2g} times as wide.",
+                    percent(found_.coverage->share), found_.coverage->runs, found_.coverage->width,
+                    percent(found_.coverage_alone->share), found_.coverage_alone->width));
   for (const auto& order : found_.orders)
     lines.push_back(fmt::format("Over {} steps the error of \"{}\" falls with order {:.2f}.", order.steps, order.rest,
                                 order.order));
@@ -140,7 +165,16 @@ std::vector<std::string> StudyOutputs::warnings() const {
   if (interrupted_) lines.emplace_back("Interrupted: what is shown is what was done until then; --resume goes on.");
   if (!late_.empty())
     lines.push_back(
-        fmt::format("The budget was used up before {} of {} runs began.", late_.size(), study_.plan.runs.size()));
+        fmt::format("The budget was used up before {} of {} runs were done.", late_.size(), study_.plan.runs.size()));
+  if (!found_.stand_in.empty())
+    lines.push_back(fmt::format(
+        "No run of the reference is done ({}): settings are judged by {} in its place, whose own error is not known.",
+        found_.reference_trouble.empty() ? "not run" : found_.reference_trouble, found_.stand_in));
+  else if (!found_.reference_trouble.empty())
+    lines.push_back(fmt::format("Not all runs of the reference are done ({}).", found_.reference_trouble));
+  if (found_.stand_in.empty() && !found_.reference_moves && !study_.ablation && study_.reference == "auto" &&
+      !study_.event_driven)
+    lines.emplace_back("How far the reference still moves with its step is not known: the run that tells is not done.");
   if (found_.reference_coarse)
     lines.push_back(
         fmt::format("The reference itself moves by {} when its step is doubled, more than the smallest error shown: "
@@ -157,8 +191,8 @@ std::vector<std::string> StudyOutputs::warnings() const {
                                 study_.plan.reference.tolerance, percent(reference_short)));
   for (const auto& m : found_.merits)
     if (m.failed > 0)
-      lines.push_back(fmt::format("\"{}\": {} of {} runs failed ({}).", label(m.setting), m.planned - m.done, m.planned,
-                                  m.trouble));
+      lines.push_back(
+          fmt::format("\"{}\": {} of {} runs failed ({}).", label(m.setting), m.failed, m.planned, m.trouble));
   if (timing_.slowdown > 1 + std::max(0.1, 2 * found_.time_spread))
     lines.push_back(
         fmt::format("Runs beside each other took {:.2f} times as long as alone: all times here are larger by about "

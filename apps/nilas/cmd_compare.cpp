@@ -1,7 +1,9 @@
+#include <fmt/format.h>
+
 #include <csignal>
 #include <memory>
 
-#include "apps/compare/problem_study.h"
+#include "apps/compare/problems/problem_study.h"
 #include "apps/compare/study.h"
 #include "apps/nilas/commands.h"
 #include "apps/nilas/scene_flags.h"
@@ -28,7 +30,7 @@ int compare_problems(const CompareOptions& options, bool goes_on) {
   study.solvers = shared.grid.solvers;
   study.laws = shared.grid.laws;
   study.tolerances = shared.grid.tolerances;
-  study.budget_s = shared.budget_s;
+  study.budget_s = shared.budget_s.value_or(0);
   study.jobs = shared.jobs;
   study.out = shared.out;
   study.json = shared.json;
@@ -47,12 +49,12 @@ int compare(CompareOptions options) {
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);
   std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is then an error of the write, with a message
-  const bool goes_on = holds_problem_study(options.study.resume);
+  const bool goes_on = !options.study.resume.empty() && holds_problem_study(options.study.resume);
   if (!options.problems.empty() || goes_on) return compare_problems(options, goes_on);
   options.study.scene = options.scene.file;
   for (const auto& text : options.scene.set) options.study.overrides.push_back(split_override(text));
-  if (options.scene.until) options.study.overrides.emplace_back("time/@end", std::to_string(*options.scene.until));
-  if (options.scene.seed) options.study.overrides.emplace_back("seed/@value", std::to_string(*options.scene.seed));
+  if (options.scene.until) options.study.overrides.emplace_back("time/@end", fmt::format("{}", *options.scene.until));
+  if (options.scene.seed) options.study.overrides.emplace_back("seed/@value", fmt::format("{}", *options.scene.seed));
   return run_study(options.study, [] { return stop_requested != 0; });
 }
 
@@ -79,7 +81,7 @@ void add_compare(CLI::App& app, Action& action) {
   add_list(*command, "--tolerance", study.grid.tolerances,
            "tolerances of the solver; 0: always its most iterations [m/s]")
       ->check(at_least(0));
-  add_list(*command, "--integrators", study.grid.integrators, "semi-implicit-euler, moreau");
+  add_list(*command, "--integrators", study.grid.integrators, "semi-implicit-euler, moreau, reference");
   add_list(*command, "--stabilisations", study.grid.stabilisations,
            "none, baumgarte, split-impulse, tasora, projection");
   auto* ablate =
@@ -93,11 +95,13 @@ void add_compare(CLI::App& app, Action& action) {
                         ->add_option("--reference-tolerance", study.reference_tolerance,
                                      "of the reference's solver; without this flag a budget may loosen it [m/s]")
                         ->capture_default_str();
-  command->add_option("--budget", study.budget_s, "wall time for all; 0: no limit [s]")
-      ->check(at_least(0))
-      ->capture_default_str();
+  command
+      ->add_option("--budget", study.budget_s,
+                   "wall time for all; 0: no limit (default: 1200, of a resumed one its own) [s]")
+      ->check(at_least(0));
   command->add_option("--jobs", study.jobs, "runs at a time (default: one per core)")->check(at_least(1));
-  command->add_option("--resume", study.resume, "in place of a scene: goes on with the comparison in this folder");
+  auto* resume =
+      command->add_option("--resume", study.resume, "in place of a scene: goes on with the comparison in this folder");
   command->add_option("--out", study.out, "folder (default: runs/<scene>-compare-<time>)");
   command->add_option("--until", options->scene.until, "end time instead of the scene's [s]");
   add_value_flags(*command, options->scene);
@@ -111,6 +115,11 @@ void add_compare(CLI::App& app, Action& action) {
                            "--reference-tolerance", "--until", "--seed", "--set", "--keep-runs"})
     problems->excludes(flag);
   problems->excludes(scene);
+  ablate->excludes("--reference");
+  for (const char* flag : {"scene", "--problems", "--solvers", "--laws", "--dt", "--tolerance", "--integrators",
+                           "--stabilisations", "--ablate", "--seeds", "--reference", "--reference-tolerance", "--out",
+                           "--until", "--seed", "--set", "--keep-runs", "--force"})
+    resume->excludes(flag);
   command->callback([&action, options, scene, tolerance] {
     if (options->study.resume.empty() && options->problems.empty() && scene->count() == 0)
       throw CLI::RequiredError("scene");

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <thread>
 
-#include "apps/compare/challenge_export.h"
+#include "apps/compare/problems/challenge_export.h"
 #include "apps/nilas/commands.h"
 #include "apps/verify/setting.h"
 

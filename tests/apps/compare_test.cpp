@@ -12,7 +12,7 @@ namespace {
 using namespace nilas_test;
 
 constexpr const char* k_ship = R"(<scene version="1" name="ship">
-  <time step="0.01" end="0.6"/>
+  <time step="0.01" end="1"/>
   <contact law="coulomb" solver="auto" tolerance="1e-6">
     <friction between="hull ice" static="0.2" kinetic="0.1"/>
     <friction between="ice ice" static="0.3" kinetic="0.3"/>
@@ -60,6 +60,8 @@ TEST(Compare, LeavesTablesPicturesAndAPageThatSayTheSame) {
   const auto json = json_of(out / "compare.json");
   EXPECT_EQ(json["settings"].size(), 4U);
   EXPECT_TRUE(json["complete"]);
+  EXPECT_EQ(json["measure"], "load");
+  EXPECT_EQ(json["load_error_coverage"]["runs"], 8);
   const Table runs(out / "compare.csv");
   // 4 settings, a twin and a reference for each of 2 realisations, and one to check the reference
   EXPECT_EQ(runs.rows(), 4U * 2 + 2 + 2 + 1);
@@ -71,6 +73,7 @@ TEST(Compare, LeavesTablesPicturesAndAPageThatSayTheSame) {
     EXPECT_EQ(settings.text("label")[k], json["settings"][k]["label"]);
     EXPECT_GT(settings["compute_s_per_s"][k], 0);
     EXPECT_TRUE(std::isfinite(settings["load_difference_N"][k]));
+    EXPECT_NE(settings["load_N"][k], 0);
   }
   for (const char* name : {"front.svg", "front.png", "compare.html"})
     EXPECT_GT(fs::file_size(out / name), 1000U) << name;
@@ -193,7 +196,7 @@ TEST(Compare, AblationShowsTheMissingGyroscopicTorqueAndNothingElseOfAFreeTop) {
 TEST(Compare, OfATowedShipTurnsOnEverySimplification) {
   const ScratchFolder folder;
   folder.write("ship.xml", k_ship);
-  const auto result = run_nilas("compare ship.xml --ablate --seeds 2 --until 0.3 --out out --quiet", folder.path());
+  const auto result = run_nilas("compare ship.xml --ablate --seeds 2 --out out --quiet", folder.path());
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const Table settings(folder.path() / "out/settings.csv");
   EXPECT_EQ(settings.rows(), 9U);
@@ -204,7 +207,7 @@ TEST(Compare, AFailingSettingStaysInTheTable) {
   const ScratchFolder folder;
   folder.write("stack.xml", R"(<scene version="1" name="stack">
   <time step="0.01" end="0.1"/>
-  <contact law="coulomb" solver="nsgs" tolerance="1e-1" max_iterations="2" on_failure="stop">
+  <contact law="coulomb" solver="nsgs" tolerance="10" max_iterations="2" on_failure="stop">
     <friction between="structure structure" static="0.5" kinetic="0.5"/>
   </contact>
   <body name="ground" shape="plane" fixed="true"/>
@@ -213,7 +216,7 @@ TEST(Compare, AFailingSettingStaysInTheTable) {
 </scene>
 )");
   const auto result =
-      run_nilas("compare stack.xml --out out --solvers nsgs,newton --tolerance 1e-1,1e-12 --seeds 1", folder.path());
+      run_nilas("compare stack.xml --out out --solvers nsgs,newton --tolerance 10,1e-12 --seeds 1", folder.path());
   EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
   const Table runs(folder.path() / "out/compare.csv");
   bool failed = false;
@@ -280,6 +283,28 @@ TEST(Compare, AFullDiskIsAFileError) {
     result = run_nilas("compare ship.xml --dt 0.01,0.005 --seeds 1 --out out", folder.path());
   }
   EXPECT_EQ(result.exit_code, 4) << result.out << result.err;
+}
+
+TEST(Compare, WithoutItsReferenceIsJudgedByTheMostAccurateThatIsDoneAndSaysSo) {
+  const ScratchFolder folder;
+  folder.write("ship.xml", k_ship);
+  ASSERT_EQ(run_nilas("compare ship.xml --dt 0.01,0.005 --seeds 1 --out out --quiet", folder.path()).exit_code, 0);
+  // as a reference that the budget ended
+  for (const char* id : {"reference-r0", "check-r0"})
+    fs::remove(folder.path() / "out/results" / (std::string(id) + ".json"));
+  const auto result = run_nilas("compare --resume out --budget 0.01", folder.path());
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+  EXPECT_EQ(json_of(folder.path() / "out/compare.json")["judged_in_its_place_by"], "\"0.005 s\"");
+  expect_page(folder.path() / "out", "in its place");
+}
+
+TEST(Compare, LeavesAloneARunsFolderThatItDidNotWrite) {
+  const ScratchFolder folder;
+  folder.write("ship.xml", k_ship);
+  fs::create_directories(folder.path() / "runs/precious");
+  const auto result = run_nilas("compare ship.xml --dt 0.01,0.005 --out . --force", folder.path());
+  EXPECT_EQ(result.exit_code, 2) << result.err;
+  EXPECT_TRUE(fs::exists(folder.path() / "runs/precious"));
 }
 
 TEST(Compare, CanBeJudgedByARunFolder) {

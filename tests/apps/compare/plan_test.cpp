@@ -15,9 +15,8 @@ using namespace nilas;
 CostModel cost() {
   CostModel model;
   model.setup_s = 0.5;
-  model.rate = {{1, 1}, {3, 2}};
-  model.solver_share = 0.5;
-  model.reference_factor = 10;
+  model.rate = {{1, 0.5, 0.5}, {3, 1, 1}};
+  model.reference_weight = 10;
   return model;
 }
 
@@ -42,7 +41,7 @@ CompareSetting reference() {
 
 Plan plan(double budget, int jobs = 2, bool fixed = false) {
   PlanRequest request;
-  request.budget_s = budget;
+  request.budget_s = request.stated_budget_s = budget;
   request.jobs = jobs;
   request.end = 60;
   request.fixed_realisations = fixed;
@@ -55,17 +54,20 @@ double runs_total(const Plan& plan) {
 }
 
 TEST(Cost, OfARunGoesOnAsItsLastStretch) {
-  EXPECT_DOUBLE_EQ(cost().seconds(0.5), 1);
-  EXPECT_DOUBLE_EQ(cost().seconds(2), 0.5 + 1 + 2);
-  EXPECT_DOUBLE_EQ(cost().seconds(10), 0.5 + 1 + 18);
+  EXPECT_DOUBLE_EQ(cost().steps_seconds(0.5), 0.5);
+  EXPECT_DOUBLE_EQ(cost().steps_seconds(2), 1 + 2);
+  EXPECT_DOUBLE_EQ(cost().steps_seconds(10), 1 + 18);
+  EXPECT_DOUBLE_EQ(cost().steps_seconds(2, 3), 2 + 4);
 }
 
-TEST(Cost, OfASettingGoesWithItsStepAndTheSolversShare) {
+TEST(Cost, OfASolveGoesWithSolverAndTolerance) {
   const auto all = settings();
-  EXPECT_DOUBLE_EQ(cost_factor(all[0], all[0], cost()), 1);
-  EXPECT_DOUBLE_EQ(cost_factor(all[1], all[0], cost()), 0.5);
-  EXPECT_GT(cost_factor(all[2], all[0], cost()), 1);
-  EXPECT_LT(cost_factor(all[3], all[0], cost()), 0.5);
+  EXPECT_DOUBLE_EQ(solver_weight(all[0], all[0]), 1);
+  EXPECT_GT(solver_weight(all[2], all[0]), 1);
+  EXPECT_LT(solver_weight(all[3], all[0]), 1);
+  CompareSetting tight = all[0];
+  tight.tolerance = 1e-8;
+  EXPECT_GT(solver_weight(tight, all[0]), 1);
 }
 
 TEST(Plan, WithoutALimitHasEverythingWithATwinOfEachRealisation) {

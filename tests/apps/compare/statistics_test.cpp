@@ -24,6 +24,12 @@ TEST(Statistics, StudentsQuantilesAreThoseOfTheTable) {
   EXPECT_TRUE(std::isinf(student_95(0)));
 }
 
+TEST(Statistics, FishersQuantilesAreThoseOfTheTable) {
+  EXPECT_NEAR(scatter_95(2, 10), 4.103, 5e-4);
+  EXPECT_NEAR(scatter_95(1, 30), 4.171, 5e-4);
+  EXPECT_TRUE(std::isinf(scatter_95(0, 3)));
+}
+
 TEST(PooledVariance, OfTwinsAloneIsTheMeanSquareOfTheirDifferences) {
   const PooledVariance pooled = pooled_variance({3, -1}, {}, 0);
   EXPECT_DOUBLE_EQ(pooled.value, 5);

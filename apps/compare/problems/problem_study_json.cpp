@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "apps/compare/problem_study_page.h"
-#include "apps/compare/problem_study_table.h"
+#include "apps/compare/problems/problem_study_page.h"
+#include "apps/compare/problems/problem_study_table.h"
 
 namespace nilas {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/compare/problem_study_results.h"
+#include "apps/compare/problems/problem_study_results.h"
 
 namespace nilas {
 

@@ -1,4 +1,4 @@
-#include "apps/compare/problem_study_figures.h"
+#include "apps/compare/problems/problem_study_figures.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "apps/compare/challenge_export.h"
+#include "apps/compare/problems/challenge_export.h"
 
 #include <fmt/format.h>
 
@@ -12,9 +12,9 @@
 #include <optional>
 #include <vector>
 
-#include "apps/compare/challenge_catalogue.h"
-#include "apps/compare/challenge_scenes.h"
-#include "apps/compare/problem_study_plan.h"
+#include "apps/compare/problems/challenge_catalogue.h"
+#include "apps/compare/problems/challenge_scenes.h"
+#include "apps/compare/problems/problem_study_plan.h"
 #include "apps/verify/jobs.h"
 #include "contact/fclib_io.h"
 #include "contact/registry.h"

@@ -1,4 +1,4 @@
-#include "apps/compare/problem_study_results.h"
+#include "apps/compare/problems/problem_study_results.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <map>
 #include <tuple>
 
-#include "apps/compare/problem_study_plan.h"
+#include "apps/compare/problems/problem_study_plan.h"
 
 namespace nilas {
 

@@ -1,12 +1,12 @@
 /// Performance profiles against numbers by hand.
-#include "apps/compare/problem_profiles.h"
+#include "apps/compare/problems/problem_profiles.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "apps/compare/problem_study_plan.h"
-#include "apps/compare/problem_study_results.h"
+#include "apps/compare/problems/problem_study_plan.h"
+#include "apps/compare/problems/problem_study_results.h"
 #include "core/base/error.h"
 
 namespace nilas {

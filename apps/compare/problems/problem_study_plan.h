@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/compare/problem_study_row.h"
+#include "apps/compare/problems/problem_study_row.h"
 
 namespace nilas {
 

@@ -1,4 +1,4 @@
-#include "apps/compare/challenge_catalogue.h"
+#include "apps/compare/problems/challenge_catalogue.h"
 
 #include <cmath>
 

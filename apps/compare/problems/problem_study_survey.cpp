@@ -3,7 +3,7 @@
 #include <limits>
 #include <set>
 
-#include "apps/compare/problem_study_plan.h"
+#include "apps/compare/problems/problem_study_plan.h"
 #include "contact/fclib_io.h"
 #include "core/base/error.h"
 

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "apps/compare/problem_study_run.h"
-#include "apps/compare/problem_study_table.h"
+#include "apps/compare/problems/problem_study_run.h"
+#include "apps/compare/problems/problem_study_table.h"
 #include "contact/fclib_io.h"
 #include "core/base/error.h"
 #include "tests/support/cone_problems.h"

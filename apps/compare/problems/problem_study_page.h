@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/compare/problem_study_figures.h"
+#include "apps/compare/problems/problem_study_figures.h"
 
 namespace nilas {
 

@@ -1,4 +1,4 @@
-#include "apps/compare/problem_study_plan.h"
+#include "apps/compare/problems/problem_study_plan.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "apps/compare/problem_study_page.h"
+#include "apps/compare/problems/problem_study_page.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <set>
 #include <sstream>
 
-#include "apps/compare/problem_study_run.h"
+#include "apps/compare/problems/problem_study_run.h"
 #include "core/output/html.h"
 #include "core/output/output_file.h"
 

@@ -1,4 +1,4 @@
-#include "apps/compare/problem_study.h"
+#include "apps/compare/problems/problem_study.h"
 
 #include <fmt/format.h>
 #include <sys/utsname.h>
@@ -16,10 +16,10 @@
 #include <tuple>
 
 #include "apps/compare/child.h"
-#include "apps/compare/problem_study_page.h"
-#include "apps/compare/problem_study_plan.h"
-#include "apps/compare/problem_study_run.h"
-#include "apps/compare/problem_study_table.h"
+#include "apps/compare/problems/problem_study_page.h"
+#include "apps/compare/problems/problem_study_plan.h"
+#include "apps/compare/problems/problem_study_run.h"
+#include "apps/compare/problems/problem_study_table.h"
 #include "core/base/error.h"
 #include "core/output/claim_folder.h"
 #include "core/output/console.h"

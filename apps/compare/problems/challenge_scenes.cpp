@@ -1,4 +1,4 @@
-#include "apps/compare/challenge_scenes.h"
+#include "apps/compare/problems/challenge_scenes.h"
 
 #include <algorithm>
 

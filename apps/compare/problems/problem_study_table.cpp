@@ -1,4 +1,4 @@
-#include "apps/compare/problem_study_table.h"
+#include "apps/compare/problems/problem_study_table.h"
 
 #include <algorithm>
 #include <charconv>

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "apps/compare/challenge_catalogue.h"
+#include "apps/compare/problems/challenge_catalogue.h"
 #include "contact/fclib_io.h"
 #include "contact/measure.h"
 #include "tests/support/program.h"

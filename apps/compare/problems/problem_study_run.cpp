@@ -1,4 +1,4 @@
-#include "apps/compare/problem_study_run.h"
+#include "apps/compare/problems/problem_study_run.h"
 
 #include <fmt/format.h>
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "apps/compare/problem_profiles.h"
-#include "apps/compare/problem_study_row.h"
+#include "apps/compare/problems/problem_profiles.h"
+#include "apps/compare/problems/problem_study_row.h"
 
 namespace nilas {
 

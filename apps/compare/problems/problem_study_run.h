@@ -4,7 +4,7 @@
 #include <string>
 
 #include "apps/compare/child.h"
-#include "apps/compare/problem_study_plan.h"
+#include "apps/compare/problems/problem_study_plan.h"
 
 namespace nilas {
 

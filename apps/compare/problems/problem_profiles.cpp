@@ -1,4 +1,4 @@
-#include "apps/compare/problem_profiles.h"
+#include "apps/compare/problems/problem_profiles.h"
 
 #include <algorithm>
 #include <cmath>
