@@ -308,7 +308,9 @@ class Judge {
     const bool measured = pooled.degrees > 0;
     found_.chaos = measured ? std::sqrt(0.5 * pooled.value) : k_nan;
     chaos_of_difference_ = measured ? student_95(pooled.degrees) * std::sqrt(pooled.value) : k_nan;
-    found_.common_floor = floor_of(pooled.value, pooled.degrees, plan_.realisations);
+    int most = 1;  // of the reference's realisations, not all may be done
+    for (const auto& m : found_.merits) most = std::max(most, m.load_difference.count);
+    found_.common_floor = floor_of(pooled.value, pooled.degrees, most);
     for (auto& m : found_.merits) {
       const int count = m.load_difference.count;
       const double own = variance_of_difference(m);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <tuple>
 
 namespace nilas {
 
@@ -26,7 +27,7 @@ double time_of(const std::string& solver) {
 }
 
 /// Each decade of accuracy costs about so much more.
-constexpr double k_per_decade = 1.5;
+constexpr double k_per_decade = 2.5;
 
 double tolerance_weight(double tolerance) {
   constexpr double k_usual = 1e-6;
@@ -194,10 +195,14 @@ class Planner {
       for (std::size_t k = 1; k < draft_.kept.size(); ++k)
         plan.runs.push_back({fmt::format("s{:02d}-r{}", k, r), RunKind::grid, k, r, setting_seconds(draft_.kept[k])});
     }
-    // the longest first keeps all jobs busy to the end; realisation by realisation keeps what is done balanced
-    std::stable_sort(plan.runs.begin(), plan.runs.end(), [](const PlannedRun& a, const PlannedRun& b) {
-      return a.realisation != b.realisation ? a.realisation < b.realisation : a.estimate_s > b.estimate_s;
-    });
+    // realisation by realisation keeps what is done balanced; what settings are judged by comes first, then what tells
+    // most, so that a budget that is used up early takes the least
+    const auto place = [](const PlannedRun& run) {
+      const bool judges = run.kind == RunKind::reference || run.kind == RunKind::check;
+      return std::tuple(run.realisation, !judges, judges ? -run.estimate_s : 0.0, run.setting);
+    };
+    std::stable_sort(plan.runs.begin(), plan.runs.end(),
+                     [&](const PlannedRun& a, const PlannedRun& b) { return place(a) < place(b); });
   }
 
   const std::vector<CompareSetting>& settings_;

@@ -136,6 +136,7 @@ void StudyFolder::abandon() const {
 }
 
 StudyFolder::StudyFolder(std::filesystem::path path) : path_(std::move(path)) {
+  if (!std::filesystem::is_directory(path_)) throw FileError("--resume: there is no folder " + path_.string());
   if (!std::filesystem::exists(path_ / "study.json"))
     throw InputError("--resume: " + path_.string() + " holds no comparison (there is no study.json)");
   lock_.emplace(path_);

@@ -40,7 +40,7 @@ class StudyFolder {
   /// Takes a folder for a new comparison; one that holds anything is refused (InputError) unless `force`, which removes
   /// what an earlier comparison wrote there and nothing else. Throws FileError.
   StudyFolder(std::filesystem::path path, bool force);
-  /// One that is there. Throws InputError where it holds none.
+  /// One that is there. Throws InputError where it holds none, FileError where it is not there.
   explicit StudyFolder(std::filesystem::path path);
 
   /// For a comparison that could not begin: removes what was made, and the folder when nothing else is in it.

@@ -56,7 +56,9 @@ std::string StudyOutputs::settings_table() const {
                          : m.dominated || m.done == 0 ? ""
                                                       : "nothing is faster and better";
     if (!m.trouble.empty()) remark = m.trouble;
-    html += fmt::format("<tr class='{}'>", m.done < m.planned ? "fails" : found_.chosen == m.setting ? "chosen" : "");
+    html += fmt::format("<tr class='{}'>", m.failed > 0 || m.done == 0  ? "fails"
+                                           : found_.chosen == m.setting ? "chosen"
+                                                                        : "");
     html += cell(static_cast<double>(m.setting + 1)) + "<td title='" +
             html_text(full_label(study_.plan.settings[m.setting])) + "'>" + html_text(label(m.setting)) + "</td>";
     html += "<td class=n>" + (std::isfinite(m.time) ? fmt::format("{:.3g}", m.time) : "") +

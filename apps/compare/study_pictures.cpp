@@ -44,7 +44,7 @@ constexpr const char* k_axes =
 /// Labels at 1, 2 and 5 of each decade where there are few of these, else at the decades.
 std::string log_tics(const char* axis, double low, double high) {
   const int first = static_cast<int>(std::floor(std::log10(low))), last = static_cast<int>(std::ceil(std::log10(high)));
-  constexpr int k_few = 2;
+  constexpr int k_few = 3;
   std::string list;
   for (int decade = first; decade <= last; ++decade)
     for (const int digit : last - first > k_few ? std::vector{1} : std::vector{1, 2, 5})

@@ -129,7 +129,8 @@ TEST(Compare, RefusesNamesThatDoNotExist) {
   refused("--solvers auto", "nothing to compare");
   refused("--reference nowhere --solvers nsgs", "no run folder");
   EXPECT_EQ(run_nilas("compare nowhere.xml --out out", folder.path()).exit_code, 4);
-  EXPECT_EQ(run_nilas("compare --resume nowhere", folder.path()).exit_code, 2);
+  EXPECT_EQ(run_nilas("compare --resume nowhere", folder.path()).exit_code, 4);
+  EXPECT_EQ(run_nilas("compare --resume .", folder.path()).exit_code, 2);
 }
 
 TEST(Compare, ShowsTheKnownErrorOfThePyramid) {
