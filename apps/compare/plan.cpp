@@ -17,7 +17,7 @@ constexpr double k_share = 0.85;
 /// Of reading and drawing at the end [s].
 constexpr double k_closing_s = 3;
 
-/// Time of a solve to 1e-6 over that of nsgs, as in docs/validation.md's fields of floes.
+/// Roughly, a solve's time over that of nsgs in fields of floes: for estimates before anything was run.
 double time_of(const std::string& solver) {
   static const std::map<std::string, double> weights{{"pgs", 0.6},          {"nsgs", 1},     {"auto", 1.2}, {"eg", 10},
                                                      {"apgd", 5},           {"admm", 8},     {"newton", 5}, {"ipm", 25},
@@ -230,6 +230,11 @@ double CostModel::steps_seconds(double length, double weight) const {
 
 double solver_weight(const CompareSetting& setting, const CompareSetting& first) {
   return weight(setting) / weight(first);
+}
+
+const CompareSetting& Plan::setting_of(const PlannedRun& run) const {
+  if (run.kind == RunKind::reference) return reference;
+  return run.kind == RunKind::check ? check : settings[run.setting];
 }
 
 const char* name_of(RunKind kind) {

@@ -67,6 +67,8 @@ struct Plan {
   int realisations = 0;
   double estimate_s = 0;  ///< wall time
   bool vary_seed = true;  ///< realisations differ in the seed, not only as twins do
+
+  const CompareSetting& setting_of(const PlannedRun& run) const;
 };
 
 /// The longest simulated time, most realisations and most settings that fit. Settings beyond `core` (those that differ

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <iostream>
 #include <set>
 
@@ -13,6 +12,7 @@
 #include "apps/compare/study_folder.h"
 #include "apps/compare/study_outputs.h"
 #include "core/base/error.h"
+#include "core/output/claim_folder.h"
 #include "core/output/console.h"
 
 namespace nilas {
@@ -20,15 +20,6 @@ namespace nilas {
 namespace {
 
 constexpr int k_done = 0, k_bad_input = 2, k_numerics = 3, k_interrupted = 130;
-
-std::string default_folder(const std::string& scene) {
-  const std::time_t now = std::time(nullptr);
-  std::tm local{};
-  localtime_r(&now, &local);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y%m%d-%H%M%S", &local);
-  return "runs/" + scene + "-compare-" + text;
-}
 
 /// A comparison while it runs.
 class Comparison {
@@ -40,7 +31,8 @@ class Comparison {
     const Scene scene = read_scene(options_.scene, options_.overrides);
     const Grid grid = make_grid(scene, options_.overrides, options_.grid);
     if (options_.reference != "auto") demand_reference_run(scene);
-    folder_.emplace(options_.out.empty() ? default_folder(scene.name) : options_.out, options_.force);
+    folder_.emplace(options_.out.empty() ? dated_folder(scene.name + "-compare").string() : options_.out,
+                    options_.force);
     try {
       describe(scene);
       for (const auto& refused : grid.refused)
@@ -204,22 +196,16 @@ class Comparison {
     for (const auto& refused : study_.refused) say(fmt::format("cannot run: {}: {}", refused.what, refused.why));
   }
 
-  const CompareSetting& setting_of_run(const PlannedRun& run) const {
-    if (run.kind == RunKind::reference) return study_.plan.reference;
-    if (run.kind == RunKind::check) return study_.plan.check;
-    return study_.plan.settings[run.setting];
-  }
-
   std::string run_label(const PlannedRun& run) const {
-    if (run.kind == RunKind::reference || run.kind == RunKind::check) return full_label(setting_of_run(run));
-    return label_of(setting_of_run(run), study_.plan.settings.front());
+    if (run.kind == RunKind::reference || run.kind == RunKind::check) return full_label(study_.plan.setting_of(run));
+    return label_of(study_.plan.setting_of(run), study_.plan.settings.front());
   }
 
   SceneRun scene_run(const PlannedRun& run) const {
     SceneRun out{study_.scene,    folder_->run_folder(run.id), folder_->run_folder(run.id + ".log"), study_.overrides,
                  study_.plan.end, study_.plan.sample_every};
     for (const Overrides& more :
-         {setting_of_run(run).overrides(), realisation_overrides(study_.seed, run, study_.plan.vary_seed)})
+         {study_.plan.setting_of(run).overrides(), realisation_overrides(study_.seed, run, study_.plan.vary_seed)})
       out.overrides.insert(out.overrides.end(), more.begin(), more.end());
     return out;
   }

@@ -113,12 +113,6 @@ class Cells {
   CsvRow row_;
 };
 
-const CompareSetting& setting_of_run(const Plan& plan, const PlannedRun& run) {
-  if (run.kind == RunKind::reference) return plan.reference;
-  if (run.kind == RunKind::check) return plan.check;
-  return plan.settings[run.setting];
-}
-
 void add_setting(const CompareSetting& setting, Cells& cells) {
   cells.text(setting.solver).text(setting.law).number(setting.step).number(setting.tolerance);
   cells.text(setting.stabilisation).text(setting.integrator).text(simplifications_text(setting));
@@ -144,7 +138,7 @@ std::string StudyOutputs::runs_csv() const {
     const bool given = row.run.kind == RunKind::reference && study_.reference != "auto";
     Cells cells;
     cells.text(row.run.id).text(name_of(row.run.kind));
-    add_setting(given ? CompareSetting{"", "", "", "", k_nan, k_nan} : setting_of_run(study_.plan, row.run), cells);
+    add_setting(given ? CompareSetting{"", "", "", "", k_nan, k_nan} : study_.plan.setting_of(row.run), cells);
     cells.number(row.run.realisation);
     const Overrides realisation = realisation_overrides(study_.seed, row.run, study_.plan.vary_seed);
     cells.text(realisation[0].second).text(realisation[1].second).text(result.status).words(result.cause);

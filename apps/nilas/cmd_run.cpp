@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
-#include <ctime>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -24,6 +23,11 @@ namespace nilas {
 
 namespace {
 
+/// The scene's own, else a dated one.
+std::filesystem::path default_folder(const Scene& scene) {
+  return scene.output.folder.empty() ? dated_folder(scene.name) : std::filesystem::path(scene.output.folder);
+}
+
 /// Set by SIGINT and SIGTERM; the only thing a signal handler may touch.
 volatile std::sig_atomic_t stop_requested = 0;
 void request_stop(int) { stop_requested = 1; }
@@ -34,16 +38,6 @@ struct RunOptions {
   int threads = 1, twins = 0;
   bool force = false, json = false, quiet = false;
 };
-
-std::string default_folder(const Scene& scene) {
-  if (!scene.output.folder.empty()) return scene.output.folder;
-  const std::time_t now = std::time(nullptr);
-  std::tm local{};
-  localtime_r(&now, &local);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y%m%d-%H%M%S", &local);
-  return "runs/" + scene.name + "-" + text;
-}
 
 std::string machine() {
   utsname name{};
@@ -63,7 +57,7 @@ class Run {
   explicit Run(const RunOptions& options)
       : options_(options),
         scene_(read_flagged_scene(options.scene)),
-        folder_(options.out.empty() ? default_folder(scene_) : options.out, options.force),
+        folder_(options.out.empty() ? default_folder(scene_) : std::filesystem::path(options.out), options.force),
         logger_(make_logger(console_level(), folder_.log_file().string())),
         warnings_(logger_) {}
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <ctime>
 #include <functional>
 #include <optional>
 #include <regex>
@@ -100,6 +101,15 @@ bool holds_no_outputs(const fs::path& folder, std::error_code& error) {
 }
 
 }  // namespace
+
+std::filesystem::path dated_folder(const std::string& name) {
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&now, &local);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y%m%d-%H%M%S", &local);
+  return std::filesystem::path("runs") / (name + "-" + text);
+}
 
 RunLock claim_run_folder(const fs::path& folder, bool force) {
   std::error_code error;

@@ -1,10 +1,14 @@
 #pragma once
 /// Takes a folder for a run, or for the rest of one, without harming what else is there.
 #include <filesystem>
+#include <string>
 
 #include "core/output/run_lock.h"
 
 namespace nilas {
+
+/// runs/<name>-<date and time>: where results go when nobody names a folder.
+std::filesystem::path dated_folder(const std::string& name);
 
 /// Creates `folder` and its parents. Throws InputError when it holds anything, unless `force`: then the files that a
 /// run of Nilas writes are removed and all others stay. Throws FileError when it cannot be made or written.

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
-#include <ctime>
 #include <fstream>
 #include <iostream>
 #include <optional>
@@ -43,14 +42,9 @@ std::string contents(const fs::path& file) {
 }
 
 fs::path usual_folder(const fs::path& problems) {
-  const std::time_t now = std::time(nullptr);
-  std::tm local{};
-  localtime_r(&now, &local);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y%m%d-%H%M%S", &local);
   const fs::path plain = fs::absolute(problems).lexically_normal();
   const std::string name = (plain.has_filename() ? plain : plain.parent_path()).filename().string();
-  return fs::path("runs") / (name + "-" + text);
+  return dated_folder(name);
 }
 
 std::string machine() {
