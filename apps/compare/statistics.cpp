@@ -29,18 +29,32 @@ double median_of(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
-PooledVariance pooled_variance(const std::vector<double>& twin_differences, const std::vector<double>& variances,
-                               int degrees) {
+PooledVariance pooled_variance(const std::vector<double>& twin_differences,
+                               const std::vector<std::vector<double>>& settings) {
   PooledVariance pooled;
   for (const double difference : twin_differences)
     pooled.value += difference * difference / static_cast<double>(twin_differences.size());
   pooled.degrees = static_cast<double>(twin_differences.size());
-  if (degrees < 1 || variances.empty()) return pooled;
+  if (settings.empty() || settings.front().size() < 2) return pooled;
+  const std::size_t realisations = settings.front().size();
+  const auto count = static_cast<double>(settings.size()), degrees = static_cast<double>(realisations - 1);
+  std::vector<double> shared(realisations, 0);
+  for (std::size_t r = 0; settings.size() > 1 && r < realisations; ++r) {
+    std::vector<double> of_all;
+    for (const auto& differences : settings) of_all.push_back(differences[r] - mean_of(differences));
+    shared[r] = median_of(of_all);
+  }
+  // the median takes one of `count` degrees of freedom; the reference scatters as the settings do
+  const double both = settings.size() > 1 ? 2 * count / (count - 1) : 1;
+  std::vector<double> variances;
+  for (auto differences : settings) {
+    for (std::size_t r = 0; r < realisations; ++r) differences[r] -= shared[r];
+    variances.push_back(both * variance_of(differences));
+  }
   const boost::math::chi_squared spread(degrees);
-  const double of_settings = median_of(variances) * degrees / boost::math::quantile(spread, 0.5);
-  pooled.value = std::max(pooled.value, of_settings);
-  pooled.degrees += static_cast<double>(degrees) * static_cast<double>(variances.size());
-  return pooled;
+  const PooledVariance of_settings{median_of(variances) * degrees / boost::math::quantile(spread, 0.5),
+                                   degrees * std::max(1.0, count - 1)};
+  return of_settings.value >= pooled.value ? of_settings : pooled;
 }
 
 double scatter_95(double degrees, double degrees_below) {

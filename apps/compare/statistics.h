@@ -9,16 +9,18 @@ double mean_of(const std::vector<double>& values);
 double variance_of(const std::vector<double>& values);
 double median_of(std::vector<double> values);
 
-/// Variance of the difference of two runs of one realisation that nothing but chaos sets apart: the larger of what the
-/// twins say (mean of their squared differences) and of the median of the settings' own variances, divided by the
-/// median of chi^2 over its degrees of freedom, so that a few settings of another kind do not count. `degrees`: of each
-/// setting's variance.
+/// Variance of the difference of two runs of one realisation that nothing but chaos sets apart. `settings`: differences
+/// from the reference, one list per setting, one entry per realisation. The larger of what the twins say (mean of their
+/// squared differences) and of twice what a setting's differences scatter over the realisations once what all settings
+/// share in each (their median: the reference's own chance) is taken out: the median over settings, divided by that of
+/// chi^2 over its degrees of freedom, so that a few settings of another kind do not count. Of one setting alone plainly
+/// what its differences scatter.
 struct PooledVariance {
   double value = 0;
-  double degrees = 0;  ///< of freedom behind it
+  double degrees = 0;  ///< of freedom behind it, of the one that is larger
 };
-PooledVariance pooled_variance(const std::vector<double>& twin_differences, const std::vector<double>& variances,
-                               int degrees);
+PooledVariance pooled_variance(const std::vector<double>& twin_differences,
+                               const std::vector<std::vector<double>>& settings);
 
 /// 95 % quantile of the ratio of two variances of the same kind (Fisher); infinite without degrees of freedom.
 double scatter_95(double degrees, double degrees_below);

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "apps/compare/problems/problem_study.h"
-#include "apps/compare/study.h"
+#include "apps/compare/scenes/study.h"
 #include "apps/nilas/commands.h"
 #include "apps/nilas/scene_flags.h"
 #include "core/base/error.h"
@@ -30,6 +30,9 @@ int compare_problems(const CompareOptions& options, bool goes_on) {
   study.solvers = shared.grid.solvers;
   study.laws = shared.grid.laws;
   study.tolerances = shared.grid.tolerances;
+  if (shared.budget_s && *shared.budget_s == 0)
+    throw InputError(
+        "--budget: found 0; with --problems a number above 0 [s], of which the time limit of a solve is a share");
   study.budget_s = shared.budget_s.value_or(0);
   study.jobs = shared.jobs;
   study.out = shared.out;
@@ -94,6 +97,7 @@ void add_compare(CLI::App& app, Action& action) {
   auto* tolerance = command
                         ->add_option("--reference-tolerance", study.reference_tolerance,
                                      "of the reference's solver; without this flag a budget may loosen it [m/s]")
+                        ->check(CLI::PositiveNumber)
                         ->capture_default_str();
   command
       ->add_option("--budget", study.budget_s,

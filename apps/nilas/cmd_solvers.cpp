@@ -2,8 +2,8 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/nilas/commands.h"
-#include "apps/nilas/help_text.h"
 #include "contact/registry.h"
+#include "core/output/console.h"
 
 namespace nilas {
 

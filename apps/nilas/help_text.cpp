@@ -1,34 +1,14 @@
 #include "apps/nilas/help_text.h"
 
 #include <algorithm>
-#include <sstream>
+
+#include "core/output/console.h"
 
 namespace nilas {
 
 namespace {
 
-constexpr std::size_t k_columns = 80, k_name_columns = 32;
-
-}  // namespace
-
-std::string wrapped(const std::string& text, std::size_t indent) {
-  std::istringstream words(text);
-  std::string out;
-  std::size_t column = indent;
-  for (std::string word; words >> word;) {
-    const bool first = column == indent;
-    if (!first && column + 1 + word.size() > k_columns) {
-      out += "\n" + std::string(indent, ' ') + word;
-      column = indent + word.size();
-    } else {
-      out += (first ? "" : " ") + word;
-      column += word.size() + (first ? 0 : 1);
-    }
-  }
-  return out;
-}
-
-namespace {
+constexpr std::size_t k_name_columns = 32;
 
 /// Name and description side by side, or one above the other where the name is long.
 std::string entry(const std::string& name, const std::string& description) {

@@ -5,9 +5,6 @@
 
 namespace nilas {
 
-/// `text` broken at blanks to 80 columns; every line but the first indented, the first printed from that column on.
-std::string wrapped(const std::string& text, std::size_t indent);
-
 /// CLI11's help with descriptions wrapped at the right edge.
 class HelpText : public CLI::Formatter {
  public:

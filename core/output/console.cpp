@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <mutex>
+#include <sstream>
 
 namespace nilas {
 
@@ -43,6 +44,23 @@ class LineEraser : public spdlog::sinks::base_sink<std::mutex> {
 ConsoleStyle console_style(bool silent) {
   if (silent) return ConsoleStyle::silent;
   return ::isatty(STDOUT_FILENO) != 0 ? ConsoleStyle::terminal : ConsoleStyle::plain;
+}
+
+std::string wrapped(const std::string& text, std::size_t indent) {
+  std::istringstream words(text);
+  std::string out;
+  std::size_t column = indent;
+  for (std::string word; words >> word;) {
+    const bool first = column == indent;
+    if (!first && column + 1 + word.size() > static_cast<std::size_t>(k_console_columns)) {
+      out += "\n" + std::string(indent, ' ') + word;
+      column = indent + word.size();
+    } else {
+      out += (first ? "" : " ") + word;
+      column += word.size() + (first ? 0 : 1);
+    }
+  }
+  return out;
 }
 
 double steady_seconds() {

@@ -16,6 +16,9 @@ ConsoleStyle console_style(bool silent);
 
 constexpr int k_console_columns = 80;
 
+/// `text` broken at blanks to 80 columns; every line but the first indented, the first printed from that column on.
+std::string wrapped(const std::string& text, std::size_t indent);
+
 /// Wall-clock seconds from any origin.
 using WallClock = std::function<double()>;
 double steady_seconds();

@@ -168,7 +168,7 @@ TEST(Compare, ShowsTheKnownGapOfTheConvexCone) {
   EXPECT_NEAR(gap, h * mu * after, 1e-9);
 }
 
-TEST(Compare, FindsTheOrdersThatVerifyHolds) {
+TEST(Compare, FindsFirstOrderOfABlockThatSlides) {
   const ScratchFolder folder;
   const auto result = run_nilas(block("--dt 0.02,0.01,0.005,0.0025"), folder.path());
   ASSERT_EQ(result.exit_code, 0) << result.err;
@@ -176,6 +176,60 @@ TEST(Compare, FindsTheOrdersThatVerifyHolds) {
   ASSERT_EQ(json["orders"].size(), 1U);
   EXPECT_NEAR(json["orders"][0]["order"].get<double>(), 1, 0.05);
   EXPECT_EQ(json["measure"], "distance");
+}
+
+/// Orders of the settings and of the rows of `nilas verify`, by integrator.
+struct Agreement {
+  std::map<std::string, double> compared, verified;
+};
+
+Agreement orders_of(const std::string& scene, const std::string& flags, const std::string& verify_case) {
+  const ScratchFolder folder;
+  const auto result = run_nilas("compare '" + shipped_scene("verify/" + scene).string() +
+                                    "' --integrators semi-implicit-euler,moreau --seeds 1 --out out --quiet " + flags,
+                                folder.path());
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  Agreement found;
+  const auto json = json_of(folder.path() / "out/compare.json");
+  for (const auto& order : json["orders"]) {
+    const std::string label = order["of"];
+    found.compared[label == "own setting" ? "semi-implicit-euler" : label] = order["order"];
+  }
+  const auto verified = run_nilas("verify --case " + verify_case + " --json", folder.path());
+  EXPECT_EQ(verified.exit_code, 0) << verified.err;
+  const auto table = nlohmann::json::parse(verified.out);
+  for (const auto& row : table["rows"])
+    if (row["order"].is_number()) found.verified[row["integrator"]] = row["order"];
+  return found;
+}
+
+TEST(Compare, FindsTheOrdersThatVerifyHolds) {
+  const Agreement top = orders_of("top.xml", "--dt 0.08,0.04,0.02,0.01", "C27");
+  const Agreement pendulum = orders_of("pendulum.xml", "--dt 0.02,0.01,0.005,0.0025 --until 1", "C31");
+  for (const Agreement& found : {top, pendulum}) {
+    ASSERT_EQ(found.compared.size(), 2U);
+    for (const auto& [integrator, order] : found.compared)
+      EXPECT_NEAR(order, found.verified.at(integrator), 0.1) << integrator;
+  }
+}
+
+TEST(Compare, ShowsTheEnergyThatTheSplitImpulseLiftsWith) {
+  const ScratchFolder folder;
+  const double depth = 1e-3, mass = 2, erp = 0.2, h = 0.01, weight = mass * 9.81;
+  const auto result = run_nilas(block("--stabilisations none,split-impulse,projection --until 0.1 "
+                                      "--set \"body[@name='block']/@velocity=0 0 0\" "
+                                      "--set \"body[@name='block']/@position=0 0 0.099\""),
+                                folder.path());
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Table runs(folder.path() / "out/compare.csv");
+  std::map<std::string, double> lifted;
+  for (std::size_t k = 0; k < runs.rows(); ++k)
+    if (runs.text("kind")[k] == "grid") lifted[runs.text("stabilisation")[k]] = runs["stabilisation_J"][k];
+  const double left = depth * std::pow(1 - erp, std::round(0.1 / h));
+  EXPECT_EQ(lifted.at("none"), 0);
+  // pseudo velocities are solved to 1e-3 m/s
+  EXPECT_NEAR(std::abs(lifted.at("split-impulse")), weight * (depth - left), weight * 1e-3 * h);
+  EXPECT_NEAR(std::abs(lifted.at("projection")), weight * depth, 1e-9);
 }
 
 TEST(Compare, AblationShowsTheMissingGyroscopicTorqueAndNothingElseOfAFreeTop) {
@@ -260,10 +314,10 @@ TEST(Compare, InterruptedLeavesAPageAndCode130) {
   const ScratchFolder folder;
   folder.write("ship.xml", k_ship);
   Started started("compare ship.xml --until 20 --dt 0.01,0.001 --out out --budget 0 --quiet", folder.path());
-  while (started.runs() && !fs::exists(folder.path() / "out/study.json"))
+  while (started.runs() && !fs::exists(folder.path() / "out/compare.html"))
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   EXPECT_EQ(started.stop(SIGINT), 130);
-  expect_page(folder.path() / "out", "Interrupted");
+  expect_page(folder.path() / "out", "it was interrupted");
 }
 
 TEST(Compare, ABudgetOfASecondStillLeavesAPage) {

@@ -162,7 +162,7 @@ class Study {
   void plan(const StudyChoice& choice) {
     fs::create_directories(options_.out / k_work);
     const double start_s = run_child({{own_program().string(), "solvers"}, {}, {}, 0}).wall_s;
-    plan_ = make_plan(files_, choice, options_.budget_s * options_.jobs, start_s,
+    plan_ = make_plan(files_, choice, options_.budget_s * std::min(options_.jobs, usable_cores()), start_s,
                       [this](const StudyRow& row) { return done_.count(key_of(row)) > 0; });
     const std::size_t before = report_.rows.size();
     for (const auto& row : plan_.settled)
@@ -285,7 +285,7 @@ class Study {
     lock_.reset();
     fs::remove(options_.out / "nilas.log");
     tell_end();
-    if (!no_pictures_.empty()) throw FileError(no_pictures_);
+    if (!no_pictures_.empty()) std::cerr << "warning: " << no_pictures_ << "\n";
     return stopped ? k_interrupted : k_done;
   }
 

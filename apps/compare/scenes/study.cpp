@@ -1,0 +1,432 @@
+#include "apps/compare/scenes/study.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <set>
+#include <sstream>
+
+#include "apps/compare/scenes/merits.h"
+#include "apps/compare/scenes/probe.h"
+#include "apps/compare/scenes/study_folder.h"
+#include "apps/compare/scenes/study_outputs.h"
+#include "core/base/error.h"
+#include "core/output/claim_folder.h"
+#include "core/output/console.h"
+
+namespace nilas {
+
+namespace {
+
+constexpr int k_done = 0, k_bad_input = 2, k_numerics = 3, k_interrupted = 130;
+/// Status of a run that took far longer than was expected of it.
+constexpr const char* k_too_slow = "too slow";
+
+/// A comparison while it runs.
+class Comparison {
+ public:
+  Comparison(const StudyOptions& options, const std::function<bool()>& stop)
+      : options_(options), stop_(stop), out_(options.json ? std::cerr : std::cout) {}
+
+  int begin() {
+    const Scene scene = read_scene(options_.scene, options_.overrides);
+    const Grid grid = make_grid(scene, options_.overrides, options_.grid);
+    if (options_.reference != "auto") demand_reference_run(scene);
+    folder_.emplace(options_.out.empty() ? dated_folder(scene.name + "-compare").string() : options_.out,
+                    options_.force);
+    try {
+      describe(scene);
+      for (const auto& refused : grid.refused)
+        study_.refused.push_back({label_of(refused.setting, grid.settings.front()), refused.reason});
+      plan(scene, grid);
+      if (!stop_()) folder_->write(study_);
+    } catch (...) {
+      folder_->abandon();
+      throw;
+    }
+    if (stop_()) {  // nothing is known yet that could go on
+      folder_->abandon();
+      say("interrupted before it began");
+      return k_interrupted;
+    }
+    tell_plan();
+    return execute();
+  }
+
+  int go_on() {
+    folder_.emplace(options_.resume);
+    study_ = folder_->read();
+    const Scene scene = read_scene(study_.scene, study_.overrides);
+    if (scene.fingerprint != study_.fingerprint)
+      throw InputError("--resume: " + study_.scene.string() + " is no longer the scene that the comparison began with");
+    if (options_.jobs > 0) study_.jobs = options_.jobs;
+    if (options_.budget_s) {
+      const bool more = *options_.budget_s == 0 || *options_.budget_s > study_.budget_s;
+      study_.budget_s = *options_.budget_s;
+      if (more) forget_slow_runs();
+    }
+    return execute();
+  }
+
+ private:
+  void forget_slow_runs() const {
+    for (const auto& [id, result] : folder_->results(study_.plan))
+      if (result.status == k_too_slow) folder_->forget(id);
+  }
+
+  /// Broken to the width of a terminal; in a file or a pipe a sentence stays on its line.
+  void say(const std::string& lines) const {
+    if (options_.quiet) return;
+    std::istringstream text(lines);
+    for (std::string line; std::getline(text, line);)
+      out_ << (line.size() > k_console_columns && console_style(false) == ConsoleStyle::terminal ? wrapped(line, 0)
+                                                                                                 : line)
+           << "\n";
+    out_ << std::flush;
+  }
+  double elapsed() const { return steady_seconds() - started_; }
+  /// Of the budget; 0: there is none.
+  double left() const {
+    constexpr double k_least_s = 1e-3;
+    return study_.budget_s > 0 ? std::max(k_least_s, study_.budget_s - elapsed()) : 0;
+  }
+
+  void describe(const Scene& scene) {
+    study_.scene = std::filesystem::absolute(scene.file);
+    study_.fingerprint = scene.fingerprint;
+    study_.overrides = options_.overrides;
+    study_.seed = scene.seed;
+    study_.ablation = options_.grid.ablate;
+    study_.reference = options_.reference == "auto" ? "auto" : std::filesystem::absolute(options_.reference).string();
+    study_.jobs = options_.jobs > 0 ? options_.jobs : usable_cores();
+    constexpr double k_budget_s = 1200;
+    study_.budget_s = options_.budget_s.value_or(k_budget_s);
+    study_.keep_runs = options_.keep_runs;
+  }
+
+  /// The user's own reference must be a whole run of the same length.
+  void demand_reference_run(const Scene& scene) const {
+    const std::filesystem::path from = options_.reference;
+    const std::string allowed = "; allowed: auto, or a folder in which `nilas run` of this scene came to its end";
+    if (!std::filesystem::exists(from / "summary.json"))
+      throw InputError("--reference: " + from.string() + " is no run folder (there is no summary.json)" + allowed);
+    const RunResult run = read_run(from, {}, ChildResult{.exit_code = 0});
+    if (run.summary.is_null() || run.summary.value("status", "") != "done")
+      throw InputError("--reference: the run in " + from.string() + " is not done" + allowed);
+    if (const std::string of = run.summary.value("scene", ""); of != scene.name)
+      throw InputError("--reference: the run in " + from.string() + " is of the scene '" + of + "', not of '" +
+                       scene.name + "'" + allowed);
+    if (const auto seed = run.summary.value("seed", scene.seed); seed != scene.seed)
+      throw InputError(fmt::format("--reference: the run in {} has the seed {}, the scene {}{}", from.string(), seed,
+                                   scene.seed, allowed));
+    const double end = run.number("/time_end_s");
+    if (!(std::abs(end - scene.time.end) < scene.time.step))
+      throw InputError(fmt::format("--reference: the run in {} ends at {:g} s, the scene at {:g} s{}", from.string(),
+                                   end, scene.time.end, allowed));
+  }
+
+  Probe probe_setting(const Scene& scene, const CompareSetting& setting, const char* name, double limit_s) {
+    SceneRun run{study_.scene,
+                 folder_->run_folder(name),
+                 folder_->run_folder(std::string(name) + ".log"),
+                 study_.overrides,
+                 scene.time.end,
+                 0};
+    const Overrides own = setting.overrides();
+    run.overrides.insert(run.overrides.end(), own.begin(), own.end());
+    return probe(run, scene.time.start, limit_s, stop_);
+  }
+
+  /// A twentieth of the budget for the first setting and as much for the reference at two tolerances, half a minute
+  /// each at most.
+  void plan(const Scene& scene, const Grid& grid) {
+    constexpr double k_share = 0.05, k_most_s = 30, k_least_s = 1, k_patience = 4;
+    const double limit = study_.budget_s > 0 ? std::clamp(k_share * study_.budget_s, k_least_s, k_most_s) : k_most_s;
+    const bool needs_reference = !study_.ablation && study_.reference == "auto";
+    const auto at_most = [&](double wanted) { return study_.budget_s > 0 ? std::min(wanted, left()) : wanted; };
+    say(fmt::format("measuring what a step costs {}, {:.2g} s at most each, alone on the machine ...",
+                    needs_reference ? "to the scene's own setting and to the reference" : "without simplifications",
+                    limit));
+    Probe first = probe_setting(scene, grid.settings.front(), "probe", at_most(limit));
+    if (first.steps == 0 && first.trouble.empty())
+      first = probe_setting(scene, grid.settings.front(), "probe", at_most(k_patience * limit));
+    study_.probe_steps = first.steps;
+    study_.probe_ms = first.total_ms();
+    trouble_ = first.trouble;
+    if (first.exit_code == k_bad_input) throw InputError(first.trouble);
+    PlanRequest request;
+    request.stated_budget_s = study_.budget_s;
+    request.fixed_length = study_.reference != "auto";
+    request.jobs = std::min(study_.jobs, usable_cores());
+    request.realisations = options_.realisations.value_or(request.realisations);
+    request.fixed_realisations = options_.realisations.has_value();
+    request.reference = needs_reference;
+    request.start = scene.time.start;
+    request.end = scene.time.end;
+    CostModel cost = cost_model(first, request.start);
+    CompareSetting reference;
+    if (needs_reference) {
+      reference = reference_setting(scene, study_.overrides, grid, options_.reference_tolerance);
+      study_.event_driven = reference.integrator == "reference";
+      request.check = !study_.event_driven;
+      request.fixed_reference = options_.fixed_reference_tolerance;
+      request.fixed_tolerances = options_.grid.names_axes();
+      for (const double tolerance : reference_tolerances(grid.settings.front())) {
+        CompareSetting tried = reference;
+        tried.tolerance = tolerance;
+        const Probe tight = probe_setting(scene, tried, "probe-reference", at_most(0.5 * limit + first.setup_s));
+        const CompareSetting& own = grid.settings.front();
+        cost.reference.push_back({tolerance, reference_weight(first, tight, own.step, reference.step, request.start)
+                                                 .value_or(solver_weight(tried, own))});
+        if (!tight.trouble.empty()) say("warning: the reference " + full_label(tried) + ": " + tight.trouble);
+      }
+    }
+    if (first.steps == 0)
+      say("warning: no step was done in the time for measuring: what runs take is not known, and all are planned");
+    request.budget_s = left();
+    study_.plan = make_plan(grid.settings, core_of(grid), reference, cost, request);
+    study_.plan.vary_seed = study_.reference == "auto";
+  }
+
+  /// Those whose cost is measured: what is asked for, and the loosest that the plan may come to.
+  std::vector<double> reference_tolerances(const CompareSetting& own) const {
+    std::vector<double> tolerances{options_.reference_tolerance};
+    constexpr double k_usual = 1e-6;  // where the scene goes by sweeps [m/s]
+    const double loosest = loosest_reference(own.tolerance > 0 ? own.tolerance : k_usual);
+    if (!options_.fixed_reference_tolerance && loosest > tolerances.front()) tolerances.push_back(loosest);
+    return tolerances;
+  }
+
+  /// How many settings differ from the first in one thing, which come first; all of an ablation.
+  std::size_t core_of(const Grid& grid) const {
+    if (options_.grid.ablate) return grid.settings.size();
+    const CompareSetting& own = grid.settings.front();
+    std::size_t core = 0;
+    while (core < grid.settings.size()) {
+      auto axes = differences(grid.settings[core], own);
+      // solver and law come together in the default grid
+      if (!options_.grid.names_axes()) {
+        std::erase(axes, "law");
+        // nor does a solver that goes by sweeps say what another aims at
+        if (own.tolerance == 0 && grid.settings[core].solver != own.solver) std::erase(axes, "tolerance");
+      }
+      if (axes.size() > 1) break;
+      ++core;
+    }
+    return core;
+  }
+
+  void tell_plan() const {
+    const Plan& plan = study_.plan;
+    say(fmt::format("{} runs: {} settings x {} realisations, {:g} s simulated; about {} with {} job{}",
+                    plan.runs.size(), plan.settings.size(), plan.realisations, plan.end - plan.start,
+                    duration_text(plan.estimate_s), study_.jobs, study_.jobs == 1 ? "" : "s"));
+    say((study_.ablation ? "without simplifications: " : "own setting: ") + full_label(plan.settings.front()));
+    std::string others;
+    for (std::size_t k = 1; k < plan.settings.size(); ++k)
+      others += (others.empty() ? "" : "; ") + label_of(plan.settings[k], plan.settings.front());
+    say("beside it: " + others);
+    if (plan.realisations > 0 && !study_.ablation && study_.reference == "auto")
+      say("judged by: " + full_label(plan.reference));
+    for (const auto& list : by_reason(plan.omissions)) say("left out for " + list);
+    for (const auto& refused : study_.refused) say(fmt::format("cannot run: {}: {}", refused.what, refused.why));
+  }
+
+  std::string run_label(const PlannedRun& run) const {
+    if (run.kind == RunKind::reference || run.kind == RunKind::check) return full_label(study_.plan.setting_of(run));
+    return label_of(study_.plan.setting_of(run), study_.plan.settings.front());
+  }
+
+  SceneRun scene_run(const PlannedRun& run) const {
+    SceneRun out{study_.scene,    folder_->run_folder(run.id), folder_->run_folder(run.id + ".log"), study_.overrides,
+                 study_.plan.end, study_.plan.sample_every};
+    for (const Overrides& more :
+         {study_.plan.setting_of(run).overrides(), realisation_overrides(study_.seed, run, study_.plan.vary_seed)})
+      out.overrides.insert(out.overrides.end(), more.begin(), more.end());
+    return out;
+  }
+
+  void finish_run(const PlannedRun& run, const ChildResult& ended) {
+    const std::filesystem::path folder = folder_->run_folder(run.id);
+    RunResult result = read_run(folder, folder_->run_folder(run.id + ".log"), ended);
+    if (run.id == "s00-r0" && std::filesystem::exists(folder / "steps.csv")) {
+      const StepTimes times = read_step_times(folder);
+      for (std::size_t k = 0; k < std::min(study_.probe_steps, times.ms.size()); ++k)
+        result.first_steps_ms += times.ms[k];
+      if (times.ms.size() < study_.probe_steps) result.first_steps_ms = 0;
+    }
+    if (result.status == "budget" && patient_.count(run.id) > 0) {
+      result.status = k_too_slow;
+      result.cause = fmt::format("ended after {:.3g} s, where {:.3g} s were expected", result.wall_s, run.estimate_s);
+      if (run.kind == RunKind::grid) slow_.insert(run.setting);
+    }
+    constexpr int k_file_error = 4;
+    if (ended.exit_code == k_file_error) {
+      if (file_error_.empty()) file_error_ = "run " + run.id + ": " + result.cause;
+      result.status = "interrupted";
+    }
+    session_[run.id] = result;
+    if (result.status == "budget") late_.push_back(run.id);
+    // what was interrupted or ended by the budget runs again when the comparison goes on
+    if (result.done() || result.failed()) keep(run.id, result);
+    if (!study_.keep_runs) thin_out(folder);
+    ++ended_;
+    say(fmt::format("[{}/{}] {:<14} {:<11} {:>8}  {}", ended_, study_.plan.runs.size(), run.id, result.status,
+                    duration_text(result.wall_s), run_label(run)));
+    if (!result.cause.empty()) say("    " + result.cause);
+  }
+
+  /// A disk that is full ends the comparison, but not before it has shown what is done.
+  void keep(const std::string& id, const RunResult& result) {
+    try {
+      folder_->write_result(id, result);
+    } catch (const FileError& e) {
+      if (file_error_.empty()) file_error_ = e.what();
+    }
+  }
+
+  void run_all(std::map<std::string, RunResult>& results) {
+    std::vector<PlannedRun> runs;
+    std::vector<ChildTask> tasks;
+    for (const auto& run : study_.plan.runs) {
+      if (results.count(run.id) > 0) continue;
+      runs.push_back(run);
+      tasks.push_back(task_of(scene_run(run)));
+    }
+    ended_ = study_.plan.runs.size() - runs.size();
+    const double pool_started = steady_seconds();
+    ChildHooks hooks;
+    hooks.stop = [this] { return stop_() || !file_error_.empty(); };
+    hooks.begin = [&](std::size_t k, ChildTask& task) {
+      if (study_.budget_s <= 0) return true;
+      if (runs[k].kind == RunKind::grid && slow_.count(runs[k].setting) > 0) {
+        RunResult& result = session_[runs[k].id];
+        result.status = k_too_slow;
+        result.cause = "not begun: another realisation of this setting was ended for its time";
+        ++ended_;
+        return false;
+      }
+      const double left = study_.budget_s - k_closing_s * std::min(1.0, study_.budget_s / k_long_s) - elapsed();
+      const double share = std::max(1.0, static_cast<double>(study_.jobs) / usable_cores());
+      const bool fits = share * runs[k].estimate_s < left;
+      if (!fits) late_.push_back(runs[k].id);
+      // one that is far slower than thought must not take what the others need
+      constexpr double k_patience = 4, k_share = 0.1;
+      task.limit_s = left;
+      const bool needed = runs[k].kind == RunKind::reference || (runs[k].kind == RunKind::grid && runs[k].setting == 0);
+      if (!needed)
+        task.limit_s = std::min(left, std::max(k_patience * share * runs[k].estimate_s, k_share * study_.budget_s));
+      if (task.limit_s < left) patient_.insert(runs[k].id);
+      return fits;
+    };
+    hooks.ended = [&](std::size_t k, const ChildResult& ended) {
+      busy_s_ += ended.wall_s;
+      finish_run(runs[k], ended);
+    };
+    run_children(tasks, study_.jobs, hooks);
+    pool_s_ = steady_seconds() - pool_started;
+    results = folder_->results(study_.plan);
+    for (const auto& [id, result] : session_) results[id] = result;
+  }
+
+  int execute() {
+    std::map<std::string, RunResult> results = folder_->results(study_.plan);
+    if (study_.reference != "auto") take_reference(results);
+    const Judged judged = study_.ablation              ? Judged::by_first_setting
+                          : study_.reference != "auto" ? Judged::by_one_run
+                                                       : Judged::by_reference;
+    write_first_page(results, judged);
+    run_all(results);
+    if (!late_.empty())
+      say(fmt::format("{} runs are not done: the budget of {:g} s was used up", late_.size(), study_.budget_s));
+    Findings findings = find(study_.plan, results, folder_->path(), judged);
+    const StudyTiming timing = timing_of(results);
+    findings.slowdown = timing.slowdown;
+    const StudyOutputs outputs{study_, findings, timing, late_, trouble_, ended_by()};
+    const std::string picture_trouble = outputs.write(folder_->path());
+    say(outputs.text());
+    if (options_.quiet)
+      for (const auto& line : outputs.warnings()) std::cerr << "warning: " << line << "\n";
+    if (!picture_trouble.empty()) std::cerr << "warning: " << picture_trouble << "\n";
+    say(fmt::format("in {}; open {}", duration_text(elapsed()), (folder_->path() / "compare.html").string()));
+    if (options_.json)
+      std::cout << outputs.json().dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
+    if (!file_error_.empty()) throw FileError(file_error_);
+    if (stop_()) return k_interrupted;
+    return outputs.compared() ? k_done : k_numerics;
+  }
+
+  /// Why not all was run; empty: the comparison came to its end.
+  std::string ended_by() const { return !file_error_.empty() ? file_error_ : stop_() ? "it was interrupted" : ""; }
+
+  /// There is a page from the start, and whatever ends the program it is never blank.
+  void write_first_page(const std::map<std::string, RunResult>& results, Judged judged) const {
+    const Findings findings = find(study_.plan, results, folder_->path(), judged);
+    const StudyTiming timing{study_.jobs, usable_cores()};
+    StudyOutputs(study_, findings, timing, late_, trouble_, "it is still running, or was killed")
+        .write_page(folder_->path());
+  }
+
+  StudyTiming timing_of(const std::map<std::string, RunResult>& results) const {
+    StudyTiming timing;
+    timing.jobs = study_.jobs;
+    timing.cores = usable_cores();
+    timing.elapsed_s = elapsed();
+    const auto own = results.find("s00-r0");
+    constexpr double k_least_ms = 500;  // below that a time says little
+    if (study_.probe_ms > k_least_ms && own != results.end() && own->second.first_steps_ms > 0 && study_.jobs > 1 &&
+        study_.jobs <= timing.cores)
+      timing.slowdown = own->second.first_steps_ms / study_.probe_ms;
+    if (pool_s_ > 0 && busy_s_ > 0) timing.busy = busy_s_ / pool_s_;
+    return timing;
+  }
+
+  /// Every realisation is judged by the run folder that the user named.
+  void take_reference(std::map<std::string, RunResult>& results) {
+    const std::filesystem::path from = study_.reference;
+    if (results.count("reference-r0") > 0) return;
+    const RunResult result = read_run(from, {}, ChildResult{.exit_code = 0});
+    auto& runs = study_.plan.runs;
+    for (int r = 0; r < study_.plan.realisations; ++r) {
+      const PlannedRun run{fmt::format("reference-r{}", r), RunKind::reference, 0, r, 0};
+      const auto target = folder_->run_folder(run.id);
+      std::filesystem::create_directories(target);
+      if (std::filesystem::exists(from / "bodies.csv"))
+        std::filesystem::copy_file(from / "bodies.csv", target / "bodies.csv",
+                                   std::filesystem::copy_options::overwrite_existing);
+      folder_->write_result(run.id, result);
+      if (std::none_of(runs.begin(), runs.end(), [&](const PlannedRun& other) { return other.id == run.id; }))
+        runs.push_back(run);
+      results[run.id] = result;
+    }
+    folder_->write(study_);
+  }
+
+  static constexpr double k_long_s = 30;  ///< budgets below it keep less than k_closing_s
+
+  const StudyOptions& options_;
+  const std::function<bool()>& stop_;
+  std::ostream& out_;
+  double started_ = steady_seconds();
+  Study study_;
+  std::optional<StudyFolder> folder_;
+  std::string trouble_;                       ///< of the probe
+  std::string file_error_;                    ///< what could not be written
+  std::map<std::string, RunResult> session_;  ///< of this session, what is not kept too
+  std::set<std::string> patient_;             ///< runs that end before the budget does if they take too long
+  std::set<std::size_t> slow_;                ///< settings that had such a run
+  std::vector<std::string> late_;             ///< runs that did not begin
+  std::size_t ended_ = 0;
+  double busy_s_ = 0, pool_s_ = 0;  ///< wall time of the runs, and of all of them together
+};
+
+}  // namespace
+
+int run_study(const StudyOptions& options, const std::function<bool()>& stop) {
+  Comparison comparison(options, stop);
+  return options.resume.empty() ? comparison.begin() : comparison.go_on();
+}
+
+}  // namespace nilas

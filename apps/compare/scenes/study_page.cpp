@@ -1,0 +1,201 @@
+/// The page of a comparison, and all that it leaves on disk.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "apps/compare/scenes/study_outputs.h"
+#include "apps/compare/scenes/study_pictures.h"
+#include "core/base/error.h"
+#include "core/output/console.h"
+#include "core/output/html.h"
+#include "core/output/output_file.h"
+
+namespace nilas {
+
+namespace {
+
+std::string cell(const std::string& text) { return "<td>" + html_text(text) + "</td>"; }
+std::string cell(double value, const char* format = "{:.3g}") {
+  return "<td class=n>" + (std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : std::string()) + "</td>";
+}
+/// 1.23 +- 0.04
+std::string cell(const Estimate& e) {
+  if (!std::isfinite(e.mean)) return "<td></td>";
+  return "<td class=n>" + fmt::format("{:.4g}", e.mean) +
+         (std::isfinite(e.standard_error) ? fmt::format(" &plusmn; {:.2g}", e.standard_error) : "") + "</td>";
+}
+
+const std::vector<std::pair<std::string, std::string>>& captions() {
+  static const std::vector<std::pair<std::string, std::string>> all{
+      {"front",
+       "Left is fast, low is accurate. A point is a setting, its number that of the table; bars are standard errors "
+       "over realisations. "
+       "Hollow triangles stand at the level below which differences cannot be told from chaos: their true errors may "
+       "lie anywhere below."},
+      {"motion", "The same settings by how far they leave the reference's motions while these can be predicted."},
+      {"steps", "Error over the time step, everything else the same."},
+      {"ablation",
+       "Left: what each simplification of older tools changes, alone and all together, with the standard error over "
+       "realisations. Right: the computing time that "
+       "it saves."}};
+  return all;
+}
+
+}  // namespace
+
+std::string StudyOutputs::settings_table() const {
+  const bool load = found_.measure == "load";
+  std::string html = fmt::format(
+      "<table><tr><th>no.</th><th>setting</th><th>s per simulated s</th><th>ms per step</th><th>error "
+      "[{0}]</th><th>told from chaos above [{0}]</th>{1}"
+      "<th>rms distance [m]</th><th>deepest penetration [m]</th><th>energy error</th><th>law residual "
+      "[m/s]</th><th>steps short of the tolerance</th><th></th></tr>\n",
+      found_.unit, load ? "<th>mean ice load [N]</th><th>std [N]</th><th>99 % [N]</th>" : "");
+  for (const auto& m : found_.merits) {
+    std::string remark = found_.chosen == m.setting   ? "chosen"
+                         : m.dominated || m.done == 0 ? ""
+                                                      : "nothing is faster and better";
+    if (!m.trouble.empty()) remark = m.trouble;
+    html += fmt::format("<tr class='{}'>", m.failed > 0 || m.done == 0  ? "fails"
+                                           : found_.chosen == m.setting ? "chosen"
+                                                                        : "");
+    html += cell(static_cast<double>(m.setting + 1)) + "<td title='" +
+            html_text(full_label(study_.plan.settings[m.setting])) + "'>" + html_text(label(m.setting)) + "</td>";
+    html += "<td class=n>" + (std::isfinite(m.time) ? fmt::format("{:.3g}", m.time) : "") +
+            (std::isfinite(m.time_spread) ? fmt::format(" &plusmn; {:.1g}", m.time_spread) : "") + "</td>" +
+            cell(m.ms_per_step);
+    html += "<td class=n>" +
+            (!std::isfinite(m.error) ? std::string()
+             : m.told                ? fmt::format("{:.3g}", m.error)
+                                     : "not told") +
+            "</td>" + cell(m.floor);
+    if (load) html += cell(m.load) + cell(m.load_std.mean) + cell(m.load_p99.mean);
+    html += cell(m.motion.mean) + cell(m.penetration_max_m) + cell(m.energy_error, "{:.1e}") +
+            cell(m.law_map_m_s, "{:.1e}");
+    html += cell(100 * m.unconverged_share, "{:.2g} %") + cell(remark) + "</tr>\n";
+  }
+  return html + "</table>\n";
+}
+
+std::string StudyOutputs::runs_table() const {
+  std::string html =
+      "<table><tr><th>run</th><th>setting</th><th>realisation</th><th>status</th><th>computing [s]</th><th>ms per "
+      "step</th><th>difference of the load "
+      "[N]</th><th>rms distance [m]</th><th></th></tr>\n";
+  constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
+  for (const auto& row : found_.rows) {
+    const bool grid = row.run.kind == RunKind::grid;
+    html += fmt::format("<tr class='{}'>", row.result.done() ? "" : "fails") + cell(row.run.id) +
+            cell(grid ? label(row.run.setting) : name_of(row.run.kind)) +
+            cell(static_cast<double>(row.run.realisation)) + cell(row.result.status) + cell(row.result.cpu_s) +
+            cell(row.result.ms_per_step()) + cell(row.load_difference.value_or(k_nan)) +
+            cell(row.motion ? row.motion->rms_m : k_nan) + cell(row.result.cause) + "</tr>\n";
+  }
+  return html + "</table>\n";
+}
+
+std::string StudyOutputs::how_measured() const {
+  const Plan& plan = study_.plan;
+  std::string html = "<ul>";
+  const auto item = [&](const std::string& text) { html += "<li>" + html_text(text) + "</li>\n"; };
+  if (study_.ablation)
+    item(
+        "Each simplification is judged by the same scene without any: friction a cone, static above kinetic friction "
+        "as the scene says, projection, continuous detection, the gyroscopic torque kept, a carriage (where there is "
+        "one) on six load cells.");
+  else if (!found_.stand_in.empty())
+    item("Judged by " + found_.stand_in + ", as no run of the reference is done.");
+  else if (study_.reference != "auto")
+    item("Judged by the run in " + study_.reference + ".");
+  else if (study_.event_driven)
+    item(
+        "Judged by the same scene integrated between impacts, to 1e-13 per step (integrator reference), which nilas "
+        "verify holds against closed forms.");
+  else
+    item(fmt::format(
+        "Judged by {} with steps of {:g} s, half the finest that is compared, integrator {}, solved to {:.0e} m/s. {}",
+        plan.reference.solver, plan.reference.step, plan.reference.integrator, plan.reference.tolerance,
+        found_.reference_moves ? fmt::format("With steps twice as long it moves by {}.",
+                                             quantity_text(*found_.reference_moves, found_.unit))
+                               : "How far it moves with its step was not measured."));
+  item(fmt::format(
+      "{} of each setting: {}. A setting's error is the mean of its differences from the reference, "
+      "realisation by realisation.",
+      plan.realisations == 1 ? "One realisation" : fmt::format("{} realisations", plan.realisations),
+      plan.realisations == 1 ? "the scene itself"
+      : plan.vary_seed ? "the scene itself, then other seeds and starts 1e-12 m aside, the same ones for every setting"
+                       : "the scene itself and starts 1e-12 m aside"));
+  if (found_.measure == "load" && !std::isnan(found_.chaos))
+    item(fmt::format(
+        "Chaos: a run's mean load scatters by {} (standard deviation), as twins that start 1e-12 m aside and the "
+        "realisations tell. Differences below Student's 95 % limit of that are not called errors.",
+        quantity_text(found_.chaos, "N")));
+  if (found_.measure == "load" && std::isnan(found_.chaos)) item("What chaos does was not measured: no twin is done.");
+  item(!found_.horizon_known ? "How long motions can be predicted was not measured: no twin is done."
+       : found_.horizon_ends ? fmt::format("Motions are compared until {:.4g} s, where twins first part by {}.",
+                                           found_.horizon_s, quantity_text(found_.horizon_threshold_m, "m"))
+                             : "Motions are compared over the whole time: twins do not part.");
+  item(fmt::format(
+      "Times: processor time of a process pinned to a core of its own with one thread, without reading, packing ice "
+      "and writing; the median of the realisations. {} at a time. {}",
+      timing_.jobs,
+      std::isfinite(timing_.slowdown)
+          ? fmt::format("The first setting's first {} steps took {:.2f} times as long as alone on the machine.",
+                        study_.probe_steps, timing_.slowdown)
+          : "What neighbours cost was not measured."));
+  if (std::isfinite(found_.time_spread))
+    item(
+        fmt::format("Times of one setting's runs scatter by {:.2g} % (standard deviation).", 100 * found_.time_spread));
+  for (const auto& list : by_reason(plan.omissions)) item("Left out for " + list + ".");
+  for (const auto& refused : study_.refused) item(fmt::format("Cannot run: {}: {}", refused.what, refused.why));
+  return html + "</ul>\n";
+}
+
+std::string StudyOutputs::page(const std::filesystem::path& folder, const std::vector<std::string>& pictures,
+                               const std::string& instead) const {
+  const std::string scene = study_.scene.stem().string();
+  std::string html = fmt::format(
+      "<!doctype html><html lang='en'><head><meta charset='utf-8'><title>{0}: nilas compare</title><style>{1}"
+      "td.n{{text-align:right;font-variant-numeric:tabular-nums}}tr.chosen{{background:#fff3e0;font-weight:bold}}p."
+      "warning{{border-left:4px solid #d55e00;padding-left:.7em}}"
+      "figure{{margin:1em 0}}figcaption{{color:#555}}</style></head><body><h1>{0}: {2}</h1>\n",
+      html_text(scene), k_page_style, study_.ablation ? "what each simplification costs" : "the price of accuracy");
+  const auto lines = sentences();
+  const auto figure = [&](const std::string& name) {
+    const auto caption =
+        std::find_if(captions().begin(), captions().end(), [&](const auto& c) { return c.first == name; });
+    html += "<figure>" + inline_svg(folder / (name + ".svg")) + "<figcaption>" + caption->second +
+            "</figcaption></figure>\n";
+  };
+  html += "<p><b>" + html_text(lines.front()) + "</b></p>\n";
+  for (const auto& warning : warnings()) html += "<p class=warning>" + html_text(warning) + "</p>\n";
+  for (const auto& picture : pictures) figure(picture);
+  if (pictures.empty()) html += "<p class=warning>" + html_text(instead) + "</p>\n";
+  html += "<h2>Settings</h2>\n<p>" + html_text(own_setting()) + "</p>\n" + settings_table() + "<h2>In words</h2>\n<p>";
+  for (const auto& line : lines) html += html_text(line) + "<br>\n";
+  html += "</p><h2>How it was measured</h2>\n" + how_measured();
+  html += fmt::format("<details><summary>All {} runs</summary>{}</details>\n", found_.rows.size(), runs_table());
+  return html +
+         "<p>Every figure with its unit: compare.csv (a row per run), settings.csv, compare.json.</p></body></html>\n";
+}
+
+void StudyOutputs::write_page(const std::filesystem::path& folder) const {
+  write_whole(folder / "compare.html", page(folder, {}, "The pictures are not drawn yet."));
+}
+
+std::string StudyOutputs::write(const std::filesystem::path& folder) const {
+  write_whole(folder / "compare.csv", runs_csv());
+  write_whole(folder / "settings.csv", settings_csv());
+  write_whole(folder / "loads.csv", loads_csv());
+  write_whole(folder / "compare.json", json().dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  std::vector<std::string> labels;
+  for (std::size_t k = 0; k < study_.plan.settings.size(); ++k) labels.push_back(label(k));
+  write_page(folder);  // without its pictures it still says all there is
+  const Drawings drawings = found_.merits.empty() ? Drawings{} : draw_study(folder, study_, found_, labels);
+  write_whole(folder / "compare.html", page(folder, drawings.drawn,
+                                            drawings.trouble.empty() ? "There is nothing to draw."
+                                                                     : "Pictures are missing: " + drawings.trouble));
+  return drawings.trouble;
+}
+
+}  // namespace nilas

@@ -1,0 +1,236 @@
+#include "apps/compare/scenes/study_pictures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "apps/compare/scenes/ranking.h"
+#include "core/base/error.h"
+#include "core/output/plot.h"
+
+namespace nilas {
+
+namespace {
+
+/// Both formats of one picture.
+std::string both(const std::string& name, int height, const std::string& drawing) {
+  std::string script;
+  for (const bool vector : {true, false})
+    script +=
+        fmt::format("reset\nset terminal {} size {},{} font 'sans,{}' background '#ffffff'\nset output '{}.{}'\n{}",
+                    vector ? "svg" : "pngcairo", vector ? 960 : 1920, vector ? height : 2 * height, vector ? 12 : 24,
+                    name, vector ? "svg" : "png", (vector ? "LW=1\n" : "LW=2\n") + drawing);
+  return script;
+}
+
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? "'" : std::string(1, c);
+  return out + "\"";
+}
+
+/// A block of numbers that gnuplot reads; empty blocks are not drawn.
+struct Block {
+  std::string name, rows;
+  bool empty() const { return rows.empty(); }
+  std::string text() const { return empty() ? "" : "$" + name + " << EOD\n" + rows + "EOD\n"; }
+};
+
+/// The key stands beside the plot: its lines are sentences, and names at points would lie over each other.
+constexpr const char* k_axes =
+    "set logscale xy\nset grid lc rgb '#dddddd'\nset key outside right top vertical Left reverse samplen 1.5 spacing "
+    "1.2 noenhanced\n";
+
+/// Labels at 1, 2 and 5 of each decade where there are few of these, else at the decades.
+std::string log_tics(const char* axis, double low, double high) {
+  const int first = static_cast<int>(std::floor(std::log10(low))), last = static_cast<int>(std::ceil(std::log10(high)));
+  constexpr double k_few = 1e3;
+  std::string list;
+  for (int decade = first; decade <= last; ++decade)
+    for (const int digit : high > k_few * low ? std::vector{1} : std::vector{1, 2, 5})
+      list += fmt::format("{}{}", list.empty() ? "" : ", ", digit * std::pow(10.0, decade));
+  return fmt::format("set {0}range [{1}:{2}]\nset format {0} '%g'\nset {0}tics ({3})\n", axis, low, high, list);
+}
+
+/// Time against error: what nothing beats in black, the rest grey; what chaos hides hollow, at the level up to which it
+/// does; the chosen setting in a ring. Every point has its number; the key names those that nothing beats.
+std::string front(const Findings& found, const std::vector<std::string>& labels) {
+  constexpr double k_out_of_sight = 1e-3;  // logarithms know no 0
+  double fastest = 1e300, slowest = 0, least = 1e300, most = 0;
+  Block best{"best", {}}, beaten{"beaten", {}}, hidden{"hidden", {}}, chosen{"chosen", {}}, named{"named", {}},
+      others{"others", {}};
+  std::vector<std::string> layers, names;
+  for (const auto& m : found.merits) {
+    const double error = m.told ? m.error : m.floor;
+    if (!(m.time > 0) || !(error > 0) || !std::isfinite(error) || m.done == 0) continue;
+    const double spread = found.measure == "load" && m.load_difference.count > 1 ? m.load_difference.standard_error : 0;
+    const std::string row =
+        fmt::format("{} {} {} {}\n", m.time, error, std::max(error - spread, k_out_of_sight * error), error + spread);
+    (!m.told ? hidden : m.dominated ? beaten : best).rows += row;
+    if (found.chosen == m.setting) chosen.rows += row;
+    slowest = std::max(slowest, m.time);
+    fastest = std::min(fastest, m.time);
+    least = std::min(least, error);
+    most = std::max(most, error + spread);
+    const bool in_key = !m.dominated || found.chosen == m.setting || m.setting == 0;
+    (in_key ? named : others).rows += fmt::format("{} {} \"{}\"\n", m.time, error, m.setting + 1);
+    if (in_key)
+      names.push_back(fmt::format("keyentry with points pt 0 title {}",
+                                  quoted(fmt::format("{}  {}", m.setting + 1, labels[m.setting]))));
+  }
+  if (least > most) return "";
+  std::string drawing =
+      best.text() + beaten.text() + hidden.text() + chosen.text() + named.text() + others.text() + k_axes;
+  constexpr double k_room = 1.6;
+  drawing += log_tics("x", fastest / k_room, slowest * k_room) + log_tics("y", least / k_room, most * k_room);
+  drawing += fmt::format("set xlabel 'computing time per simulated second [s/s]'\nset ylabel 'error of the {} [{}]'\n",
+                         found.measure == "load"   ? "mean ice load"
+                         : found.measure == "turn" ? "attitude"
+                                                   : "positions (rms)",
+                         found.unit);
+  const auto layer = [&](const Block& block, const std::string& how) {
+    if (!block.empty()) layers.push_back("$" + block.name + " " + how);
+  };
+  layer(beaten,
+        "using 1:2:3:4 with yerrorbars pt 7 ps 1 lw LW lc rgb '#aaaaaa' title 'another is faster and better,' . "
+        "\"\\n\" . 'or not all done'");
+  layer(best, "using 1:2:3:4 with yerrorbars pt 7 ps 1.3 lw LW lc rgb '#000000' title 'nothing is faster and better'");
+  layer(hidden, "using 1:2 with points pt 10 ps 1.3 lw LW lc rgb '#0072b2' title 'cannot be told from chaos'");
+  layer(chosen, "using 1:2 with points pt 6 ps 3 lw 2*LW lc rgb '#d55e00' title 'chosen'");
+  layer(named, "using 1:2:3 with labels left offset char 0.8,0.4 noenhanced notitle");
+  layer(others, "using 1:2:3 with labels left offset char 0.8,0.4 tc rgb '#888888' noenhanced notitle");
+  if (found.reference_moves && *found.reference_moves > 0)
+    layers.push_back(fmt::format("{} with lines dt 2 lw LW lc rgb '#009e73' title 'the reference moves by'",
+                                 *found.reference_moves));
+  if (layers.empty()) return "";
+  layers.insert(layers.end(), names.begin(), names.end());
+  std::string plot;
+  for (const auto& one : layers) plot += (plot.empty() ? "plot " : ", \\\n  ") + one;
+  return drawing + plot + "\n";
+}
+
+/// Over the step, a line per way to solve.
+std::string steps(const Plan& plan, const Findings& found) {
+  struct Line {
+    std::string rows;
+    int points = 0;
+  };
+  std::map<std::string, Line> lines;
+  double finest = 1e300, coarsest = 0, least = 1e300, most = 0;
+  const CompareSetting& own = plan.settings.front();
+  for (const auto& m : found.merits) {
+    CompareSetting setting = plan.settings[m.setting];
+    if (!(m.error > 0) || m.done < m.planned) continue;
+    setting.step = own.step;
+    Line& line = lines[label_of(setting, own)];
+    line.rows += fmt::format("{} {}\n", plan.settings[m.setting].step, m.error);
+    ++line.points;
+  }
+  std::erase_if(lines, [](const auto& line) { return line.second.points < 3; });
+  if (lines.empty()) return "";
+  for (const auto& m : found.merits) {
+    if (!(m.error > 0) || m.done < m.planned) continue;
+    finest = std::min(finest, plan.settings[m.setting].step);
+    coarsest = std::max(coarsest, plan.settings[m.setting].step);
+    least = std::min(least, m.error);
+    most = std::max(most, m.error);
+  }
+  constexpr double k_room = 1.6;
+  const bool floor = found.measure == "load" && found.common_floor > 0 && std::isfinite(found.common_floor);
+  if (floor) {
+    least = std::min(least, found.common_floor);
+    most = std::max(most, found.common_floor);
+  }
+  std::string drawing = k_axes, plot;
+  drawing += log_tics("x", finest / k_room, coarsest * k_room) + log_tics("y", least / k_room, most * k_room);
+  drawing += fmt::format("set xlabel 'step [s]'\nset ylabel 'error [{}]'\nset colorsequence podo\n", found.unit);
+  int k = 0;
+  for (const auto& [name, line] : lines) {
+    ++k;
+    drawing += Block{fmt::format("l{}", k), line.rows}.text();
+    plot += fmt::format("{}$l{} using 1:2 smooth unique with linespoints lt {} dt {} pt {} lw LW title {}",
+                        plot.empty() ? "plot " : ", \\\n  ", k, k, 1 + (k - 1) % 5, k, quoted(name));
+  }
+  if (floor)
+    plot += fmt::format(", \\\n  {} with lines dt 3 lc rgb '#888888' lw LW title 'below: chaos'", found.common_floor);
+  return drawing + plot + "\n";
+}
+
+/// Bars with standard errors: what each simplification changes, and what it saves.
+std::string ablation(const Findings& found, const std::vector<std::string>& labels) {
+  Block changes{"changes", {}}, saved{"saved", {}};
+  const Merit& full = found.merits.front();
+  for (const auto& m : found.merits) {
+    if (m.setting == 0 || m.done == 0 || std::isnan(m.error)) continue;
+    const bool load = found.measure == "load";
+    const double change = load ? m.load_difference.mean : m.error, error = load ? m.load_difference.standard_error : 0;
+    changes.rows +=
+        fmt::format("{} {} {} {}\n", m.setting, change, std::isfinite(error) ? error : 0, quoted(labels[m.setting]));
+    saved.rows += fmt::format("{} {} {}\n", m.setting, 1e3 * (full.time - m.time),
+                              1e3 * (std::isfinite(m.time_spread) ? m.time_spread : 0));
+  }
+  if (changes.empty()) return "";
+  const auto panel = [&](const std::string& label, const std::string& data, const std::string& using_) {
+    return fmt::format(
+        "set xlabel '{}'\nplot {} using {} with boxxyerror fs solid 0.35 lc rgb '#0072b2' lw LW notitle, {} with "
+        "xerrorbars pt 0 lc rgb '#000000' lw LW notitle\n",
+        label, data, using_, data + " using 2:1:3");
+  };
+  const std::string measure = found.measure == "load" ? "change of the mean ice load [N]"
+                                                      : "error of " + found.measure + " [" + found.unit + "]";
+  return changes.text() + saved.text() +
+         fmt::format(
+             "set multiplot layout 1,2\nset yrange [{}:0.4]\nset ytics noenhanced\nset xzeroaxis\nset arrow from 0, "
+             "graph 0 to 0, graph 1 nohead lc rgb '#888888'\nset grid x lc rgb '#dddddd'\nset lmargin 24\n",
+             static_cast<double>(found.merits.size()) - 0.4) +
+         panel(measure, "$changes", "(0.5*$2):1:(0.5*abs($2)):(0.3):ytic(4)") + "set format y ''\nset lmargin 4\n" +
+         panel("time saved [ms per simulated second]", "$saved", "(0.5*$2):1:(0.5*abs($2)):(0.3)") +
+         "unset multiplot\n";
+}
+
+/// The front once more, with the distance from the reference as the error.
+Findings by_motion(Findings found) {
+  found.measure = "distance";
+  found.unit = "m";
+  found.reference_moves.reset();
+  found.chosen.reset();
+  if (!found.horizon_known) found.merits.clear();
+  std::erase_if(found.merits, [](const Merit& m) { return m.done == 0 || std::isnan(m.motion.mean); });
+  for (auto& m : found.merits) {
+    m.error = m.motion.mean;
+    m.floor = found.horizon_ends ? found.horizon_threshold_m : k_rounding_share;
+    m.told = m.error > m.floor;
+  }
+  rank(found);
+  return found;
+}
+
+}  // namespace
+
+Drawings draw_study(const std::filesystem::path& folder, const Study& study, const Findings& found,
+                    const std::vector<std::string>& labels) {
+  Drawings drawings;
+  const auto draw = [&](const std::string& name, int height, const std::string& drawing) {
+    if (drawing.empty()) return;
+    try {
+      plot(folder, both(name, height, drawing));
+      drawings.drawn.push_back(name);
+    } catch (const FileError& e) {
+      drawings.trouble = e.what();
+    }
+  };
+  if (study.ablation) {
+    draw("ablation", 120 + 45 * static_cast<int>(found.merits.size()), ablation(found, labels));
+    return drawings;
+  }
+  draw("front", 560, front(found, labels));
+  const bool moves =
+      std::any_of(found.merits.begin(), found.merits.end(), [](const Merit& m) { return m.motion.mean > 0; });
+  if (found.measure == "load" && moves) draw("motion", 560, front(by_motion(found), labels));
+  draw("steps", 420, steps(study.plan, found));
+  return drawings;
+}
+
+}  // namespace nilas

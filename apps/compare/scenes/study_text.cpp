@@ -1,0 +1,245 @@
+/// What a comparison says in words.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "apps/compare/scenes/study_outputs.h"
+#include "core/output/console.h"
+
+namespace nilas {
+
+namespace {
+
+/// "6.1 times faster", "1.3 times slower", "as fast".
+std::string speed_text(double ratio) {
+  constexpr double k_alike = 1.05;
+  if (ratio > k_alike) return fmt::format("{:.2g} times faster than", ratio);
+  if (ratio < 1 / k_alike) return fmt::format("{:.2g} times slower than", 1 / ratio);
+  return "about as fast as";
+}
+
+std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
+
+}  // namespace
+
+std::string quantity_text(double value, const std::string& unit) {
+  if (!std::isfinite(value)) return "not known";
+  const double size = std::abs(value);
+  if (unit == "m" && size > 0 && size < 0.1)
+    return size < 1e-4 ? fmt::format("{:.3g} um", 1e6 * value) : fmt::format("{:.3g} mm", 1e3 * value);
+  return fmt::format("{:.3g} {}", value, unit);
+}
+
+StudyOutputs::StudyOutputs(const Study& study, const Findings& findings, const StudyTiming& timing,
+                           const std::vector<std::string>& late, std::string trouble, std::string ended_by)
+    : study_(study),
+      found_(findings),
+      timing_(timing),
+      late_(late),
+      trouble_(std::move(trouble)),
+      ended_by_(std::move(ended_by)) {}
+
+std::string StudyOutputs::label(std::size_t setting) const {
+  return label_of(study_.plan.settings[setting], study_.plan.settings.front());
+}
+
+/// What the labels leave out.
+std::string StudyOutputs::own_setting() const {
+  if (study_.plan.settings.empty()) return "";
+  return (study_.ablation ? "Without simplifications: " : "Own setting: ") + full_label(study_.plan.settings.front()) +
+         (study_.ablation ? "." : "; the others are named by what they change.");
+}
+
+/// What the fastest good enough setting buys, and what can be told at all.
+void StudyOutputs::say_price(std::vector<std::string>& lines) const {
+  const Merit& own = found_.merits.front();
+  if (own.done == 0) {
+    lines.emplace_back("The scene's own setting is not done.");
+    return;
+  }
+  const std::string of =
+      found_.measure == "load"
+          ? fmt::format("the mean ice load ({}, {})", found_.headline, quantity_text(found_.reference_load, "N"))
+      : found_.measure == "turn" ? "the attitude (1 rad)"
+                                 : fmt::format("the largest way of a body ({})", quantity_text(found_.scale, "m"));
+  if (found_.chosen) {
+    const Merit& best = found_.merits[*found_.chosen];
+    const bool same = best.setting == own.setting;
+    const double within = std::max(k_target, best.told ? 0 : best.floor / found_.scale);
+    if (same)
+      lines.push_back(fmt::format("Within {} of {} no setting is faster than the scene's own ({}).", percent(within),
+                                  of, full_label(study_.plan.settings.front())));
+    else
+      lines.push_back(fmt::format(
+          "Within {} of {}, \"{}\" is {} the scene's own setting (\"{}\"): {:.3g} s of computing per simulated second "
+          "in place of {:.3g} s.",
+          percent(within), of, label(best.setting), speed_text(own.time / best.time),
+          full_label(study_.plan.settings.front()), best.time, own.time));
+    if (!best.told && best.floor > k_target * found_.scale)
+      lines.push_back(
+          fmt::format("Its error cannot be told from chaos: with {} runs of {:g} s each, differences below {} ({} of "
+                      "the scale) are none.",
+                      best.done, study_.plan.end - study_.plan.start, quantity_text(best.floor, found_.unit),
+                      percent(best.floor / found_.scale)));
+  } else if (!std::isfinite(found_.common_floor)) {
+    lines.emplace_back(
+        "No setting is recommended: what chaos does is not known, for which a twin or two realisations must be done.");
+  } else {
+    lines.push_back(fmt::format("No setting comes within {} of {}.", percent(k_target), of));
+  }
+  if (found_.deeper) {
+    const Merit& deep = found_.merits[*found_.deeper];
+    lines.push_back(fmt::format(
+        "\"{}\" is as good and {} the scene's own, but lets bodies {} deep into each other (the scene's own {}).",
+        label(deep.setting), speed_text(own.time / deep.time), quantity_text(deep.penetration_max_m, "m"),
+        quantity_text(own.penetration_max_m, "m")));
+  }
+  const Merit* worst = nullptr;
+  for (const auto& m : found_.merits)
+    if (m.told && (worst == nullptr || m.error > worst->error)) worst = &m;
+  if (worst != nullptr)
+    lines.push_back(fmt::format("The largest error told is that of \"{}\": {} ({}).", label(worst->setting),
+                                quantity_text(worst->error, found_.unit), percent(worst->error / found_.scale)));
+  else
+    lines.emplace_back("No setting's error can be told from chaos or rounding.");
+}
+
+void StudyOutputs::say_ablation(std::vector<std::string>& lines) const {
+  const Merit& full = found_.merits.front();
+  for (const auto& m : found_.merits) {
+    if (m.setting == 0) continue;
+    const std::string name = label(m.setting);
+    if (m.done == 0 || std::isnan(m.error)) {
+      lines.push_back(fmt::format("{}: no run ended ({}).", name, m.trouble));
+      continue;
+    }
+    const double saved = full.time - m.time;
+    const std::string change =
+        found_.measure == "load"
+            ? fmt::format("changes the mean ice load by {} +- {}{}", quantity_text(m.load_difference.mean, "N"),
+                          quantity_text(m.load_difference.standard_error, "N"),
+                          m.told ? "" : ", which chaos alone can do")
+            : fmt::format("moves bodies by {} (rms) and turns them by {:.2g} rad{}", quantity_text(m.motion.mean, "m"),
+                          m.turn.mean, m.told ? "" : ", which is none");
+    lines.push_back(fmt::format("{}: {}; {} {:.3g} ms per simulated second ({:.3g} ms per step).", name, change,
+                                saved >= 0 ? "saves" : "costs", 1e3 * std::abs(saved),
+                                std::abs(full.ms_per_step - m.ms_per_step)));
+  }
+}
+
+bool StudyOutputs::compared() const {
+  return std::any_of(found_.merits.begin(), found_.merits.end(),
+                     [](const Merit& m) { return m.done > 0 && !m.judges && std::isfinite(m.error); });
+}
+
+/// Why nothing could be judged.
+std::string StudyOutputs::blocked() const {
+  if (!trouble_.empty()) return trouble_;
+  for (const auto& row : found_.rows)
+    if (row.result.failed()) return row.run.id + ": " + row.result.status + ", " + row.result.cause;
+  const bool any =
+      std::any_of(found_.rows.begin(), found_.rows.end(), [](const auto& row) { return row.result.done(); });
+  if (any && found_.horizon_ends && found_.horizon_s <= study_.plan.start)
+    return "twins part before the first states that are stored";
+  return ended_by_.empty() ? "the budget ended before" : ended_by_;
+}
+
+std::vector<std::string> StudyOutputs::sentences() const {
+  std::vector<std::string> lines;
+  if (!compared()) {
+    lines.emplace_back("Nothing can be compared: " + blocked() + ".");
+    return lines;
+  }
+  if (study_.ablation)
+    say_ablation(lines);
+  else
+    say_price(lines);
+  if (lines.empty()) lines.emplace_back("The budget left no simplification to run.");
+  if (found_.measure != "load" && found_.headline.size() > 0)
+    lines.emplace_back("The vessel felt no force in this time, so motions are compared.");
+  if (found_.horizon_ends)
+    lines.push_back(
+        fmt::format("Single motions can be predicted until {:.3g} s; twins that start 1e-12 m aside are then {} apart.",
+                    found_.horizon_s, quantity_text(found_.horizon_threshold_m, "m")));
+  if (found_.coverage)
+    lines.push_back(
+        fmt::format("The load error estimate, with what twins and other steps tell of chaos and step, covers the "
+                    "measured error in {} of "
+                    "{} runs and is {:.2g} times as wide in the median; what each run says by itself covers {} and is "
+                    "{:.2g} times as wide.",
+                    percent(found_.coverage->share), found_.coverage->runs, found_.coverage->width,
+                    percent(found_.coverage_alone->share), found_.coverage_alone->width));
+  for (const auto& order : found_.orders)
+    lines.push_back(fmt::format(
+        "Over {} steps the error of \"{}\" {}.", order.steps, order.rest,
+        order.order > 0 ? fmt::format("falls with order {:.2f}", order.order) : "does not fall with the step"));
+  return lines;
+}
+
+std::vector<std::string> StudyOutputs::warnings() const {
+  std::vector<std::string> lines;
+  if (!ended_by_.empty())
+    lines.push_back("Not at its end (" + ended_by_ + "): what is shown is what was done until then; --resume goes on.");
+  if (!late_.empty())
+    lines.push_back(
+        fmt::format("The budget was used up before {} of {} runs were done.", late_.size(), study_.plan.runs.size()));
+  if (!found_.stand_in.empty())
+    lines.push_back(fmt::format(
+        "No run of the reference is done ({}): settings are judged by {} in its place, whose own error is not known.",
+        found_.reference_trouble.empty() ? "not run" : found_.reference_trouble, found_.stand_in));
+  else if (!found_.reference_trouble.empty())
+    lines.push_back(fmt::format("Not all runs of the reference are done ({}).", found_.reference_trouble));
+  if (found_.stand_in.empty() && !found_.reference_moves && !study_.ablation && study_.reference == "auto" &&
+      !study_.event_driven)
+    lines.emplace_back("How far the reference still moves with its step is not known: the run that tells is not done.");
+  if (!found_.horizon_known) lines.emplace_back("How long motions can be predicted is not known: no twin is done.");
+  if (found_.reference_coarse)
+    lines.push_back(
+        fmt::format("The reference itself moves by {} when its step is doubled, more than the smallest error shown: "
+                    "small errors are not to be trusted.",
+                    quantity_text(*found_.reference_moves, found_.unit)));
+  double reference_short = 0;
+  for (const auto& row : found_.rows) {
+    if (row.run.kind != RunKind::reference || !row.result.done()) continue;
+    reference_short =
+        std::max(reference_short, row.result.number("/shortfalls/unconverged_steps") / row.result.number("/steps"));
+  }
+  if (reference_short > 0 && study_.reference == "auto")
+    lines.push_back(fmt::format("The reference missed its tolerance of {:.0e} m/s in {} of its steps.",
+                                study_.plan.reference.tolerance, percent(reference_short)));
+  for (const auto& m : found_.merits)
+    if (m.failed > 0)
+      lines.push_back(
+          fmt::format("\"{}\": {} of {} runs failed ({}).", label(m.setting), m.failed, m.planned, m.trouble));
+  if (timing_.slowdown > 1 + std::max(0.1, 2 * found_.time_spread))
+    lines.push_back(
+        fmt::format("Runs beside each other took {:.2f} times as long as alone: all times here are larger by about "
+                    "that, alike for all settings.",
+                    timing_.slowdown));
+  return lines;
+}
+
+std::string StudyOutputs::text() const {
+  std::string text;
+  for (const auto& lines : {sentences(), warnings()})
+    for (const auto& line : lines) text += line + "\n";
+  if (timing_.jobs > timing_.cores)
+    text += fmt::format("{} jobs on {} core{}: they wait for each other, and what that costs is not measured\n",
+                        timing_.jobs, timing_.cores, timing_.cores == 1 ? "" : "s");
+  else if (timing_.jobs > 1 && std::isfinite(timing_.busy))
+    text += std::isfinite(timing_.slowdown)
+                ? fmt::format(
+                      "{} jobs: {:.2f} at work on average, each {:.2f} times as slow as alone: parallel "
+                      "efficiency {:.2f}\n",
+                      timing_.jobs, timing_.busy, timing_.slowdown, timing_.efficiency())
+                : fmt::format(
+                      "{} jobs: {:.2f} at work on average: parallel efficiency at most {:.2f} (runs are too "
+                      "short to tell what neighbours cost)\n",
+                      timing_.jobs, timing_.busy, timing_.busy / timing_.jobs);
+  if (std::isfinite(found_.time_spread))
+    text += fmt::format("times of alike runs scatter by {} (standard deviation)\n", percent(found_.time_spread));
+  if (!text.empty()) text.pop_back();
+  return text;
+}
+
+}  // namespace nilas
