@@ -13,8 +13,8 @@ double median_of(std::vector<double> values);
 /// from the reference, one list per setting, one entry per realisation. The larger of what the twins say (mean of their
 /// squared differences) and of twice what a setting's differences scatter over the realisations once what all settings
 /// share in each (their median: the reference's own chance) is taken out: the median over settings, divided by that of
-/// chi^2 over its degrees of freedom, so that a few settings of another kind do not count. Of one setting alone plainly
-/// what its differences scatter.
+/// chi^2 over its degrees of freedom, so that a few settings of another kind do not count; right in the mean to some
+/// tenths for few settings. Of one setting alone plainly what its differences scatter.
 struct PooledVariance {
   double value = 0;
   double degrees = 0;  ///< of freedom behind it, of the one that is larger

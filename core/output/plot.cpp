@@ -5,8 +5,6 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "core/base/error.h"
-
 namespace nilas {
 
 namespace {
@@ -35,8 +33,8 @@ void plot(const std::filesystem::path& folder, const std::string& script) {
   std::filesystem::remove(folder / ".plot.log", ignored);
   constexpr int k_not_found = 127;  // of the shell
   if (WIFEXITED(status) && WEXITSTATUS(status) == k_not_found)
-    throw FileError("the pictures need gnuplot (Debian package gnuplot-nox), which is not there");
-  if (status != 0) throw FileError("gnuplot failed: " + (said.empty() ? "status " + std::to_string(status) : said));
+    throw PlotError("the pictures need gnuplot (Debian package gnuplot-nox), which is not there");
+  if (status != 0) throw PlotError("gnuplot failed: " + (said.empty() ? "status " + std::to_string(status) : said));
 }
 
 }  // namespace nilas

@@ -3,10 +3,18 @@
 #include <filesystem>
 #include <string>
 
+#include "core/base/error.h"
+
 namespace nilas {
 
-/// Runs a gnuplot script whose pictures go into `folder`. Throws FileError that tells whether gnuplot is missing or
-/// failed.
+/// Gnuplot is missing or failed; what it was to draw is no more than a picture of what else is written.
+class PlotError : public FileError {
+ public:
+  using FileError::FileError;
+};
+
+/// Runs a gnuplot script whose pictures go into `folder`. Throws PlotError, or FileError where the script cannot be
+/// written.
 void plot(const std::filesystem::path& folder, const std::string& script);
 
 }  // namespace nilas

@@ -100,6 +100,14 @@ TEST(Compare, GivesTheSameTableAgainButForTimings) {
     if (timing) continue;
     EXPECT_EQ(a.text(column), b.text(column)) << column;
   }
+  EXPECT_EQ(read_text(folder.path() / "a/loads.csv"), read_text(folder.path() / "b/loads.csv"));
+  const Table c(folder.path() / "a/settings.csv"), d(folder.path() / "b/settings.csv");
+  for (const auto& column : c.header()) {
+    const bool timing =
+        column.rfind("compute_", 0) == 0 || column == "ms_per_step" || column == "dominated" || column == "chosen";
+    if (timing) continue;
+    EXPECT_EQ(c.text(column), d.text(column)) << column;
+  }
 }
 
 TEST(Compare, SaysWhatCannotRunTogether) {
@@ -256,6 +264,10 @@ TEST(Compare, OfATowedShipTurnsOnEverySimplification) {
   const Table settings(folder.path() / "out/settings.csv");
   EXPECT_EQ(settings.rows(), 9U);
   for (std::size_t k = 0; k < settings.rows(); ++k) EXPECT_EQ(settings["done"][k], 2) << settings.text("label")[k];
+  auto row = rows_by(settings, "label");
+  const std::size_t together = settings.rows() - 1;
+  for (const std::size_t changed : {row.at("pyramid"), together})
+    EXPECT_NE(settings["load_difference_N"][changed], 0) << settings.text("label")[changed];
 }
 
 TEST(Compare, AFailingSettingStaysInTheTable) {
@@ -334,10 +346,27 @@ TEST(Compare, AFullDiskIsAFileError) {
   folder.write("ship.xml", k_ship);
   ProgramResult result;
   {
-    const nilas::test::SizeLimit limit(3000);
+    const nilas::test::SizeLimit limit(1000);
     result = run_nilas("compare ship.xml --dt 0.01,0.005 --seeds 1 --out out", folder.path());
   }
   EXPECT_EQ(result.exit_code, 4) << result.out << result.err;
+  EXPECT_FALSE(fs::exists(folder.path() / "out")) << "there was not even room for a plan";
+}
+
+TEST(Compare, ADiskThatFillsUpDuringTheRunsLeavesAPageAndCanGoOn) {
+  const ScratchFolder folder;
+  folder.write("ship.xml", k_ship);
+  ProgramResult result;
+  {
+    const nilas::test::SizeLimit limit(20000);
+    result = run_nilas("compare ship.xml --dt 0.01,0.005 --seeds 1 --out out", folder.path());
+  }
+  EXPECT_EQ(result.exit_code, 4) << result.out << result.err;
+  EXPECT_NE(result.err.find("out/runs"), std::string::npos) << result.err;
+  expect_page(folder.path() / "out", "--resume goes on");
+  EXPECT_EQ(run_nilas("compare --resume out --quiet", folder.path()).exit_code, 0);
+  const Table runs(folder.path() / "out/compare.csv");
+  for (const auto& status : runs.text("status")) EXPECT_EQ(status, "done");
 }
 
 TEST(Compare, WithoutItsReferenceIsJudgedByTheMostAccurateThatIsDoneAndSaysSo) {
@@ -373,6 +402,15 @@ TEST(Compare, CanBeJudgedByARunFolder) {
   auto row = rows_by(settings, "label");
   EXPECT_EQ(settings["load_difference_N"][row["own setting"]], 0);
   EXPECT_NE(settings["load_difference_N"][row["0.005 s"]], 0);
+}
+
+TEST(Compare, IsNotJudgedByARunOfOtherIce) {
+  const ScratchFolder folder;
+  folder.write("ship.xml", k_ship);
+  ASSERT_EQ(run_nilas("run ship.xml --seed 5 --out truth --quiet", folder.path()).exit_code, 0);
+  const auto result = run_nilas("compare ship.xml --dt 0.01,0.005 --reference truth --out out", folder.path());
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.err.find("has the seed 5"), std::string::npos) << result.err;
 }
 
 }  // namespace

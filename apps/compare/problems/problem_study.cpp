@@ -23,6 +23,7 @@
 #include "core/output/claim_folder.h"
 #include "core/output/console.h"
 #include "core/output/output_file.h"
+#include "core/output/plot.h"
 
 namespace nilas {
 
@@ -264,7 +265,7 @@ class Study {
     no_pictures_ = pictures || comparisons.empty() ? "" : "they are drawn when the study ends.";
     try {
       if (pictures && !comparisons.empty()) figures = draw_study(options_.out, sorted.rows, comparisons);
-    } catch (const FileError& error) {
+    } catch (const PlotError& error) {
       no_pictures_ = error.what();
     }
     write_study_page(options_.out, sorted, comparisons, figures, no_pictures_);

@@ -42,9 +42,49 @@ double family_step_part(const Plan& plan, const Findings& found, std::size_t set
 double step_part(const Plan& plan, const Findings& found, std::size_t setting) {
   const double family = family_step_part(plan, found, setting);
   const bool coarser = plan.settings[setting].step > (1 - k_same) * plan.check.step;
-  if (!found.reference_moves || !coarser) return family;
+  if (!found.reference_moves || !coarser || *found.reference_moves <= found.reference_chance) return family;
   const double shown = 2 * *found.reference_moves;
   return std::isnan(family) ? shown : std::max(family, shown);
+}
+
+/// Twice what settings of the same law and step scatter that differ in what should not matter: solver, tolerance,
+/// stabilisation, integrator. Without the setting itself, so that it is no echo of what is measured, and without what
+/// chaos does to a mean.
+double scatter_of_kin(const Plan& plan, const Findings& found, std::size_t setting) {
+  const CompareSetting& own = plan.settings[setting];
+  std::vector<double> differences;
+  int most = 1;
+  for (const auto& m : found.merits) {
+    const CompareSetting& other = plan.settings[m.setting];
+    if (m.setting != setting && other.law == own.law && std::abs(other.step - own.step) < k_same * own.step &&
+        m.load_difference.count > 0) {
+      differences.push_back(m.load_difference.mean);
+      most = std::max(most, m.load_difference.count);
+    }
+  }
+  constexpr std::size_t k_least = 3;
+  if (differences.size() < k_least) return 0;
+  const double by_chance = std::isnan(found.chaos) ? 0 : found.chaos * found.chaos / most;
+  return 2 * std::sqrt(std::max(0.0, variance_of(differences) - by_chance));
+}
+
+/// What the law does at the other steps and tolerances that it was run with beside exact friction: the median.
+double law_elsewhere(const Plan& plan, const Findings& found, std::size_t setting) {
+  std::vector<double> shifts;
+  for (const auto& m : found.merits) {
+    const CompareSetting& other = plan.settings[m.setting];
+    if (m.setting == setting || other.law != plan.settings[setting].law || m.load_difference.count == 0) continue;
+    for (const auto& exact : found.merits) {
+      const CompareSetting& like = plan.settings[exact.setting];
+      if (like.law == "coulomb" && like.step == other.step && like.tolerance == other.tolerance &&
+          like.stabilisation == other.stabilisation && like.integrator == other.integrator &&
+          exact.load_difference.count > 0) {
+        shifts.push_back(std::abs(m.load_difference.mean - exact.load_difference.mean));
+        break;
+      }
+    }
+  }
+  return shifts.empty() ? 0 : median_of(shifts);
 }
 
 /// Both are what 95 % of differences of two runs keep within; few twins and a rough course of the load make the one or
@@ -83,6 +123,9 @@ void judge_load_errors(const Plan& plan, double chaos, Findings& found) {
     parts.alone = row.result.number(channel + "/estimate");
     parts.solver = row.result.number(channel + "/solver");
     parts.law = row.result.number(channel + "/law");
+    parts.solver = std::max(parts.solver, scatter_of_kin(plan, found, row.run.setting));
+    if (plan.settings[row.run.setting].law != "coulomb")
+      parts.law = std::max(parts.law, law_elsewhere(plan, found, row.run.setting));
     parts.chaos = chaos_part(chaos, row.result.number(channel + "/chaos"));
     parts.step = step_part(plan, found, row.run.setting);
     if (std::isnan(parts.alone) || std::isnan(parts.solver)) continue;

@@ -292,21 +292,21 @@ class Judge {
       for (auto& m : found_.merits) m.told = m.error > m.floor;
       return;
     }
+    int most = 1;  // of the reference's realisations, not all may be done
+    for (const auto& m : found_.merits) most = std::max(most, m.load_difference.count);
     std::vector<double> twins;
     std::vector<std::vector<double>> settings;
     for (int r = 0; r < plan_.realisations; ++r)
       if (const RunRow* first = first_of(r), *twin = twin_of(r); first != nullptr && twin != nullptr)
         twins.push_back(load_of(*first) - load_of(*twin));
     for (const auto& m : found_.merits)
-      if (m.load_difference.count == plan_.realisations && !m.judges)
+      if (m.load_difference.count == most && !m.judges)
         settings.push_back(over_runs(m.setting, [](const RunRow& row) { return row.load_difference; }));
     if (one_reference_ && settings.size() == 1) settings.clear();  // which scatters as one run, not as a difference
     const PooledVariance pooled = pooled_variance(twins, settings);
     const bool measured = pooled.degrees > 0;
     found_.chaos = measured ? std::sqrt(0.5 * pooled.value) : k_nan;
     chaos_of_difference_ = measured ? student_95(pooled.degrees) * std::sqrt(pooled.value) : k_nan;
-    int most = 1;  // of the reference's realisations, not all may be done
-    for (const auto& m : found_.merits) most = std::max(most, m.load_difference.count);
     // one run that all are judged by does not average out, and differences from it scatter as single runs do
     const double reference = one_reference_ ? 0.5 * pooled.value : 0, runs = pooled.value - reference;
     const auto floor_of = [&](double variance, double degrees, int count) {
@@ -348,9 +348,11 @@ class Judge {
     if (!found_.reference_moves) return;
     const double moves = *found_.reference_moves;
     // a single run's difference below what chaos does to it is none
-    const double chance = found_.measure == "load" && !std::isnan(found_.chaos) ? 2 * std::sqrt(2.0) * found_.chaos : 0;
-    found_.reference_coarse = moves > chance && std::any_of(found_.merits.begin(), found_.merits.end(),
-                                                            [&](const Merit& m) { return m.told && m.error < moves; });
+    if (found_.measure == "load" && !std::isnan(found_.chaos))
+      found_.reference_chance = 2 * std::sqrt(2.0) * found_.chaos;
+    found_.reference_coarse =
+        moves > found_.reference_chance && std::any_of(found_.merits.begin(), found_.merits.end(),
+                                                       [&](const Merit& m) { return m.told && m.error < moves; });
   }
 
   const Plan& plan_;

@@ -17,9 +17,8 @@ struct MotionError {
   double turn_rad = 0;
 };
 
-/// What a run is said to be off in the headline channel's mean, about 95 % [N]; docs/theory_load_error.md. Solver, law
-/// and `alone` are the run's own words; what twins and other steps of the comparison tell of chaos and step is known
-/// here only. NaN: not known.
+/// What a run is said to be off in the headline channel's mean, about 95 % [N]; docs/theory_compare.md. `alone` are the
+/// run's own words; the parts hold besides what other runs of the comparison tell. NaN: not known.
 struct LoadErrorParts {
   double alone = 0;  ///< as the run says by itself
   double solver = 0, law = 0, chaos = 0, step = 0;
@@ -80,7 +79,7 @@ struct Order {
 
 struct Findings {
   std::string headline;        ///< channel; empty without a vessel
-  std::string measure, unit;   ///< of the primary error: load or distance
+  std::string measure, unit;   ///< of the primary error: load, distance or turn
   double scale = 0;            ///< that errors in percent are shares of
   double reference_load = 0;   ///< [N]
   double chaos = 0;            ///< standard deviation of a run's mean load by chance; NaN: not measured [N]
@@ -89,9 +88,10 @@ struct Findings {
   bool horizon_ends = false;   ///< before the runs do
   double horizon_threshold_m = 0;
   std::optional<double> reference_moves;  ///< when its step is doubled, in the primary measure
+  double reference_chance = 0;            ///< what chaos alone moves it by, two standard deviations
   std::string stand_in;                   ///< what is judged by where no reference run is done; empty: the reference
   std::string reference_trouble;          ///< why a run of the reference is not done
-  double common_floor = 0;                ///< of a setting that scatters as the others do; NaN: not measured
+  double common_floor = 0;                ///< of a setting that scatters as the others do; infinite: not measured
   bool reference_coarse = false;          ///< it moves by more than the smallest error told
   double time_spread = 0;                 ///< relative standard deviation of times of alike runs
   double slowdown = 1;                    ///< of a run by its neighbours, same steps; NaN: not measured

@@ -82,8 +82,15 @@ class Planner {
   }
   double references_seconds() const {
     if (!request_.reference) return 0;
-    return reference_seconds(reference_.step) * draft_.realisations +
-           (request_.check ? reference_seconds(2 * reference_.step) : 0);
+    return reference_seconds(reference_step()) * draft_.realisations +
+           (request_.check ? reference_seconds(2 * reference_step()) : 0);
+  }
+  /// Half the finest that is kept; one that goes from event to event has no such step.
+  double reference_step() const {
+    if (!request_.check) return reference_.step;
+    double finest = std::numeric_limits<double>::infinity();
+    for (const std::size_t k : draft_.kept) finest = std::min(finest, settings_[k].step);
+    return 0.5 * finest;
   }
   double total() const {
     double sum = setting_seconds(0) * draft_.realisations;  // its twins
@@ -92,7 +99,7 @@ class Planner {
   }
   /// With so many jobs the longest run may be what is waited for.
   bool fits() const {
-    const double longest = request_.reference ? reference_seconds(reference_.step) : setting_seconds(0);
+    const double longest = request_.reference ? reference_seconds(reference_step()) : setting_seconds(0);
     return total() <= room_ && longest * request_.jobs <= room_;
   }
 
@@ -174,14 +181,15 @@ class Planner {
     for (const std::size_t k : draft_.kept) plan.settings.push_back(settings_[k]);
     plan.reference = plan.check = reference_;
     plan.reference.tolerance = plan.check.tolerance = draft_.reference_tolerance;
-    plan.check.step = 2 * reference_.step;
+    plan.reference.step = reference_step();
+    plan.check.step = 2 * plan.reference.step;
     constexpr double k_samples = 60;
     const double step = coarsest();
     plan.sample_every = step * std::max(1.0, std::floor(draft_.length / k_samples / step));
     list_omissions(plan);
     list_runs(plan);
     plan.estimate_s =
-        std::max(total() / request_.jobs, request_.reference ? reference_seconds(reference_.step) : 0) + k_closing_s;
+        std::max(total() / request_.jobs, request_.reference ? reference_seconds(reference_step()) : 0) + k_closing_s;
     return plan;
   }
 
@@ -209,9 +217,9 @@ class Planner {
       plan.runs.push_back({fmt::format("s00-r{}", r), RunKind::grid, 0, r, setting_seconds(0)});
       if (request_.reference)
         plan.runs.push_back(
-            {fmt::format("reference-r{}", r), RunKind::reference, 0, r, reference_seconds(reference_.step)});
+            {fmt::format("reference-r{}", r), RunKind::reference, 0, r, reference_seconds(reference_step())});
       if (request_.reference && request_.check && r == 0)
-        plan.runs.push_back({"check-r0", RunKind::check, 0, 0, reference_seconds(2 * reference_.step)});
+        plan.runs.push_back({"check-r0", RunKind::check, 0, 0, reference_seconds(2 * reference_step())});
       plan.runs.push_back({fmt::format("s00-r{}-twin", r), RunKind::twin, 0, r, setting_seconds(0)});
       for (std::size_t k = 1; k < draft_.kept.size(); ++k)
         plan.runs.push_back({fmt::format("s{:02d}-r{}", k, r), RunKind::grid, k, r, setting_seconds(draft_.kept[k])});

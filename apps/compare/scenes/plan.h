@@ -89,8 +89,9 @@ struct Plan {
 
 /// The longest simulated time, most realisations and most settings that fit. Settings beyond `core` (those that differ
 /// from the first on one axis) go first, the last first; then the reference is loosened to a tenth of the tightest
-/// tolerance that is compared, and where it still takes most of the time those that solve tighter than the first go
-/// and it is loosened on; then the third realisation goes, the simulated time is cut, and in the end whole settings.
+/// tolerance that is compared, and where it still takes three tenths of the time those that solve tighter than the
+/// first go and it is loosened on; then the third realisation goes, the simulated time is cut, and in the end whole
+/// settings.
 Plan make_plan(const std::vector<CompareSetting>& settings, std::size_t core, const CompareSetting& reference,
                const CostModel& cost, const PlanRequest& request);
 

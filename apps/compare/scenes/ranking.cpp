@@ -67,21 +67,23 @@ void find_orders(const Plan& plan, Findings& found) {
   for (std::size_t s = 0; s < plan.settings.size(); ++s) {
     if (taken.count(s) > 0) continue;
     std::vector<double> steps, errors;
+    const CompareSetting& reference = plan.reference;
+    const bool alike = plan.settings[s].integrator == reference.integrator && reference.integrator != "reference" &&
+                       found.stand_in.empty() && reference.step < plan.settings[s].step;
     for (std::size_t other = s; other < plan.settings.size(); ++other) {
       CompareSetting same = plan.settings[other];
       same.step = plan.settings[s].step;
       if (!(same == plan.settings[s])) continue;
       taken.insert(other);
       const Merit& m = found.merits[other];
-      if (!m.told || m.done < m.planned) continue;
+      // what the reference itself moves by is no error of another integrator
+      if (!m.told || m.done < m.planned || (!alike && m.error < found.reference_moves.value_or(0))) continue;
+      if (alike && plan.settings[other].step <= reference.step) continue;
       steps.push_back(plan.settings[other].step);
       errors.push_back(m.error);
     }
     constexpr std::size_t k_least = 3;
     if (steps.size() < k_least) continue;
-    const CompareSetting& reference = plan.reference;
-    const bool alike = plan.settings[s].integrator == reference.integrator && reference.integrator != "reference" &&
-                       found.stand_in.empty() && reference.step < *std::min_element(steps.begin(), steps.end());
     CompareSetting one = plan.settings[s];
     one.step = plan.settings.front().step;
     found.orders.push_back({label_of(one, plan.settings.front()), order_of(steps, errors, alike ? reference.step : 0),

@@ -1,6 +1,7 @@
 #include "apps/compare/scenes/study.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -66,6 +67,7 @@ class Comparison {
       const bool more = *options_.budget_s == 0 || *options_.budget_s > study_.budget_s;
       study_.budget_s = *options_.budget_s;
       if (more) forget_slow_runs();
+      folder_->write(study_);
     }
     return execute();
   }
@@ -76,16 +78,16 @@ class Comparison {
       if (result.status == k_too_slow) folder_->forget(id);
   }
 
-  /// Broken to the width of a terminal; in a file or a pipe a sentence stays on its line.
-  void say(const std::string& lines) const {
-    if (options_.quiet) return;
-    std::istringstream text(lines);
-    for (std::string line; std::getline(text, line);)
-      out_ << (line.size() > k_console_columns && console_style(false) == ConsoleStyle::terminal ? wrapped(line, 0)
-                                                                                                 : line)
-           << "\n";
-    out_ << std::flush;
+  void say(const std::string& line) const {
+    if (!options_.quiet) out_ << line << "\n" << std::flush;
   }
+  /// Sentences, one a line: broken to the width of a terminal, left whole for a file or a pipe.
+  void tell(const std::string& sentences) const {
+    const bool terminal = ::isatty(options_.json ? STDERR_FILENO : STDOUT_FILENO) != 0;
+    std::istringstream text(sentences);
+    for (std::string line; std::getline(text, line);) say(terminal ? wrapped(line, 0) : line);
+  }
+  static void warn(const std::string& sentence) { std::cerr << "warning: " << sentence << "\n"; }
   double elapsed() const { return steady_seconds() - started_; }
   /// Of the budget; 0: there is none.
   double left() const {
@@ -146,8 +148,10 @@ class Comparison {
     const double limit = study_.budget_s > 0 ? std::clamp(k_share * study_.budget_s, k_least_s, k_most_s) : k_most_s;
     const bool needs_reference = !study_.ablation && study_.reference == "auto";
     const auto at_most = [&](double wanted) { return study_.budget_s > 0 ? std::min(wanted, left()) : wanted; };
-    say(fmt::format("measuring what a step costs {}, {:.2g} s at most each, alone on the machine ...",
-                    needs_reference ? "to the scene's own setting and to the reference" : "without simplifications",
+    say(fmt::format("measuring what a step costs {}, about {:.2g} s each, alone on the machine ...",
+                    study_.ablation   ? "without simplifications"
+                    : needs_reference ? "the scene's own setting and the reference"
+                                      : "the scene's own setting",
                     limit));
     Probe first = probe_setting(scene, grid.settings.front(), "probe", at_most(limit));
     if (first.steps == 0 && first.trouble.empty())
@@ -180,11 +184,12 @@ class Comparison {
         const CompareSetting& own = grid.settings.front();
         cost.reference.push_back({tolerance, reference_weight(first, tight, own.step, reference.step, request.start)
                                                  .value_or(solver_weight(tried, own))});
-        if (!tight.trouble.empty()) say("warning: the reference " + full_label(tried) + ": " + tight.trouble);
+        if (!tight.trouble.empty()) warn("the reference (" + full_label(tried) + "): " + tight.trouble);
       }
     }
     if (first.steps == 0)
-      say("warning: no step was done in the time for measuring: what runs take is not known, and all are planned");
+      warn("what runs take is not known and all are planned: " +
+           (first.trouble.empty() ? "no step was done in the time for measuring" : first.trouble));
     request.budget_s = left();
     study_.plan = make_plan(grid.settings, core_of(grid), reference, cost, request);
     study_.plan.vary_seed = study_.reference == "auto";
@@ -223,15 +228,15 @@ class Comparison {
     say(fmt::format("{} runs: {} settings x {} realisations, {:g} s simulated; about {} with {} job{}",
                     plan.runs.size(), plan.settings.size(), plan.realisations, plan.end - plan.start,
                     duration_text(plan.estimate_s), study_.jobs, study_.jobs == 1 ? "" : "s"));
-    say((study_.ablation ? "without simplifications: " : "own setting: ") + full_label(plan.settings.front()));
+    tell((study_.ablation ? "without simplifications: " : "own setting: ") + full_label(plan.settings.front()));
     std::string others;
     for (std::size_t k = 1; k < plan.settings.size(); ++k)
       others += (others.empty() ? "" : "; ") + label_of(plan.settings[k], plan.settings.front());
-    say("beside it: " + others);
+    tell("beside it: " + others);
     if (plan.realisations > 0 && !study_.ablation && study_.reference == "auto")
-      say("judged by: " + full_label(plan.reference));
-    for (const auto& list : by_reason(plan.omissions)) say("left out for " + list);
-    for (const auto& refused : study_.refused) say(fmt::format("cannot run: {}: {}", refused.what, refused.why));
+      tell("judged by: " + full_label(plan.reference));
+    for (const auto& list : by_reason(plan.omissions)) tell("left out for " + list);
+    for (const auto& refused : study_.refused) tell(fmt::format("cannot run: {}: {}", refused.what, refused.why));
   }
 
   std::string run_label(const PlannedRun& run) const {
@@ -291,7 +296,10 @@ class Comparison {
     std::vector<PlannedRun> runs;
     std::vector<ChildTask> tasks;
     for (const auto& run : study_.plan.runs) {
-      if (results.count(run.id) > 0) continue;
+      const auto known = results.find(run.id);
+      if (known != results.end() && known->second.status == k_too_slow && run.kind == RunKind::grid)
+        slow_.insert(run.setting);
+      if (known != results.end()) continue;
       runs.push_back(run);
       tasks.push_back(task_of(scene_run(run)));
     }
@@ -345,11 +353,15 @@ class Comparison {
     const StudyTiming timing = timing_of(results);
     findings.slowdown = timing.slowdown;
     const StudyOutputs outputs{study_, findings, timing, late_, trouble_, ended_by()};
-    const std::string picture_trouble = outputs.write(folder_->path());
-    say(outputs.text());
+    try {
+      const std::string picture_trouble = outputs.write(folder_->path());
+      if (!picture_trouble.empty()) warn(picture_trouble);
+    } catch (const FileError& e) {  // what is done is told all the same
+      if (file_error_.empty()) file_error_ = e.what();
+    }
+    tell(outputs.text());
     if (options_.quiet)
-      for (const auto& line : outputs.warnings()) std::cerr << "warning: " << line << "\n";
-    if (!picture_trouble.empty()) std::cerr << "warning: " << picture_trouble << "\n";
+      for (const auto& line : outputs.warnings()) warn(line);
     say(fmt::format("in {}; open {}", duration_text(elapsed()), (folder_->path() / "compare.html").string()));
     if (options_.json)
       std::cout << outputs.json().dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";

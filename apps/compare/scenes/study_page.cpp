@@ -87,9 +87,10 @@ std::string StudyOutputs::runs_table() const {
     const bool grid = row.run.kind == RunKind::grid;
     html += fmt::format("<tr class='{}'>", row.result.done() ? "" : "fails") + cell(row.run.id) +
             cell(grid ? label(row.run.setting) : name_of(row.run.kind)) +
-            cell(static_cast<double>(row.run.realisation)) + cell(row.result.status) + cell(row.result.cpu_s) +
-            cell(row.result.ms_per_step()) + cell(row.load_difference.value_or(k_nan)) +
-            cell(row.motion ? row.motion->rms_m : k_nan) + cell(row.result.cause) + "</tr>\n";
+            cell(static_cast<double>(row.run.realisation)) + cell(row.result.status) +
+            cell(row.result.wall_s > 0 ? row.result.cpu_s : k_nan) + cell(row.result.ms_per_step()) +
+            cell(row.load_difference.value_or(k_nan)) + cell(row.motion ? row.motion->rms_m : k_nan) +
+            cell(row.result.cause) + "</tr>\n";
   }
   return html + "</table>\n";
 }
@@ -175,8 +176,14 @@ std::string StudyOutputs::page(const std::filesystem::path& folder, const std::v
   for (const auto& line : lines) html += html_text(line) + "<br>\n";
   html += "</p><h2>How it was measured</h2>\n" + how_measured();
   html += fmt::format("<details><summary>All {} runs</summary>{}</details>\n", found_.rows.size(), runs_table());
+  if (!study_.ablation)
+    html += fmt::format(
+        "<p>What each simplification of older tools costs on this scene is a page of its own: nilas compare {} "
+        "--ablate.</p>\n",
+        html_text(study_.scene.filename().string()));
   return html +
-         "<p>Every figure with its unit: compare.csv (a row per run), settings.csv, compare.json.</p></body></html>\n";
+         "<p>Every figure with its unit: compare.csv (a row per run), settings.csv, loads.csv, compare.json.</p>"
+         "</body></html>\n";
 }
 
 void StudyOutputs::write_page(const std::filesystem::path& folder) const {

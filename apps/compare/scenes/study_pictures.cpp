@@ -7,7 +7,6 @@
 #include <map>
 
 #include "apps/compare/scenes/ranking.h"
-#include "core/base/error.h"
 #include "core/output/plot.h"
 
 namespace nilas {
@@ -40,8 +39,8 @@ struct Block {
 
 /// The key stands beside the plot: its lines are sentences, and names at points would lie over each other.
 constexpr const char* k_axes =
-    "set logscale xy\nset grid lc rgb '#dddddd'\nset key outside right top vertical Left reverse samplen 1.5 spacing "
-    "1.2 noenhanced\n";
+    "set logscale xy\nset grid lc rgb '#dddddd'\nset rmargin 40\nset key at graph 1.02, graph 1 left top vertical Left "
+    "reverse samplen 1.5 spacing 1.2 noenhanced\n";
 
 /// Labels at 1, 2 and 5 of each decade where there are few of these, else at the decades.
 std::string log_tics(const char* axis, double low, double high) {
@@ -81,6 +80,7 @@ std::string front(const Findings& found, const std::vector<std::string>& labels)
                                   quoted(fmt::format("{}  {}", m.setting + 1, labels[m.setting]))));
   }
   if (least > most) return "";
+  if (found.reference_moves) most = std::max(most, *found.reference_moves);
   std::string drawing =
       best.text() + beaten.text() + hidden.text() + chosen.text() + named.text() + others.text() + k_axes;
   constexpr double k_room = 1.6;
@@ -93,15 +93,13 @@ std::string front(const Findings& found, const std::vector<std::string>& labels)
   const auto layer = [&](const Block& block, const std::string& how) {
     if (!block.empty()) layers.push_back("$" + block.name + " " + how);
   };
-  layer(beaten,
-        "using 1:2:3:4 with yerrorbars pt 7 ps 1 lw LW lc rgb '#aaaaaa' title 'another is faster and better,' . "
-        "\"\\n\" . 'or not all done'");
+  layer(beaten, "using 1:2:3:4 with yerrorbars pt 7 ps 1 lw LW lc rgb '#aaaaaa' title 'beaten, or not all done'");
   layer(best, "using 1:2:3:4 with yerrorbars pt 7 ps 1.3 lw LW lc rgb '#000000' title 'nothing is faster and better'");
   layer(hidden, "using 1:2 with points pt 10 ps 1.3 lw LW lc rgb '#0072b2' title 'cannot be told from chaos'");
   layer(chosen, "using 1:2 with points pt 6 ps 3 lw 2*LW lc rgb '#d55e00' title 'chosen'");
   layer(named, "using 1:2:3 with labels left offset char 0.8,0.4 noenhanced notitle");
   layer(others, "using 1:2:3 with labels left offset char 0.8,0.4 tc rgb '#888888' noenhanced notitle");
-  if (found.reference_moves && *found.reference_moves > 0)
+  if (found.reference_moves && *found.reference_moves > least / k_room)  // else it lies below all that is shown
     layers.push_back(fmt::format("{} with lines dt 2 lw LW lc rgb '#009e73' title 'the reference moves by'",
                                  *found.reference_moves));
   if (layers.empty()) return "";
@@ -115,7 +113,7 @@ std::string front(const Findings& found, const std::vector<std::string>& labels)
 std::string steps(const Plan& plan, const Findings& found) {
   struct Line {
     std::string rows;
-    int points = 0;
+    std::vector<double> errors;
   };
   std::map<std::string, Line> lines;
   double finest = 1e300, coarsest = 0, least = 1e300, most = 0;
@@ -123,19 +121,18 @@ std::string steps(const Plan& plan, const Findings& found) {
   for (const auto& m : found.merits) {
     CompareSetting setting = plan.settings[m.setting];
     if (!(m.error > 0) || m.done < m.planned) continue;
+    finest = std::min(finest, setting.step);
+    coarsest = std::max(coarsest, setting.step);
     setting.step = own.step;
     Line& line = lines[label_of(setting, own)];
     line.rows += fmt::format("{} {}\n", plan.settings[m.setting].step, m.error);
-    ++line.points;
+    line.errors.push_back(m.error);
   }
-  std::erase_if(lines, [](const auto& line) { return line.second.points < 3; });
+  std::erase_if(lines, [](const auto& line) { return line.second.errors.size() < 3; });
   if (lines.empty()) return "";
-  for (const auto& m : found.merits) {
-    if (!(m.error > 0) || m.done < m.planned) continue;
-    finest = std::min(finest, plan.settings[m.setting].step);
-    coarsest = std::max(coarsest, plan.settings[m.setting].step);
-    least = std::min(least, m.error);
-    most = std::max(most, m.error);
+  for (const auto& [name, line] : lines) {
+    least = std::min(least, *std::min_element(line.errors.begin(), line.errors.end()));
+    most = std::max(most, *std::max_element(line.errors.begin(), line.errors.end()));
   }
   constexpr double k_room = 1.6;
   const bool floor = found.measure == "load" && found.common_floor > 0 && std::isfinite(found.common_floor);
@@ -217,7 +214,7 @@ Drawings draw_study(const std::filesystem::path& folder, const Study& study, con
     try {
       plot(folder, both(name, height, drawing));
       drawings.drawn.push_back(name);
-    } catch (const FileError& e) {
+    } catch (const PlotError& e) {
       drawings.trouble = e.what();
     }
   };

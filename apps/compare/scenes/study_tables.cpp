@@ -135,7 +135,7 @@ std::string StudyOutputs::runs_csv() const {
   std::string csv = csv_header(run_columns(channels));
   for (const auto& row : found_.rows) {
     const RunResult& result = row.result;
-    const bool began = result.status != "not run";
+    const bool began = result.wall_s > 0;
     const bool given = row.run.kind == RunKind::reference && study_.reference != "auto";
     Cells cells;
     cells.text(row.run.id).text(name_of(row.run.kind));

@@ -67,8 +67,9 @@ void StudyOutputs::say_price(std::vector<std::string>& lines) const {
     const bool same = best.setting == own.setting;
     const double within = std::max(k_target, best.told ? 0 : best.floor / found_.scale);
     if (same)
-      lines.push_back(fmt::format("Within {} of {} no setting is faster than the scene's own ({}).", percent(within),
-                                  of, full_label(study_.plan.settings.front())));
+      lines.push_back(fmt::format("Within {} of {} no setting is surely faster than the scene's own ({}){}.",
+                                  percent(within), of, full_label(study_.plan.settings.front()),
+                                  found_.deeper ? " and lets bodies no deeper into each other" : ""));
     else
       lines.push_back(fmt::format(
           "Within {} of {}, \"{}\" is {} the scene's own setting (\"{}\"): {:.3g} s of computing per simulated second "
@@ -82,8 +83,8 @@ void StudyOutputs::say_price(std::vector<std::string>& lines) const {
                       best.done, study_.plan.end - study_.plan.start, quantity_text(best.floor, found_.unit),
                       percent(best.floor / found_.scale)));
   } else if (!std::isfinite(found_.common_floor)) {
-    lines.emplace_back(
-        "No setting is recommended: what chaos does is not known, for which a twin or two realisations must be done.");
+    lines.push_back("No setting is recommended: what chaos does is not known, for which a twin" +
+                    std::string(found_.measure == "load" ? " or two realisations" : "") + " must be done.");
   } else {
     lines.push_back(fmt::format("No setting comes within {} of {}.", percent(k_target), of));
   }
@@ -162,13 +163,12 @@ std::vector<std::string> StudyOutputs::sentences() const {
         fmt::format("Single motions can be predicted until {:.3g} s; twins that start 1e-12 m aside are then {} apart.",
                     found_.horizon_s, quantity_text(found_.horizon_threshold_m, "m")));
   if (found_.coverage)
-    lines.push_back(
-        fmt::format("The load error estimate, with what twins and other steps tell of chaos and step, covers the "
-                    "measured error in {} of "
-                    "{} runs and is {:.2g} times as wide in the median; what each run says by itself covers {} and is "
-                    "{:.2g} times as wide.",
-                    percent(found_.coverage->share), found_.coverage->runs, found_.coverage->width,
-                    percent(found_.coverage_alone->share), found_.coverage_alone->width));
+    lines.push_back(fmt::format(
+        "The load error estimate, with what the other runs tell, covers the measured error in {} of {} runs "
+        "and is {:.2g} times as wide in the median; what each run says by itself covers {} and is {:.2g} "
+        "times as wide.",
+        percent(found_.coverage->share), found_.coverage->runs, found_.coverage->width,
+        percent(found_.coverage_alone->share), found_.coverage_alone->width));
   for (const auto& order : found_.orders)
     lines.push_back(fmt::format(
         "Over {} steps the error of \"{}\" {}.", order.steps, order.rest,

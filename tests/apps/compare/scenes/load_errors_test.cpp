@@ -45,6 +45,7 @@ struct Grid {
     m.setting = plan.settings.size() - 1;
     m.done = 1;
     m.load_difference.mean = off;
+    m.load_difference.count = 1;
     found.merits.push_back(m);
     RunRow row;
     row.run.setting = m.setting;
@@ -74,8 +75,40 @@ TEST(LoadErrors, StepsPartIsNotLessThanWhatTheReferenceMoves) {
   judge_load_errors(grid.plan, 0, grid.found);
   EXPECT_NEAR(grid.found.rows[0].load_error->step, 0.3, 1e-12);
   EXPECT_NEAR(grid.found.rows[1].load_error->step, 0.4, 1e-12);
+  grid.found.reference_chance = 0.2;
+  judge_load_errors(grid.plan, 0, grid.found);
+  EXPECT_NEAR(grid.found.rows[0].load_error->step, 0.2, 1e-12) << "chaos can move the reference as far";
   // finer than what the reference's step was doubled to: by its own steps alone
   EXPECT_NEAR(grid.found.rows[2].load_error->step, 0.1, 1e-12);
+}
+
+TEST(LoadErrors, SolversPartHoldsWhatOthersOfTheSameStepScatterBeyondChaos) {
+  Grid grid;
+  const CompareSetting own = grid.plan.settings[0];
+  for (const auto& [solver, off] : {std::pair("apgd", 0.1), std::pair("admm", 0.5)}) {
+    CompareSetting other = own;
+    other.solver = solver;
+    grid.add(other, 0.02, off);
+  }
+  grid.found.chaos = 0.1;
+  judge_load_errors(grid.plan, 0, grid.found);
+  // 0.3 (nsgs), 0.1, 0.5: variance 0.04, of which 0.01 is chance
+  EXPECT_NEAR(grid.found.rows[0].load_error->solver, 2 * std::sqrt(0.03), 1e-12);
+  grid.found.chaos = 1;
+  judge_load_errors(grid.plan, 0, grid.found);
+  EXPECT_EQ(grid.found.rows[0].load_error->solver, 0.01) << "what the run says by itself";
+}
+
+TEST(LoadErrors, LawsPartHoldsWhatTheLawDoesAtOtherSteps) {
+  Grid grid;
+  CompareSetting ccp = grid.plan.settings[0];
+  ccp.law = "ccp";
+  grid.add(ccp, 0.02, 5);
+  grid.add(ccp, 0.01, 0.4);
+  judge_load_errors(grid.plan, 0, grid.found);
+  EXPECT_NEAR(grid.found.rows[4].load_error->law, 0.3, 1e-12) << "0.4 beside 0.1 at half the step";
+  EXPECT_NEAR(grid.found.rows[5].load_error->law, 4.8, 1e-12);
+  EXPECT_EQ(grid.found.rows[0].load_error->law, 0);
 }
 
 TEST(LoadErrors, ChaosIsTheLesserOfTheComparisonsAndOfTwoRunsThatEachSayTheirOwn) {

@@ -79,6 +79,7 @@ TEST(Choice, IsNoneThatSinksIn) {
   found.merits[1].penetration_max_m = 3e-3;
   choose(found);
   EXPECT_EQ(found.chosen, 0U);
+  EXPECT_EQ(found.deeper, 1U);
 }
 
 TEST(Orders, AreSlopesOverThreeStepsThatTellAnError) {
