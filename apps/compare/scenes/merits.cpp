@@ -48,7 +48,8 @@ class Judge {
     if (found_.measure == "load" && !against_first_) judge_load_errors(plan_, chaos_of_difference_, found_);
     spread_of_times();
     rank(found_);
-    if (!against_first_) choose(found_);
+    // a vessel that was not touched says nothing of what a setting is worth to its loads
+    if (!against_first_ && (found_.headline.empty() || found_.measure == "load")) choose(found_);
     find_orders(plan_, found_);
     return std::move(found_);
   }
@@ -175,6 +176,7 @@ class Judge {
   }
 
   void measure_loads() {
+    for (const auto& row : found_.rows) found_.references_done += row.judges ? 1 : 0;
     if (found_.headline.empty()) return;
     std::vector<double> loads;
     for (int r = 0; r < plan_.realisations; ++r) {
@@ -186,6 +188,16 @@ class Judge {
           row.load_difference = load_of(row) - loads.back();
     }
     found_.reference_load = loads.empty() ? k_nan : mean_of(loads);
+    const auto of_judges = [&](const char* statistic) {
+      std::vector<double> values;
+      for (const auto& row : found_.rows)
+        if (row.judges) values.push_back(load_of(row, statistic));
+      return estimate_of(values);
+    };
+    found_.reference_mean = of_judges("mean");
+    found_.reference_std = of_judges("std");
+    found_.reference_max = of_judges("max");
+    found_.reference_p99 = of_judges("p99");
   }
 
   void choose_measure() {
@@ -239,9 +251,10 @@ class Judge {
       ++m.planned;
       m.done += row.result.done() ? 1 : 0;
       m.failed += row.result.failed() ? 1 : 0;
-      if (!row.result.done() && m.trouble.empty())
+      if (row.result.failed() && m.trouble.empty())
         m.trouble = row.result.status + (row.result.cause.empty() ? "" : ": " + row.result.cause);
     }
+    if (m.done == 0 && m.trouble.empty()) m.trouble = "not run";
     const auto load = [&](const char* statistic) {
       return estimate_of(over_runs(setting, [&](const RunRow& row) { return std::optional(load_of(row, statistic)); }));
     };
@@ -320,6 +333,7 @@ class Judge {
       const double own = variance_of_difference(m);
       const bool wild = !std::isnan(own) && own > scatter_95(count - 1, pooled.degrees) * runs;
       m.floor = wild ? floor_of(own, count - 1, count) : floor_of(runs, pooled.degrees, count);
+      if (m.done == 0) m.floor = k_nan;
       m.told = m.error > m.floor;
     }
   }

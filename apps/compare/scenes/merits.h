@@ -78,10 +78,12 @@ struct Order {
 };
 
 struct Findings {
-  std::string headline;        ///< channel; empty without a vessel
-  std::string measure, unit;   ///< of the primary error: load, distance or turn
-  double scale = 0;            ///< that errors in percent are shares of
-  double reference_load = 0;   ///< [N]
+  std::string headline;       ///< channel; empty without a vessel
+  std::string measure, unit;  ///< of the primary error: load, distance or turn
+  double scale = 0;           ///< that errors in percent are shares of
+  double reference_load = 0;  ///< [N]
+  Estimate reference_mean, reference_std, reference_max, reference_p99;  ///< of the runs that judge [N]
+  int references_done = 0;                                               ///< realisations that can be judged
   double chaos = 0;            ///< standard deviation of a run's mean load by chance; NaN: not measured [N]
   double horizon_s = 0;        ///< until which every realisation can be predicted
   bool horizon_known = false;  ///< a twin is done; else nothing is told from chaos

@@ -176,6 +176,7 @@ class Planner {
   Plan written() const {
     Plan plan;
     plan.start = request_.start;
+    plan.scene_end = request_.end;
     plan.end = request_.start + draft_.length;
     plan.realisations = draft_.realisations;
     for (const std::size_t k : draft_.kept) plan.settings.push_back(settings_[k]);

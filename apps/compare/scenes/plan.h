@@ -79,6 +79,7 @@ struct Plan {
   std::vector<PlannedRun> runs;  ///< in the order they start
   std::vector<Omission> omissions;
   double start = 0, end = 0;  ///< simulated [s]
+  double scene_end = 0;       ///< [s]
   double sample_every = 0;    ///< between stored states [s]
   int realisations = 0;
   double estimate_s = 0;  ///< wall time

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "apps/compare/statistics.h"
@@ -14,6 +15,16 @@ namespace {
 double shown_error(const Merit& m) { return m.told ? m.error : m.floor; }
 
 bool complete(const Merit& m) { return m.done > 0 && m.failed == 0 && !std::isnan(m.error); }
+
+/// Whether errors rise, or fall, from step to step throughout; else they have no order.
+bool one_way(const std::vector<double>& steps, const std::vector<double>& errors) {
+  std::map<double, double> by_step;
+  for (std::size_t k = 0; k < steps.size(); ++k) by_step[steps[k]] = errors[k];
+  int rises = 0, falls = 0;
+  for (auto finer = by_step.begin(), coarser = std::next(finer); coarser != by_step.end(); ++finer, ++coarser)
+    ++(coarser->second > finer->second ? rises : falls);
+  return rises == 0 || falls == 0;
+}
 
 /// Of errors C (h^p - r^p) against a reference of the same kind with the step r: the p whose C scatters least, by
 /// factors. 0 where errors do not fall with the step.
@@ -52,13 +63,15 @@ void choose(Findings& found) {
   if (enough.empty()) return;
   const auto by_time = [](const Merit* a, const Merit* b) { return a->time < b->time; };
   const double fastest = (*std::min_element(enough.begin(), enough.end(), by_time))->time;
-  constexpr double k_sure = 2;  // standard deviations
-  const double spread = std::isnan(found.time_spread) ? 0 : found.time_spread;
-  std::erase_if(enough, [&](const Merit* m) { return m->time > fastest * (1 + k_sure * spread); });
+  // factors that times of many settings scatter by: three standard deviations of a ratio
+  constexpr double k_sure = 3, k_unknown = 0.1;
+  const double sure =
+      std::exp(k_sure * std::sqrt(2.0) * (std::isnan(found.time_spread) ? k_unknown : found.time_spread));
+  std::erase_if(enough, [&](const Merit* m) { return m->time > fastest * sure; });
   const auto by_error = [](const Merit* a, const Merit* b) { return shown_error(*a) < shown_error(*b); };
   found.chosen =
       enough.front()->setting == 0 ? 0 : (*std::min_element(enough.begin(), enough.end(), by_error))->setting;
-  std::erase_if(deeper, [&](const Merit* m) { return m->time * (1 + k_sure * spread) > fastest; });
+  std::erase_if(deeper, [&](const Merit* m) { return m->time * sure > fastest; });
   if (!deeper.empty()) found.deeper = (*std::min_element(deeper.begin(), deeper.end(), by_time))->setting;
 }
 
@@ -83,7 +96,7 @@ void find_orders(const Plan& plan, Findings& found) {
       errors.push_back(m.error);
     }
     constexpr std::size_t k_least = 3;
-    if (steps.size() < k_least) continue;
+    if (steps.size() < k_least || !one_way(steps, errors)) continue;
     CompareSetting one = plan.settings[s];
     one.step = plan.settings.front().step;
     found.orders.push_back({label_of(one, plan.settings.front()), order_of(steps, errors, alike ? reference.step : 0),

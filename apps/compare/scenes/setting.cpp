@@ -154,11 +154,10 @@ std::vector<std::string> differences(const CompareSetting& a, const CompareSetti
   return axes;
 }
 
+/// An ablation turns them on singly, then all together.
 static std::string simplifications_label(const CompareSetting& setting) {
-  std::string label;
-  for (const Simplification which : setting.simplifications)
-    label += std::string(label.empty() ? "" : " + ") + name_of(which);
-  return label.empty() ? "none" : label;
+  if (setting.simplifications.size() > 1) return "all together";
+  return setting.simplifications.empty() ? "none" : name_of(setting.simplifications.front());
 }
 
 static std::string axis_text(const CompareSetting& setting, const std::string& axis) {

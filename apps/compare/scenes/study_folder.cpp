@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int k_version = 1;
+constexpr int k_version = 2;
 constexpr int k_indent = 1;
 
 Json json_of(const Overrides& overrides) {
@@ -82,6 +82,7 @@ Json json_of(const Plan& plan) {
           {"omissions", json_of(plan.omissions)},
           {"start_s", plan.start},
           {"end_s", plan.end},
+          {"scene_end_s", plan.scene_end},
           {"sample_every_s", plan.sample_every},
           {"realisations", plan.realisations},
           {"vary_seed", plan.vary_seed},
@@ -103,6 +104,7 @@ Plan plan_of(const Json& json) {
   plan.omissions = omissions_of(json.at("omissions"));
   plan.start = json.at("start_s");
   plan.end = json.at("end_s");
+  plan.scene_end = json.at("scene_end_s");
   plan.sample_every = json.at("sample_every_s");
   plan.realisations = json.at("realisations");
   plan.vary_seed = json.at("vary_seed");

@@ -51,6 +51,9 @@ class StudyOutputs {
   std::string label(std::size_t setting) const;
   std::vector<std::string> sentences() const;
   void say_price(std::vector<std::string>& lines) const;
+  void say_peaks(const Merit& merit, std::vector<std::string>& lines) const;
+  /// There is a vessel, and no load on it.
+  bool untouched() const;
   void say_ablation(std::vector<std::string>& lines) const;
   std::string page(const std::filesystem::path& folder, const std::vector<std::string>& pictures,
                    const std::string& instead) const;

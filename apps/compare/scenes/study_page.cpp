@@ -47,15 +47,22 @@ std::string StudyOutputs::settings_table() const {
   const bool load = found_.measure == "load";
   std::string html = fmt::format(
       "<table><tr><th>no.</th><th>setting</th><th>s per simulated s</th><th>ms per step</th><th>error "
-      "[{0}]</th><th>told from chaos above [{0}]</th>{1}"
+      "[{0}]</th><th>smallest that could be told from chaos [{0}]</th>{1}"
       "<th>rms distance [m]</th><th>deepest penetration [m]</th><th>energy error</th><th>law residual "
       "[m/s]</th><th>steps short of the tolerance</th><th></th></tr>\n",
-      found_.unit, load ? "<th>mean ice load [N]</th><th>std [N]</th><th>99 % [N]</th>" : "");
+      found_.unit, load ? "<th>mean ice load [N]</th><th>std [N]</th><th>99 % [N]</th><th>largest [N]</th>" : "");
+  if (load && found_.stand_in.empty() && !study_.ablation)
+    html += "<tr><td></td><td>reference</td><td></td><td></td><td></td><td></td>" + cell(found_.reference_mean) +
+            cell(found_.reference_std.mean) + cell(found_.reference_p99.mean) + cell(found_.reference_max.mean) +
+            "<td></td><td></td><td></td><td></td><td></td><td></td></tr>\n";
   for (const auto& m : found_.merits) {
     std::string remark = found_.chosen == m.setting   ? "chosen"
                          : m.dominated || m.done == 0 ? ""
                                                       : "nothing is faster and better";
-    if (!m.trouble.empty()) remark = m.trouble;
+    if (!m.trouble.empty())
+      remark = m.trouble;
+    else if (m.done < m.planned)
+      remark += fmt::format("{}{} of {} runs", remark.empty() ? "" : "; ", m.done, m.planned);
     html += fmt::format("<tr class='{}'>", m.failed > 0 || m.done == 0  ? "fails"
                                            : found_.chosen == m.setting ? "chosen"
                                                                         : "");
@@ -69,12 +76,14 @@ std::string StudyOutputs::settings_table() const {
              : m.told                ? fmt::format("{:.3g}", m.error)
                                      : "not told") +
             "</td>" + cell(m.floor);
-    if (load) html += cell(m.load) + cell(m.load_std.mean) + cell(m.load_p99.mean);
+    if (load) html += cell(m.load) + cell(m.load_std.mean) + cell(m.load_p99.mean) + cell(m.load_max.mean);
     html += cell(m.motion.mean) + cell(m.penetration_max_m) + cell(m.energy_error, "{:.1e}") +
             cell(m.law_map_m_s, "{:.1e}");
     html += cell(100 * m.unconverged_share, "{:.2g} %") + cell(remark) + "</tr>\n";
   }
-  return html + "</table>\n";
+  return html +
+         "</table>\n<p>After &plusmn;: of a time what alike runs scatter by, of a load the standard error over "
+         "realisations. 99 % and largest are those of the load's absolute value.</p>\n";
 }
 
 std::string StudyOutputs::runs_table() const {
@@ -146,7 +155,7 @@ std::string StudyOutputs::how_measured() const {
           : "What neighbours cost was not measured."));
   if (std::isfinite(found_.time_spread))
     item(
-        fmt::format("Times of one setting's runs scatter by {:.2g} % (standard deviation).", 100 * found_.time_spread));
+        fmt::format("Times of one setting's runs scatter by {:.3g} % (standard deviation).", 100 * found_.time_spread));
   for (const auto& list : by_reason(plan.omissions)) item("Left out for " + list + ".");
   for (const auto& refused : study_.refused) item(fmt::format("Cannot run: {}: {}", refused.what, refused.why));
   return html + "</ul>\n";
@@ -161,6 +170,8 @@ std::string StudyOutputs::page(const std::filesystem::path& folder, const std::v
       "warning{{border-left:4px solid #d55e00;padding-left:.7em}}"
       "figure{{margin:1em 0}}figcaption{{color:#555}}</style></head><body><h1>{0}: {2}</h1>\n",
       html_text(scene), k_page_style, study_.ablation ? "what each simplification costs" : "the price of accuracy");
+  html += fmt::format("<p>{:g} s simulated, {} settings, {} realisation{}</p>\n", study_.plan.end - study_.plan.start,
+                      study_.plan.settings.size(), study_.plan.realisations, study_.plan.realisations == 1 ? "" : "s");
   const auto lines = sentences();
   const auto figure = [&](const std::string& name) {
     const auto caption =

@@ -95,7 +95,8 @@ std::string front(const Findings& found, const std::vector<std::string>& labels)
   };
   layer(beaten, "using 1:2:3:4 with yerrorbars pt 7 ps 1 lw LW lc rgb '#aaaaaa' title 'beaten, or not all done'");
   layer(best, "using 1:2:3:4 with yerrorbars pt 7 ps 1.3 lw LW lc rgb '#000000' title 'nothing is faster and better'");
-  layer(hidden, "using 1:2 with points pt 10 ps 1.3 lw LW lc rgb '#0072b2' title 'cannot be told from chaos'");
+  layer(hidden,
+        "using 1:2 with points pt 10 ps 1.3 lw LW lc rgb '#0072b2' title 'cannot be told from chaos or rounding'");
   layer(chosen, "using 1:2 with points pt 6 ps 3 lw 2*LW lc rgb '#d55e00' title 'chosen'");
   layer(named, "using 1:2:3 with labels left offset char 0.8,0.4 noenhanced notitle");
   layer(others, "using 1:2:3 with labels left offset char 0.8,0.4 tc rgb '#888888' noenhanced notitle");
@@ -179,7 +180,8 @@ std::string ablation(const Findings& found, const std::vector<std::string>& labe
                                                       : "error of " + found.measure + " [" + found.unit + "]";
   return changes.text() + saved.text() +
          fmt::format(
-             "set multiplot layout 1,2\nset yrange [{}:0.4]\nset ytics noenhanced\nset xzeroaxis\nset arrow from 0, "
+             "set multiplot layout 1,2\nset yrange [{}:0.4]\nset ytics noenhanced\nset xzeroaxis\nset xtics rotate by "
+             "-30\nset arrow from 0, "
              "graph 0 to 0, graph 1 nohead lc rgb '#888888'\nset grid x lc rgb '#dddddd'\nset lmargin 24\n",
              static_cast<double>(found.merits.size()) - 0.4) +
          panel(measure, "$changes", "(0.5*$2):1:(0.5*abs($2)):(0.3):ytic(4)") + "set format y ''\nset lmargin 4\n" +

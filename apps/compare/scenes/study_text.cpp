@@ -61,7 +61,7 @@ void StudyOutputs::say_price(std::vector<std::string>& lines) const {
       found_.measure == "load"
           ? fmt::format("the mean ice load ({}, {})", found_.headline, quantity_text(found_.reference_load, "N"))
       : found_.measure == "turn" ? "the attitude (1 rad)"
-                                 : fmt::format("the largest way of a body ({})", quantity_text(found_.scale, "m"));
+                                 : fmt::format("the longest path of a body ({})", quantity_text(found_.scale, "m"));
   if (found_.chosen) {
     const Merit& best = found_.merits[*found_.chosen];
     const bool same = best.setting == own.setting;
@@ -76,12 +76,18 @@ void StudyOutputs::say_price(std::vector<std::string>& lines) const {
           "in place of {:.3g} s.",
           percent(within), of, label(best.setting), speed_text(own.time / best.time),
           full_label(study_.plan.settings.front()), best.time, own.time));
+    say_peaks(best, lines);
     if (!best.told && best.floor > k_target * found_.scale)
       lines.push_back(
           fmt::format("Its error cannot be told from chaos: with {} runs of {:g} s each, differences below {} ({} of "
                       "the scale) are none.",
                       best.done, study_.plan.end - study_.plan.start, quantity_text(best.floor, found_.unit),
                       percent(best.floor / found_.scale)));
+  } else if (untouched()) {
+    lines.push_back(
+        fmt::format("The ice did not touch the vessel in the {:g} s that were simulated: nothing is "
+                    "recommended, and motions are compared.",
+                    study_.plan.end - study_.plan.start));
   } else if (!std::isfinite(found_.common_floor)) {
     lines.push_back("No setting is recommended: what chaos does is not known, for which a twin" +
                     std::string(found_.measure == "load" ? " or two realisations" : "") + " must be done.");
@@ -105,9 +111,34 @@ void StudyOutputs::say_price(std::vector<std::string>& lines) const {
     lines.emplace_back("No setting's error can be told from chaos or rounding.");
 }
 
+bool StudyOutputs::untouched() const { return found_.measure != "load" && !found_.headline.empty(); }
+
+/// Ships are built by the peaks of a load.
+void StudyOutputs::say_peaks(const Merit& m, std::vector<std::string>& lines) const {
+  if (found_.measure != "load") return;
+  const auto beside = [](const Estimate& of, const Estimate& reference) {
+    return fmt::format("{:+.2g} %", 100 * (of.mean / reference.mean - 1));
+  };
+  if (found_.reference_std.mean > 0 && found_.reference_p99.mean > 0)
+    lines.push_back(
+        fmt::format("Its standard deviation differs by {} from the reference's, the 99 % load by {}, the largest by "
+                    "{}; these are not judged.",
+                    beside(m.load_std, found_.reference_std), beside(m.load_p99, found_.reference_p99),
+                    beside(m.load_max, found_.reference_max)));
+}
+
+/// What changes most comes first.
 void StudyOutputs::say_ablation(std::vector<std::string>& lines) const {
   const Merit& full = found_.merits.front();
-  for (const auto& m : found_.merits) {
+  if (untouched())
+    lines.push_back(
+        fmt::format("The ice did not touch the vessel in the {:g} s that were simulated: motions are "
+                    "compared.",
+                    study_.plan.end - study_.plan.start));
+  std::vector<Merit> by_error = found_.merits;
+  std::stable_sort(by_error.begin(), by_error.end(),
+                   [](const Merit& a, const Merit& b) { return (a.told ? a.error : 0) > (b.told ? b.error : 0); });
+  for (const auto& m : by_error) {
     if (m.setting == 0) continue;
     const std::string name = label(m.setting);
     if (m.done == 0 || std::isnan(m.error)) {
@@ -115,16 +146,26 @@ void StudyOutputs::say_ablation(std::vector<std::string>& lines) const {
       continue;
     }
     const double saved = full.time - m.time;
-    const std::string change =
-        found_.measure == "load"
-            ? fmt::format("changes the mean ice load by {} +- {}{}", quantity_text(m.load_difference.mean, "N"),
-                          quantity_text(m.load_difference.standard_error, "N"),
-                          m.told ? "" : ", which chaos alone can do")
-            : fmt::format("moves bodies by {} (rms) and turns them by {:.2g} rad{}", quantity_text(m.motion.mean, "m"),
-                          m.turn.mean, m.told ? "" : ", which is none");
-    lines.push_back(fmt::format("{}: {}; {} {:.3g} ms per simulated second ({:.3g} ms per step).", name, change,
-                                saved >= 0 ? "saves" : "costs", 1e3 * std::abs(saved),
-                                std::abs(full.ms_per_step - m.ms_per_step)));
+    std::string change;
+    if (found_.measure == "load")
+      change = m.load_difference.mean == 0
+                   ? "does not change the mean ice load"
+                   : fmt::format("changes the mean ice load by {} +- {}{}", quantity_text(m.load_difference.mean, "N"),
+                                 quantity_text(m.load_difference.standard_error, "N"),
+                                 m.told ? "" : ", as much as chaos alone can");
+    else
+      change = m.told ? fmt::format("moves bodies by {} (rms) and turns them by {:.2g} rad",
+                                    quantity_text(m.motion.mean, "m"), m.turn.mean)
+                      : "does not change the motion by more than rounding or chaos";
+    constexpr double k_sure = 3;
+    const double scatter =
+        std::isnan(found_.time_spread) ? 0 : k_sure * std::sqrt(2.0) * found_.time_spread * full.time;
+    const std::string time =
+        std::abs(saved) <= scatter
+            ? "no difference in computing time can be told"
+            : fmt::format("{} {:.3g} ms per simulated second ({:.3g} ms per step)", saved >= 0 ? "saves" : "costs",
+                          1e3 * std::abs(saved), std::abs(full.ms_per_step - m.ms_per_step));
+    lines.push_back(fmt::format("{}: {}; {}.", name, change, time));
   }
 }
 
@@ -156,8 +197,6 @@ std::vector<std::string> StudyOutputs::sentences() const {
   else
     say_price(lines);
   if (lines.empty()) lines.emplace_back("The budget left no simplification to run.");
-  if (found_.measure != "load" && found_.headline.size() > 0)
-    lines.emplace_back("The vessel felt no force in this time, so motions are compared.");
   if (found_.horizon_ends)
     lines.push_back(
         fmt::format("Single motions can be predicted until {:.3g} s; twins that start 1e-12 m aside are then {} apart.",
@@ -180,6 +219,12 @@ std::vector<std::string> StudyOutputs::warnings() const {
   std::vector<std::string> lines;
   if (!ended_by_.empty())
     lines.push_back("Not at its end (" + ended_by_ + "): what is shown is what was done until then; --resume goes on.");
+  if (study_.plan.end < study_.plan.scene_end)
+    lines.push_back(fmt::format("Only {:g} of {:g} s of the scene were simulated: the budget does not reach farther.",
+                                study_.plan.end - study_.plan.start, study_.plan.scene_end - study_.plan.start));
+  if (timing_.jobs > timing_.cores)
+    lines.push_back(fmt::format("{} jobs on {} core{}: they wait for each other, and what that costs is not measured.",
+                                timing_.jobs, timing_.cores, timing_.cores == 1 ? "" : "s"));
   if (!late_.empty())
     lines.push_back(
         fmt::format("The budget was used up before {} of {} runs were done.", late_.size(), study_.plan.runs.size()));
@@ -188,7 +233,8 @@ std::vector<std::string> StudyOutputs::warnings() const {
         "No run of the reference is done ({}): settings are judged by {} in its place, whose own error is not known.",
         found_.reference_trouble.empty() ? "not run" : found_.reference_trouble, found_.stand_in));
   else if (!found_.reference_trouble.empty())
-    lines.push_back(fmt::format("Not all runs of the reference are done ({}).", found_.reference_trouble));
+    lines.push_back(fmt::format("{} of {} realisations are judged: the others lack a run of the reference ({}).",
+                                found_.references_done, study_.plan.realisations, found_.reference_trouble));
   if (found_.stand_in.empty() && !found_.reference_moves && !study_.ablation && study_.reference == "auto" &&
       !study_.event_driven)
     lines.emplace_back("How far the reference still moves with its step is not known: the run that tells is not done.");
@@ -223,10 +269,7 @@ std::string StudyOutputs::text() const {
   std::string text;
   for (const auto& lines : {sentences(), warnings()})
     for (const auto& line : lines) text += line + "\n";
-  if (timing_.jobs > timing_.cores)
-    text += fmt::format("{} jobs on {} core{}: they wait for each other, and what that costs is not measured\n",
-                        timing_.jobs, timing_.cores, timing_.cores == 1 ? "" : "s");
-  else if (timing_.jobs > 1 && std::isfinite(timing_.busy))
+  if (timing_.jobs > 1 && timing_.jobs <= timing_.cores && std::isfinite(timing_.busy))
     text += std::isfinite(timing_.slowdown)
                 ? fmt::format(
                       "{} jobs: {:.2f} at work on average, each {:.2f} times as slow as alone: parallel "
