@@ -80,7 +80,7 @@ void add_compare(CLI::App& app, Action& action) {
                                        "in place of a scene: a folder of stored contact problems (FCLIB files)");
   add_list(*command, "--solvers", study.grid.solvers, "contact solvers, comma-separated (see nilas solvers)");
   add_list(*command, "--laws", study.grid.laws, "contact laws");
-  add_list(*command, "--dt", study.grid.steps, "time steps [s]")->check(CLI::PositiveNumber);
+  add_list(*command, "--dt", study.grid.steps, "time steps [s]")->check(above(0));
   add_list(*command, "--tolerance", study.grid.tolerances,
            "tolerances of the solver; 0: always its most iterations [m/s]")
       ->check(at_least(0));
@@ -97,7 +97,7 @@ void add_compare(CLI::App& app, Action& action) {
   auto* tolerance = command
                         ->add_option("--reference-tolerance", study.reference_tolerance,
                                      "of the reference's solver; without this flag a budget may loosen it [m/s]")
-                        ->check(CLI::PositiveNumber)
+                        ->check(above(0))
                         ->capture_default_str();
   command
       ->add_option("--budget", study.budget_s,
@@ -112,7 +112,7 @@ void add_compare(CLI::App& app, Action& action) {
   command->add_flag("--keep-runs", study.keep_runs, "keep all outputs of every run, not only summaries and motions");
   command->add_flag("--force", study.force, "write into a folder that is not empty");
   command->add_flag("--json", study.json, "compare.json on stdout and nothing else there");
-  command->add_flag("--quiet", study.quiet, "no progress");
+  command->add_flag("--quiet", study.quiet, "no progress, only warnings and errors");
   for (const char* flag : {"--solvers", "--laws", "--dt", "--tolerance", "--integrators", "--stabilisations"})
     ablate->excludes(flag);
   for (const char* flag : {"--dt", "--integrators", "--stabilisations", "--ablate", "--seeds", "--reference",

@@ -34,4 +34,13 @@ inline CLI::Validator at_least(double least) {
           ""};
 }
 
+inline CLI::Validator above(double bound) {
+  return {[bound](const std::string& text) -> std::string {
+            double value = 0;
+            if (CLI::detail::lexical_cast(text, value) && value > bound) return "";
+            return "found " + text + "; allowed: a number above " + CLI::detail::to_string(bound);
+          },
+          ""};
+}
+
 }  // namespace nilas

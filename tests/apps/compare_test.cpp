@@ -186,9 +186,12 @@ TEST(Compare, FindsFirstOrderOfABlockThatSlides) {
   EXPECT_EQ(json["measure"], "distance");
 }
 
-/// Orders of the settings and of the rows of `nilas verify`, by integrator.
+/// Orders and errors of the settings and of the rows of `nilas verify`, by integrator; errors at the finest step.
 struct Agreement {
-  std::map<std::string, double> compared, verified;
+  std::map<std::string, double> compared, verified, compared_error, verified_error;
+  double ratio(std::map<std::string, double> Agreement::*errors) const {
+    return (this->*errors).at("semi-implicit-euler") / (this->*errors).at("moreau");
+  }
 };
 
 Agreement orders_of(const std::string& scene, const std::string& flags, const std::string& verify_case) {
@@ -203,22 +206,35 @@ Agreement orders_of(const std::string& scene, const std::string& flags, const st
     const std::string label = order["of"];
     found.compared[label == "own setting" ? "semi-implicit-euler" : label] = order["order"];
   }
+  const Table settings(folder.path() / "out/settings.csv");
+  double finest = 1;
+  for (std::size_t k = 0; k < settings.rows(); ++k) finest = std::min(finest, settings["step_s"][k]);
+  const std::string error = json["unit"] == "rad" ? "error_rad" : "error_m";
+  for (std::size_t k = 0; k < settings.rows(); ++k)
+    if (settings["step_s"][k] == finest) found.compared_error[settings.text("integrator")[k]] = settings[error][k];
   const auto verified = run_nilas("verify --case " + verify_case + " --json", folder.path());
   EXPECT_EQ(verified.exit_code, 0) << verified.err;
   const auto table = nlohmann::json::parse(verified.out);
   for (const auto& row : table["rows"])
-    if (row["order"].is_number()) found.verified[row["integrator"]] = row["order"];
+    if (row["order"].is_number() && row["input"] == "as given") {
+      found.verified[row["integrator"]] = row["order"];
+      found.verified_error[row["integrator"]] = row["error"];
+    }
   return found;
 }
 
-TEST(Compare, FindsTheOrdersThatVerifyHolds) {
+TEST(Compare, FindsTheOrdersAndRanksThatVerifyHolds) {
   const Agreement top = orders_of("top.xml", "--dt 0.08,0.04,0.02,0.01", "C27");
   const Agreement pendulum = orders_of("pendulum.xml", "--dt 0.02,0.01,0.005,0.0025 --until 1", "C31");
   for (const Agreement& found : {top, pendulum}) {
     ASSERT_EQ(found.compared.size(), 2U);
     for (const auto& [integrator, order] : found.compared)
       EXPECT_NEAR(order, found.verified.at(integrator), 0.1) << integrator;
+    EXPECT_GT(found.ratio(&Agreement::compared_error), 1);
+    EXPECT_GT(found.ratio(&Agreement::verified_error), 1);
   }
+  // errors of the attitude grow as those of the spin, whatever the step
+  EXPECT_NEAR(top.ratio(&Agreement::compared_error) / top.ratio(&Agreement::verified_error), 1, 0.02);
 }
 
 TEST(Compare, ShowsTheEnergyThatTheSplitImpulseLiftsWith) {

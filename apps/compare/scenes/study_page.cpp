@@ -180,6 +180,7 @@ std::string StudyOutputs::page(const std::filesystem::path& folder, const std::v
             "</figcaption></figure>\n";
   };
   html += "<p><b>" + html_text(lines.front()) + "</b></p>\n";
+  if (found_.chosen && lines.size() > 1) html += "<p>" + html_text(lines[1]) + "</p>\n";
   for (const auto& warning : warnings()) html += "<p class=warning>" + html_text(warning) + "</p>\n";
   for (const auto& picture : pictures) figure(picture);
   if (pictures.empty()) html += "<p class=warning>" + html_text(instead) + "</p>\n";
