@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/compare/statistics.h"
+
 namespace nilas {
 
 SolveTimes time_ratios(const SolveTimes& times) {
@@ -51,11 +53,6 @@ std::vector<SolverScore> scores(const SolveTimes& times) {
   return all;
 }
 
-double median(std::vector<double> values) {
-  if (values.empty()) return k_unsolved;
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
+double median(const std::vector<double>& values) { return values.empty() ? k_unsolved : median_of(values); }
 
 }  // namespace nilas

@@ -37,6 +37,6 @@ struct SolverScore {
 std::vector<SolverScore> scores(const SolveTimes& times);
 
 /// The middle value, of an even number the mean of the two (infinite where one is); infinite of none.
-double median(std::vector<double> values);
+double median(const std::vector<double>& values);
 
 }  // namespace nilas

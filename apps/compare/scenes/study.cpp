@@ -148,11 +148,11 @@ class Comparison {
     const double limit = study_.budget_s > 0 ? std::clamp(k_share * study_.budget_s, k_least_s, k_most_s) : k_most_s;
     const bool needs_reference = !study_.ablation && study_.reference == "auto";
     const auto at_most = [&](double wanted) { return study_.budget_s > 0 ? std::min(wanted, left()) : wanted; };
-    say(fmt::format("measuring what a step costs {}, about {:.2g} s each, alone on the machine ...",
-                    study_.ablation   ? "without simplifications"
-                    : needs_reference ? "the scene's own setting and the reference"
-                                      : "the scene's own setting",
-                    limit));
+    tell(fmt::format("measuring what a step {} costs, about {:.2g} s each, alone on the machine ...",
+                     study_.ablation   ? "without simplifications"
+                     : needs_reference ? "of the scene's own setting and of the reference"
+                                       : "of the scene's own setting",
+                     limit));
     Probe first = probe_setting(scene, grid.settings.front(), "probe", at_most(limit));
     if (first.steps == 0 && first.trouble.empty())
       first = probe_setting(scene, grid.settings.front(), "probe", at_most(k_patience * limit));
@@ -225,9 +225,9 @@ class Comparison {
 
   void tell_plan() const {
     const Plan& plan = study_.plan;
-    say(fmt::format("{} runs: {} settings x {} realisations, {:g} s simulated; about {} with {} job{}",
-                    plan.runs.size(), plan.settings.size(), plan.realisations, plan.end - plan.start,
-                    duration_text(plan.estimate_s), study_.jobs, study_.jobs == 1 ? "" : "s"));
+    tell(fmt::format("{} runs: {} settings x {} realisation{}, {:g} s simulated; about {} with {} job{}",
+                     plan.runs.size(), plan.settings.size(), plan.realisations, plan.realisations == 1 ? "" : "s",
+                     plan.end - plan.start, duration_text(plan.estimate_s), study_.jobs, study_.jobs == 1 ? "" : "s"));
     tell((study_.ablation ? "without simplifications: " : "own setting: ") + full_label(plan.settings.front()));
     std::string others;
     for (std::size_t k = 1; k < plan.settings.size(); ++k)
