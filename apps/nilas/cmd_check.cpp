@@ -64,6 +64,7 @@ int check(const CheckOptions& options) {
                                   {"modules", modules},
                                   {"not_built", parts.info.not_built},
                                   {"notes", scene.notes},
+                                  {"warnings", warning_texts(parts.info)},
                                   {"bodies", e.bodies},
                                   {"floes", parts.info.floes},
                                   {"contacts_estimated", e.contacts},
@@ -72,6 +73,7 @@ int check(const CheckOptions& options) {
     std::cout << result.dump(2) << "\n";
     return exit_done;
   }
+  for (const auto& text : warning_texts(parts.info)) std::cout << "warning: " << text << "\n";
   std::cout << fmt::format("{}: valid\n\nrequired by the scene:\n", scene.file.string());
   for (const auto& [name, why] : parts.info.modules) std::cout << fmt::format("  {:<26} {}\n", name, why);
   std::cout << "not asked for, so not built:\n ";

@@ -182,6 +182,7 @@ class Run {
 
   void say_what_was_built(const RunInfo& info) {
     logger_->debug("scene {}", scene_.file.string());
+    for (const auto& text : warning_texts(info)) logger_->warn("{}", text);
     for (const auto& note : scene_.notes) logger_->info("{}", note);
     for (const auto& [name, why] : info.modules) logger_->debug("built: {} ({})", name, why);
     std::string absent;

@@ -73,6 +73,7 @@ Json summary_json(const RunInfo& info, const RunStatistics& statistics, const Su
   const TwinStatistics* const twins = input.twins ? &*input.twins : nullptr;
   if (const auto error = statistics.load_error(twins)) summary["load_error"] = load_error_json(*error, twins);
   if (twins != nullptr) summary["twins"] = twins_json(*twins);
+  summary["warnings"] = warning_texts(info);
   summary["modules"] = modules_json(info, statistics);
   summary["not_built"] = info.not_built;
   summary["versions"] = input.versions;

@@ -8,8 +8,10 @@
 #include "core/scene/build_scene.h"
 #include "core/scene/check_document.h"
 #include "core/scene/cross_checks.h"
+#include "core/scene/implausible_values.h"
 #include "core/scene/input_files.h"
 #include "core/scene/overrides.h"
+#include "core/scene/places.h"
 #include "core/scene/resolve.h"
 
 namespace nilas {
@@ -75,6 +77,8 @@ Scene read_scene(const std::filesystem::path& file, const Overrides& overrides) 
   Scene scene = build_scene(root);
   scene.file = file;
   scene.notes = std::move(notes);
+  scene.warnings = implausible_values(root);
+  scene.places = places_of(root);
   root = as_run_tree(std::move(root));
   scene.as_run = write_document(root);
   scene.fingerprint = fingerprint(std::move(root));

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/base/math.h"
 
 namespace nilas {
@@ -268,9 +269,17 @@ struct Scene {
   std::vector<BodyScene> bodies;
   OutputScene output;
   std::vector<std::string> notes;  ///< what the reader wants said once, e.g. a default that fell back to a built model
+  std::vector<Fault> warnings;     ///< valid values that can hardly be meant, with their places
+  /// Where the first element of each path and its given attributes stand: "vessel/carriage", "vessel/carriage/@speed".
+  /// A place is a fault without a message.
+  std::map<std::string, Fault> places;
   std::string as_run;              ///< the XML with every default and override written out
   std::string fingerprint;  ///< SHA-256 of it but for time/@end and output/@checkpoint_every: what a run's states
                             ///< depend on
 };
+
+/// A warning that is placed at `path` ("vessel/carriage/@speed"), or where that is not given at the nearest element
+/// above it.
+Fault warning_at(const Scene& scene, const std::string& path, const std::string& message);
 
 }  // namespace nilas

@@ -22,4 +22,10 @@ const char* to_string(Phase phase) {
   return "";
 }
 
+std::vector<std::string> warning_texts(const RunInfo& info) {
+  std::vector<std::string> texts;
+  for (const Fault& warning : info.warnings) texts.push_back(warning.text());
+  return texts;
+}
+
 }  // namespace nilas

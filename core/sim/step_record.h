@@ -9,6 +9,7 @@
 #include "contact/detect/contact_point.h"
 #include "contact/measure.h"
 #include "contact/solver.h"
+#include "core/base/error.h"
 #include "core/base/math.h"
 #include "core/vessel/vessel_system.h"
 
@@ -119,6 +120,7 @@ struct RunInfo {
   std::vector<std::string> work_names;                       ///< ledger columns work_<name>_J
   std::vector<std::pair<std::string, std::string>> modules;  ///< what was built and why
   std::vector<std::string> not_built;
+  std::vector<Fault> warnings;  ///< what the scene can hardly mean, with places
   int floes = 0, bodies = 0;
   double ice_mass = 0;       ///< of free floes [kg]
   double concentration = 0;  ///< 0 when there is no field
@@ -126,5 +128,8 @@ struct RunInfo {
   MassProperties vessel_mass;  ///< com, inertia in V
   double ice_thickness = 0;    ///< [m]
 };
+
+/// "file:line:column: <element attribute>: message" of each warning.
+std::vector<std::string> warning_texts(const RunInfo& info);
 
 }  // namespace nilas
