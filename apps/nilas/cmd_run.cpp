@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "apps/nilas/commands.h"
+#include "apps/nilas/open_water.h"
 #include "apps/nilas/program_identity.h"
 #include "apps/nilas/resume.h"
 #include "apps/nilas/scene_flags.h"
@@ -36,7 +37,8 @@ struct RunOptions {
   SceneFlags scene;
   std::string out, resume, log_level = "info";
   int threads = 1, twins = 0;
-  bool force = false, json = false, quiet = false;
+  bool force = false, json = false, quiet = false, open_water = false;
+  std::string open_water_run;
 };
 
 std::string machine() {
@@ -73,6 +75,7 @@ class Run {
         warnings_(logger_) {}
 
   int execute() {
+    if (!options_.open_water_run.empty()) open_water_ = OpenWater::stored(options_.open_water_run);
     const auto built = build();
     Simulation& simulation = *built;
     say_what_was_built(simulation.info());
@@ -82,6 +85,7 @@ class Run {
       go_on(simulation, console);
     else
       begin(simulation);
+    if (options_.open_water) open_water_ = OpenWater::towed(scene_, options_.threads);
     if (options_.twins > 0) twins_.emplace(scene_, simulation, options_.twins, options_.threads);
     const Ending ending = advance(simulation, console);
     const double wall = wall_seconds();
@@ -91,14 +95,20 @@ class Run {
     input.brash_mass = simulation.brash_mass();
     input.crushed_mass = simulation.crushed_mass();
     input.extruded_mass = simulation.extruded_mass();
-    if (twins_) input.twins = twins_->statistics();
+    if (twins_) input.twins = twins_->statistics(folder_.statistics().window());
     const auto twins = input.twins;
+    input.ice_load = folder_.statistics().ice_load(twins ? &*twins : nullptr);
+    if (input.ice_load && open_water_)
+      if (const std::string fault = open_water_->deduct_from(*input.ice_load); !fault.empty())
+        logger_->warn("--open-water: {}", fault);
+    const auto ice_load = input.ice_load;
     std::optional<BrokenIce> ice;
     if (scene_.fracture && simulation.info().floes > 0)
-      ice = {simulation.info().floes, floes_of(simulation.bodies()), input.crushed_mass, input.brash_mass,
-             input.extruded_mass};
+      ice = {simulation.info().floes, floes_of(simulation.bodies()), input.crushed_mass,
+             input.brash_mass,        input.extruded_mass,           simulation.info().crushes};
     const auto summary = folder_.finish(std::move(input), simulation.bodies());
-    console.close(closing_account(folder_.statistics(), wall, folder_.path(), ice, twins ? &*twins : nullptr));
+    console.close(
+        closing_account(folder_.statistics(), wall, folder_.path(), ice, twins ? &*twins : nullptr, ice_load));
     if (options_.json) std::cout << summary.dump(2) << "\n";
     return ending.exit_code;
   }
@@ -209,6 +219,7 @@ class Run {
   std::optional<State> checkpoint_;         ///< to go on from
   std::optional<CheckpointOrigin> origin_;  ///< of the checkpoints, once there are any
   std::optional<TwinRuns> twins_;           ///< where they are asked for
+  std::optional<OpenWater> open_water_;     ///< where it is asked for
   long steps_saved_ = -1;                   ///< in the newest checkpoint
   double started_ = steady_seconds(), wall_before_ = 0;
   std::shared_ptr<spdlog::logger> logger_;
@@ -256,6 +267,12 @@ void add_run(CLI::App& app, Action& action) {
                    "of predictability in summary.json")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
+  command->add_flag("--open-water", options->open_water,
+                    "tow the same vessel without ice first, and deduct the mean force that takes from the tow force");
+  command
+      ->add_option("--open-water-run", options->open_water_run,
+                   "the same with a stored run without ice, towed at the same speed")
+      ->excludes("--open-water");
   command->add_flag("--force", options->force, "write into a folder that is not empty");
   command->add_flag("--json", options->json, "summary as JSON on stdout and nothing else there");
   command->add_flag("--quiet", options->quiet, "no progress, only warnings and errors");

@@ -13,7 +13,7 @@ struct SceneFlags {
   std::string file;
   std::vector<std::string> set;
   std::optional<double> until, dt, checkpoint_every;
-  std::optional<std::string> solver, law;
+  std::optional<std::string> solver, law, statistics;
   std::optional<long> seed;
 };
 

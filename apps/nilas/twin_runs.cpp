@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/log.h"
 #include "core/base/parallel.h"
+#include "core/output/load_statistics.h"
 
 namespace nilas {
 
@@ -14,13 +15,13 @@ struct TwinRuns::Twin {
   Scene scene;
   WarningCounts warnings{make_logger("off", "")};
   std::unique_ptr<Simulation> simulation;
-  std::vector<double> loads;
+  LoadSeries loads;
   std::optional<FailedTwin> failed;
 };
 
 TwinRuns::TwinRuns(const Scene& scene, const Simulation& itself, int count, int threads)
     : channels_(itself.info()), threads_(threads), horizon_(itself.bodies()) {
-  if (itself.info().has_vessel) loads_.resize(static_cast<std::size_t>(channels_.num_loads()));
+  if (itself.info().has_vessel) loads_.resize(channels_.load_names().size());
   for (int k = 1; k <= count; ++k)
     twins_.push_back(std::make_unique<Twin>(scene, scene.twin + static_cast<std::uint64_t>(k)));
   parallel_pieces(count, threads_, [&](std::ptrdiff_t k) {
@@ -32,11 +33,12 @@ TwinRuns::TwinRuns(const Scene& scene, const Simulation& itself, int count, int 
 
 TwinRuns::~TwinRuns() = default;
 
-void TwinRuns::note_loads(const StepRecord& record, std::vector<double>& sums) const {
-  if (sums.empty()) return;
+void TwinRuns::note_loads(const StepRecord& record, LoadSeries& series) const {
+  if (series.empty()) return;
   std::vector<double> values;
   channels_.read(record.vessel.value(), values);
-  for (std::size_t c = 0; c < sums.size(); ++c) sums[c] += values[c];
+  const std::vector<double> loads = channels_.loads(values);
+  for (std::size_t c = 0; c < series.size(); ++c) series[c].push_back(loads[c]);
 }
 
 StepRecord TwinRuns::step(Simulation& itself) {
@@ -55,7 +57,6 @@ StepRecord TwinRuns::step(Simulation& itself) {
     else
       step_twin(*twins_[static_cast<std::size_t>(k - 1)]);
   });
-  ++steps_;
   note_loads(record, loads_);
   std::vector<const Bodies*> runs{&itself.bodies()};
   for (const auto& twin : twins_)
@@ -64,23 +65,24 @@ StepRecord TwinRuns::step(Simulation& itself) {
   return record;
 }
 
-TwinStatistics TwinRuns::statistics() const {
+TwinStatistics TwinRuns::statistics(const LoadWindow& window) const {
   TwinStatistics out;
   out.count = static_cast<int>(twins_.size());
   out.threshold = horizon_.threshold();
   out.horizon = horizon_.horizon();
   out.e_folding = horizon_.e_folding();
-  if (!loads_.empty())
-    out.load_names.assign(channels_.names().begin(), channels_.names().begin() + channels_.num_loads());
-  const auto add = [&](const std::vector<double>& sums) {
-    for (std::size_t c = 0; c < sums.size(); ++c) out.mean_loads[c].push_back(sums[c] / static_cast<double>(steps_));
-  };
+  if (!loads_.empty()) out.load_names = channels_.load_names();
   out.mean_loads.resize(loads_.size());
-  if (steps_ > 0) add(loads_);
+  const auto add = [&](const LoadSeries& series) {
+    if (window.steps() == 0) return;
+    for (std::size_t c = 0; c < series.size(); ++c)
+      out.mean_loads[c].push_back(load_statistics(window.of(series[c])).mean);
+  };
+  add(loads_);
   for (const auto& twin : twins_) {
     if (twin->failed)
       out.failed.push_back(*twin->failed);
-    else if (steps_ > 0)
+    else
       add(twin->loads);
   }
   return out;

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/output/load_window.h"
 #include "core/output/twin_statistics.h"
 #include "core/output/vessel_channels.h"
 #include "core/sim/simulation.h"
@@ -19,16 +20,17 @@ class TwinRuns {
   /// numerics fail goes no further.
   StepRecord step(Simulation& itself);
 
-  TwinStatistics statistics() const;
+  /// Means over the window.
+  TwinStatistics statistics(const LoadWindow& window) const;
 
  private:
   struct Twin;
-  void note_loads(const StepRecord& record, std::vector<double>& sums) const;
+  using LoadSeries = std::vector<std::vector<double>>;  ///< per load one value per step
+  void note_loads(const StepRecord& record, LoadSeries& series) const;
 
   VesselChannels channels_;
   int threads_;
-  long steps_ = 0;
-  std::vector<double> loads_;  ///< sums of the scene's own
+  LoadSeries loads_;  ///< the scene's own
   std::vector<std::unique_ptr<Twin>> twins_;
   TwinHorizon horizon_;
 };

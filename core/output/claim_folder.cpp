@@ -27,9 +27,9 @@ constexpr const char* k_log = "nilas.log";
 
 /// Everything that a run writes beside its trajectory folder.
 const std::vector<std::string>& own_files() {
-  static const std::vector<std::string> names{"scene.xml",      "vessel.csv", "steps.csv",   "contacts.h5",
-                                              "trajectory.pvd", "events.csv", "replay.html", "report.html",
-                                              "summary.json",   "bodies.csv", k_log,         "checkpoint.h5"};
+  static const std::vector<std::string> names{
+      "scene.xml",   "vessel.csv",  "structures.csv", "steps.csv",  "contacts.h5", "trajectory.pvd", "events.csv",
+      "replay.html", "report.html", "summary.json",   "bodies.csv", k_log,         "checkpoint.h5"};
   return names;
 }
 

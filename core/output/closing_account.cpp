@@ -5,12 +5,14 @@
 #include <numeric>
 
 #include "core/output/console.h"
+#include "core/output/ice_load_text.h"
 
 namespace nilas {
 
 namespace {
 
 constexpr double k_percent = 100, k_ms_per_s = 1000;
+constexpr std::size_t k_label_width = 22;
 
 std::string phase_line(const std::string& name, double ms, long steps, double total_ms) {
   return fmt::format("  {:<14}{:>12.4f}{:>9.1f}\n", name, steps > 0 ? ms / static_cast<double>(steps) : 0,
@@ -45,15 +47,21 @@ std::string shortfall_lines(const Shortfalls& shortfalls, long steps) {
   return text;
 }
 
-std::string load_lines(const LoadError& error) {
-  const ChannelError& load = error.channels[error.headline];
-  const bool towed = load.channel.starts_with("carriage");
-  const char axis = load.channel[load.channel.find("_f") + 2];
-  const std::string chaos = load.chaos ? fmt::format("chaos {:.2g} N; step", *load.chaos) : "N; chaos, step";
-  return fmt::format("{:<22}{:.4g} N +- {:.2g} N{}\n", fmt::format("{} {}", towed ? "tow force" : "ice load", axis),
-                     load.mean, load.total, error.from_twins ? ", mean over twins" : "") +
-         fmt::format("{:<22}solver {:.2g}, law {:.2g}{} {} unknown\n", "  of that", load.solver, load.law,
-                     load.chaos ? "," : "", chaos);
+/// Rigid contacts, and where ice crushes what of it still stands inside the hull.
+std::string penetration_lines(const RunStatistics& statistics, bool crushes) {
+  if (!crushes) return worst_line("worst penetration", statistics, "penetration_max_m", "m");
+  const Worst &rigid = statistics.worst("penetration_max_m"), &crushed = statistics.worst("crushed_overlap_max_m");
+  return fmt::format("{:<22}{:.3g} m of rigid contacts at {:g} s\n{:<22}{:.3g} m inside the hull at {:g} s\n",
+                     "worst penetration", rigid.value, rigid.time, "crushed ice, at most", crushed.value, crushed.time);
+}
+
+/// The first so many that ice touched; all are in the summary.
+std::vector<StructureLoad> told_structures(const RunStatistics& statistics) {
+  constexpr std::size_t k_most = 8;
+  std::vector<StructureLoad> told;
+  for (StructureLoad& structure : statistics.structure_loads())
+    if (structure.ice.touched && told.size() < k_most) told.push_back(std::move(structure));
+  return told;
 }
 
 std::string twin_lines(const TwinStatistics& twins) {
@@ -69,18 +77,20 @@ std::string twin_lines(const TwinStatistics& twins) {
 }  // namespace
 
 std::string closing_account(const RunStatistics& statistics, double wall_s, const std::filesystem::path& outputs,
-                            const std::optional<BrokenIce>& ice, const TwinStatistics* twins) {
+                            const std::optional<BrokenIce>& ice, const TwinStatistics* twins,
+                            const std::optional<IceLoad>& ice_load) {
   const double simulated = statistics.end_time() - statistics.start_time();
   std::string text = fmt::format("{:<22}{:g} s in {} steps\n", "simulated", simulated, statistics.steps());
   text += fmt::format("{:<22}{}, {:.3g} x real time\n", "wall-clock", duration_text(wall_s),
                       wall_s > 0 ? simulated / wall_s : 0);
   text += phase_table(statistics, wall_s);
   text += worst_line("worst law residual", statistics, "law_map_m_s", "m/s");
-  text += worst_line("worst penetration", statistics, "penetration_max_m", "m");
+  text += penetration_lines(statistics, ice.has_value() && ice->crushes);
   const Worst& imbalance = statistics.worst("imbalance_J");
   text += fmt::format("{:<22}{:.3g} J at {:g} s, {:.2g} of the energy put in\n", "worst energy error", imbalance.value,
                       imbalance.time, statistics.relative_imbalance());
-  if (const auto error = statistics.load_error(twins)) text += load_lines(*error);
+  if (ice_load) text += ice_load_lines(*ice_load, statistics.load_error(twins).value());
+  for (const StructureLoad& structure : told_structures(statistics)) text += structure_lines(structure);
   if (twins != nullptr) text += twin_lines(*twins);
   if (ice)
     text += fmt::format("{:<22}{} at the start, {} at the end\n{:<22}{:.3g} kg crushed, {:.3g} kg brash\n", "floes",
@@ -88,6 +98,8 @@ std::string closing_account(const RunStatistics& statistics, double wall_s, cons
   if (ice && ice->extruded_mass > 0)
     text += fmt::format("{:<22}{:.3g} kg of the crushed ice\n", "cut out", ice->extruded_mass);
   text += shortfall_lines(statistics.shortfalls(), statistics.steps());
+  if (const std::string slower = statistics.slowdown(); !slower.empty())
+    text += fmt::format("{:<22}{}\n", "slower", wrapped(slower, k_label_width));
   return text + fmt::format("{:<22}{}\n", "outputs", outputs.string());
 }
 

@@ -11,15 +11,19 @@ namespace nilas {
 
 namespace {
 
-constexpr std::size_t k_components = 6;
+constexpr std::size_t k_components = LoadResiduals::k_components;
 
-std::array<double, k_components> components(const Wrench& w) {
-  return {w.force.x(), w.force.y(), w.force.z(), w.torque.x(), w.torque.y(), w.torque.z()};
+std::array<double, k_components> components(const Wrench& w, const Vec2& along, const Vec2& across) {
+  const Vec2 force = w.force.head<2>();
+  return {w.force.x(),  w.force.y(),  w.force.z(),      w.torque.x(),
+          w.torque.y(), w.torque.z(), along.dot(force), across.dot(force)};
 }
 
 /// The component of the contact load that a channel is off with; nothing for loads of other origin or other arms.
 std::optional<std::size_t> component_of(const std::string& channel) {
-  static const std::array<std::string, k_components> names{"fx_N", "fy_N", "fz_N", "mx_Nm", "my_Nm", "mz_Nm"};
+  static const std::array<std::string, 6> names{"fx_N", "fy_N", "fz_N", "mx_Nm", "my_Nm", "mz_Nm"};
+  if (channel == "ice_resistance_N") return names.size();
+  if (channel == "ice_side_N") return names.size() + 1;
   const auto cut = channel.find('_');
   const std::string source = channel.substr(0, cut);
   const auto found = std::find(names.begin(), names.end(), channel.substr(cut + 1));
@@ -30,18 +34,9 @@ std::optional<std::size_t> component_of(const std::string& channel) {
 }
 
 std::size_t headline_of(const std::vector<ChannelError>& channels) {
-  const auto has_carriage =
-      std::any_of(channels.begin(), channels.end(), [](const ChannelError& c) { return c.channel == "carriage_fx_N"; });
-  const std::string source = has_carriage ? "carriage" : "contact";
-  std::size_t best = 0;
-  double largest = -1;
-  for (std::size_t c = 0; c < channels.size(); ++c) {
-    const bool horizontal = channels[c].channel == source + "_fx_N" || channels[c].channel == source + "_fy_N";
-    if (!horizontal || !(std::abs(channels[c].mean) > largest)) continue;
-    best = c;
-    largest = std::abs(channels[c].mean);
-  }
-  return best;
+  const auto found = std::find_if(channels.begin(), channels.end(),
+                                  [](const ChannelError& c) { return c.channel == "ice_resistance_N"; });
+  return found == channels.end() ? 0 : static_cast<std::size_t>(found - channels.begin());
 }
 
 std::optional<double> own_chaos(const std::vector<double>& contact) {
@@ -61,53 +56,69 @@ bool parted_in_time(const TwinStatistics& twins, double start, double end) {
 
 }  // namespace
 
-void LoadResidualSums::add(const VesselRecord& vessel) {
-  const auto solver = components(vessel.solver_residual), law = components(vessel.law_residual);
+/// Mean over the window of what `value` makes of each entry.
+template <class Value>
+static double mean_over(const std::vector<double>& series, const LoadWindow& window, const Value& value) {
+  if (window.steps() == 0) return 0;
+  double sum = 0;
+  for (std::size_t k = window.first; k < window.last; ++k) sum += value(series[k]);
+  return sum / static_cast<double>(window.steps());
+}
+
+void LoadResiduals::add(const VesselRecord& vessel) {
+  // absolute values of components bound those along any axis
+  const Vec2 ahead = vessel.course.cwiseAbs(), aside = to_port(vessel.course).cwiseAbs();
+  const auto solver = components(vessel.solver_residual, ahead, aside);
+  const auto law = components(vessel.law_residual, vessel.course, to_port(vessel.course));
   for (std::size_t c = 0; c < k_components; ++c) {
-    solver_[c] += solver[c];
-    law_[c] += law[c];
-    law_squares_[c] += law[c] * law[c];
+    solver_[c].push_back(solver[c]);
+    law_[c].push_back(law[c]);
   }
 }
 
-double LoadResidualSums::solver(std::size_t component, long steps) const {
-  return solver_[component] / static_cast<double>(steps);
+double LoadResiduals::solver(std::size_t component, const LoadWindow& window) const {
+  return mean_over(solver_[component], window, [](double x) { return x; });
 }
 
-double LoadResidualSums::law(std::size_t component, long steps) const {
-  return (std::abs(law_[component]) + 2 * std::sqrt(law_squares_[component])) / static_cast<double>(steps);
+double LoadResiduals::law(std::size_t component, const LoadWindow& window) const {
+  if (window.steps() == 0) return 0;
+  const double mean = mean_over(law_[component], window, [](double x) { return x; });
+  const double square = mean_over(law_[component], window, [](double x) { return x * x; });
+  return std::abs(mean) + 2 * std::sqrt(square / static_cast<double>(window.steps()));
 }
 
-void LoadResidualSums::save(StateWriter out) const {
-  out.add("solver", solver_);
-  out.add("law", law_);
-  out.add("law_squares", law_squares_);
+void LoadResiduals::save(StateWriter out) const {
+  for (std::size_t c = 0; c < k_components; ++c) {
+    out.add("solver" + std::to_string(c), solver_[c]);
+    out.add("law" + std::to_string(c), law_[c]);
+  }
 }
 
-void LoadResidualSums::restore(const StateReader& in) {
-  in.get("solver", solver_, k_components);
-  in.get("law", law_, k_components);
-  in.get("law_squares", law_squares_, k_components);
+void LoadResiduals::restore(const StateReader& in, std::size_t steps) {
+  for (std::size_t c = 0; c < k_components; ++c) {
+    in.get("solver" + std::to_string(c), solver_[c], steps);
+    in.get("law" + std::to_string(c), law_[c], steps);
+  }
 }
 
-std::optional<LoadError> load_error(const LoadRecord& run, const LoadResidualSums& residuals,
+std::optional<LoadError> load_error(const LoadRecord& run, const LoadResiduals& residuals,
                                     const TwinStatistics* twins) {
   LoadError out;
   out.from_twins = twins != nullptr && twins->runs() > 1;
-  out.chaos_from_twins = out.from_twins && parted_in_time(*twins, run.start, run.end);
+  out.chaos_from_twins = out.from_twins && parted_in_time(*twins, run.window.from, run.window.to);
   for (std::size_t c = 0; c < run.names.size(); ++c) {
     const auto component = component_of(run.names[c]);
-    const auto& series = run.series[c];
+    const auto series = run.window.of(run.series[c]);
     if (!component || series.empty()) continue;
-    const auto steps = static_cast<long>(series.size());
     ChannelError error;
     error.channel = run.names[c];
     error.mean = out.from_twins ? mean_of_runs(twins->mean_loads[c]) : load_statistics(series).mean;
     // the contact load's channels come first, in the order of the components
-    if (!out.chaos_from_twins) error.chaos = own_chaos(run.series[*component]);
+    const bool of_course = *component >= k_components - k_num_course_loads;
+    if (!out.chaos_from_twins) error.chaos = own_chaos(of_course ? series : run.window.of(run.series[*component]));
     if (out.from_twins) error.chaos = std::max(error.chaos.value_or(0), chaos_of_runs(twins->mean_loads[c]));
-    error.solver = residuals.solver(*component, steps);
-    error.law = residuals.law(*component, steps);
+    error.solver = residuals.solver(*component, run.window);
+    error.law = residuals.law(*component, run.window);
     error.total = std::hypot(error.chaos.value_or(0), error.solver + error.law);
     out.channels.push_back(error);
   }

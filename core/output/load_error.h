@@ -1,31 +1,38 @@
 #pragma once
 /// What the mean loads of a run are worth: docs/theory_load_error.md.
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/state.h"
+#include "core/output/load_window.h"
 #include "core/output/twin_statistics.h"
+#include "core/output/vessel_channels.h"
 #include "core/sim/step_record.h"
 
 namespace nilas {
 
-/// Sums over the steps of a run, per component fx fy fz mx my mz of the contact load.
-class LoadResidualSums {
+/// Loads that the residuals of each step amount to: components fx fy fz mx my mz of the contact load, then along and
+/// across the course.
+class LoadResiduals {
  public:
   void add(const VesselRecord& vessel);
-  double solver(std::size_t component, long steps) const;  ///< mean of what the residuals would be if none cancelled
-  double law(std::size_t component, long steps) const;     ///< |mean| and twice its standard error
+  /// Over the steps of a window: mean of what the residuals would be if none cancelled.
+  double solver(std::size_t component, const LoadWindow& window) const;
+  /// Over the steps of a window: |mean| and twice its standard error.
+  double law(std::size_t component, const LoadWindow& window) const;
 
   void save(StateWriter out) const;
-  void restore(const StateReader& in);
+  void restore(const StateReader& in, std::size_t steps);
+
+  static constexpr std::size_t k_components = 6 + k_num_course_loads;
 
  private:
-  std::vector<double> solver_ = std::vector<double>(6), law_ = std::vector<double>(6),
-                      law_squares_ = std::vector<double>(6);
+  std::array<std::vector<double>, k_components> solver_, law_;  ///< per step
 };
 
-/// Of one channel's mean over the run, all in the channel's unit; half widths that hold for about 95 % of runs.
+/// Of one channel's mean over the window, all in the channel's unit; half widths that hold for about 95 % of runs.
 struct ChannelError {
   std::string channel;
   double mean = 0;             ///< with twins over all runs
@@ -36,22 +43,22 @@ struct ChannelError {
 
 struct LoadError {
   std::vector<ChannelError> channels;
-  std::size_t headline = 0;  ///< the largest mean horizontal force, of the carriage where there is one
-  bool from_twins = false;   ///< mean
+  std::size_t headline = 0;      ///< ice_resistance_N where there is such a channel
+  bool solver_at_least = false;  ///< so many steps missed the tolerance that the solver's part is a lower bound
+  bool from_twins = false;       ///< mean
   bool chaos_from_twins = false;
 };
 
-/// Load channels of a run from `start` to `end`.
+/// Load channels of a run, with one value per step.
 struct LoadRecord {
   const std::vector<std::string>& names;
   const std::vector<std::vector<double>>& series;
-  double start = 0, end = 0;  ///< [s]
+  LoadWindow window;  ///< the part of the run that counts
 };
 
 /// Nothing without a contact channel or a step. Chaos is that of the twins where they parted in the first half of the
-/// run, else the larger of theirs and the run's own. Of hull and carriage the own one is that of the contact load:
+/// window, else the larger of theirs and the run's own. Of hull and carriage the own one is that of the contact load:
 /// what the carriage does to the vessel's mass is no chance.
-std::optional<LoadError> load_error(const LoadRecord& run, const LoadResidualSums& residuals,
-                                    const TwinStatistics* twins);
+std::optional<LoadError> load_error(const LoadRecord& run, const LoadResiduals& residuals, const TwinStatistics* twins);
 
 }  // namespace nilas

@@ -9,6 +9,7 @@
 #include "core/output/events_csv.h"
 #include "core/output/problem_files.h"
 #include "core/output/scene_xml.h"
+#include "core/output/structures_csv.h"
 
 namespace nilas {
 
@@ -32,6 +33,8 @@ struct RunFolder::Outputs {
         snapshot_every(scene.output.trajectory_every),
         bodies_asked(scene.output.bodies) {
     if (info.has_vessel) vessel.emplace(folder / "vessel.csv", channels, kept_bytes(from, "vessel.csv"));
+    if (!info.structures.empty())
+      structures.emplace(folder / "structures.csv", info, kept_bytes(from, "structures.csv"));
     if (ContactsH5::asked(scene, info)) {
       std::optional<StateReader> kept;
       if (from != nullptr) kept = from->group("contacts");
@@ -54,6 +57,7 @@ struct RunFolder::Outputs {
   void for_each_file(const Call& call) const {
     call("steps.csv", steps.file());
     if (vessel) call("vessel.csv", vessel->file());
+    if (structures) call("structures.csv", structures->file());
     if (bodies) call("bodies.csv", bodies->file());
     if (trajectory) call("trajectory.pvd", trajectory->list());
     if (events) call("events.csv", events->file());
@@ -87,6 +91,7 @@ struct RunFolder::Outputs {
   RunStatistics statistics;
   StepsCsv steps;
   std::optional<VesselCsv> vessel;
+  std::optional<StructuresCsv> structures;
   std::optional<BodiesCsv> bodies;
   std::optional<Trajectory> trajectory;
   std::optional<EventsCsv> events;
@@ -153,6 +158,7 @@ void RunFolder::record(StepRecord record, const std::vector<SolvedProblem>& part
                         "the vessel pitches to 90 degrees: its roll, pitch and yaw rates are written as 0");
     out.vessel->row(record.t, out.vessel_values);
   }
+  if (out.structures) out.structures->row(record);
   if (out.contacts) out.contacts->step(record, parts, bodies);
   if (out.events) out.events->rows(record.broken);
   if (out.snapshot_due(record.t, record.h)) write_snapshot(record.t, record.step, bodies);
@@ -184,6 +190,7 @@ nlohmann::ordered_json RunFolder::finish(SummaryInput input, const Bodies& bodie
   Outputs& out = *outputs_;
   out.steps.finish();
   if (out.vessel) out.vessel->finish();
+  if (out.structures) out.structures->finish();
   if (out.bodies) out.bodies->finish();
   if (out.trajectory) out.trajectory->finish();
   if (out.events) out.events->finish();

@@ -5,6 +5,7 @@
 
 #include "contact/measure.h"
 #include "core/base/error.h"
+#include "core/output/structure_channels.h"
 
 namespace nilas {
 
@@ -15,15 +16,19 @@ double ratio(double part, double scale) { return part == 0 ? 0 : part / scale; }
 
 }  // namespace
 
-RunStatistics::RunStatistics(const RunInfo& info) : works_(info.work_names.size(), 0) {
+RunStatistics::RunStatistics(const RunInfo& info)
+    : info_(info),
+      structure_series_(info.structures.size() * structure_load_names().size()),
+      structure_first_ice_(info.structures.size(), k_never),
+      works_(info.work_names.size(), 0) {
   for (const auto& residual : residual_columns()) worst_.push_back({residual.name});
   for (const char* name :
        {"penetration_max_m", "penetration_mean_m", "imbalance_J", "momentum_imbalance_Ns",
         "angular_momentum_imbalance_Nms", "momentum_imbalance_relative", "angular_momentum_imbalance_relative"})
     worst_.push_back({name});
+  if (info.crushes) worst_.push_back({"crushed_overlap_max_m"});
   if (!info.has_vessel) return;
-  const VesselChannels channels(info);
-  load_names_.assign(channels.names().begin(), channels.names().begin() + channels.num_loads());
+  load_names_ = VesselChannels(info).load_names();
   load_series_.resize(load_names_.size());
 }
 
@@ -43,14 +48,41 @@ void RunStatistics::add(const StepRecord& record, const std::vector<double>& ves
         record.angular_momentum_imbalance, ratio(record.momentum_imbalance, record.momentum_scale),
         ratio(record.angular_momentum_imbalance, record.angular_momentum_scale)})
     note(column++, value, record.t);
+  if (info_.crushes) note(column++, record.crushed_overlap_max, record.t);
   for (std::size_t k = 0; k < works_.size(); ++k) energy_put_in_ += std::abs(record.ledger.works[k] - works_[k]);
   works_ = record.ledger.works;
   for (std::size_t p = 0; p < total_ms_.size(); ++p) total_ms_[p] += record.ms[p];
   shortfalls_.unconverged_steps += record.solver_short;
   shortfalls_.uncorrected_steps += !record.positions_corrected;
   shortfalls_.detection_fallbacks += record.detection_fallbacks;
-  for (std::size_t c = 0; c < load_series_.size(); ++c) load_series_[c].push_back(vessel_values[c]);
-  if (!load_series_.empty()) load_residuals_.add(record.vessel.value());
+  h_ = record.h;
+  costs_.add(record);
+  if (!load_series_.empty()) add_vessel(record, vessel_values);
+  add_structures(record);
+}
+
+void RunStatistics::add_vessel(const StepRecord& record, const std::vector<double>& vessel_values) {
+  const VesselRecord& vessel = record.vessel.value();
+  const std::vector<double> loads = VesselChannels(info_).loads(vessel_values);
+  for (std::size_t c = 0; c < load_series_.size(); ++c) load_series_[c].push_back(loads[c]);
+  load_residuals_.add(vessel);
+  if (vessel.touches_ice) first_ice_ = std::min(first_ice_, record.t - record.h);
+  if (!vessel.carriage) return;
+  const auto along = [&](const Vec3& x) { return x.head<2>().dot(vessel.course); };
+  tow_.push_back(along(vessel.carriage->about_com.force));
+  water_.push_back(vessel.hydro ? -along(vessel.hydro->force) : 0);
+  speed_.push_back(along(vessel.state.v));
+}
+
+void RunStatistics::add_structures(const StepRecord& record) {
+  NILAS_DEMAND(record.structures.size() == info_.structures.size());
+  std::size_t series = 0;
+  for (std::size_t k = 0; k < record.structures.size(); ++k) {
+    if (record.structures[k].touches_ice)
+      structure_first_ice_[k] = std::min(structure_first_ice_[k], record.t - record.h);
+    for (const double load : nilas::structure_loads(record.structures[k], info_.drift_course))
+      structure_series_[series++].push_back(load);
+  }
 }
 
 void RunStatistics::note(std::size_t column, double value, double t) {
@@ -71,6 +103,15 @@ void RunStatistics::save(StateWriter out) const {
   out.add("worst_time", times);
   for (std::size_t c = 0; c < load_series_.size(); ++c) out.group("loads").add(load_names_[c], load_series_[c]);
   if (!load_series_.empty()) load_residuals_.save(out.group("load_residuals"));
+  out.add("tow", tow_);
+  out.add("water", water_);
+  out.add("speed", speed_);
+  out.add("first_ice", first_ice_);
+  for (std::size_t k = 0; k < structure_series_.size(); ++k)
+    out.group("structures").add(std::to_string(k), structure_series_[k]);
+  out.add("structures_first_ice", structure_first_ice_);
+  costs_.save(out.group("costs"));
+  out.add("h", h_);
   out.add("works", works_);
   out.add("energy_put_in", energy_put_in_);
   out.add("t_start", t_start_);
@@ -93,7 +134,18 @@ void RunStatistics::restore(const StateReader& in) {
   in.get("steps", steps_);
   for (std::size_t c = 0; c < load_series_.size(); ++c)
     in.group("loads").get(load_names_[c], load_series_[c], static_cast<std::size_t>(steps_));
-  if (!load_series_.empty()) load_residuals_.restore(in.group("load_residuals"));
+  const auto steps = static_cast<std::size_t>(steps_);
+  if (!load_series_.empty()) load_residuals_.restore(in.group("load_residuals"), steps);
+  const std::size_t towed = !load_series_.empty() && info_.has_carriage ? steps : 0;
+  in.get("tow", tow_, towed);
+  in.get("water", water_, towed);
+  in.get("speed", speed_, towed);
+  in.get("first_ice", first_ice_);
+  for (std::size_t k = 0; k < structure_series_.size(); ++k)
+    in.group("structures").get(std::to_string(k), structure_series_[k], steps);
+  in.get("structures_first_ice", structure_first_ice_, info_.structures.size());
+  costs_.restore(in.group("costs"), steps);
+  in.get("h", h_);
   in.get("works", works_, works_.size());
   in.get("energy_put_in", energy_put_in_);
   in.get("t_start", t_start_);
@@ -112,8 +164,97 @@ const Worst& RunStatistics::worst(const std::string& name) const {
 
 double RunStatistics::relative_imbalance() const { return ratio(std::abs(worst("imbalance_J").value), energy_put_in_); }
 
+LoadWindow RunStatistics::window_from(std::optional<double> first_ice, std::optional<double> ramp_end) const {
+  if (first_ice && *first_ice >= k_never) first_ice.reset();
+  if (steps_ == 0) return {t_start_, t_start_, 0, 0, "the whole run"};
+  return load_window({t_start_, h_, static_cast<std::size_t>(steps_), info_.statistics, ramp_end, first_ice});
+}
+
+LoadWindow RunStatistics::window() const { return window_from(first_ice_, info_.ramp_end); }
+
+double RunStatistics::peak_filter() const {
+  return info_.peak_filter.value_or(default_peak_filter(info_.vessel_length));
+}
+
 std::optional<LoadError> RunStatistics::load_error(const TwinStatistics* twins) const {
-  return nilas::load_error({load_names_, load_series_, t_start_, t_end_}, load_residuals_, twins);
+  auto error = nilas::load_error({load_names_, load_series_, window()}, load_residuals_, twins);
+  constexpr double k_many = 0.01;
+  if (error)
+    error->solver_at_least = static_cast<double>(shortfalls_.unconverged_steps) > k_many * static_cast<double>(steps_);
+  return error;
+}
+
+const std::vector<double>& RunStatistics::series_of(const std::string& name) const {
+  const auto found = std::find(load_names_.begin(), load_names_.end(), name);
+  NILAS_DEMAND(found != load_names_.end());
+  return load_series_[static_cast<std::size_t>(found - load_names_.begin())];
+}
+
+std::optional<double> RunStatistics::mean_tow(const LoadWindow& window) const {
+  if (tow_.empty() || info_.course != CourseKind::carriage) return std::nullopt;
+  return load_statistics(window.of(tow_)).mean;
+}
+
+std::optional<IceLoad> RunStatistics::ice_load(const TwinStatistics* twins) const {
+  const auto error = load_error(twins);
+  if (!error) return std::nullopt;
+  IceLoad load;
+  load.window = window();
+  load.filter = peak_filter();
+  load.step = h_;
+  load.touched = first_ice_ < k_never;
+  load.rigid = info_.rigid_contacts;
+  const auto component = [&](const char* name) {
+    ComponentLoad found = component_load(series_of(name), load.window, t_start_, h_, load.filter);
+    for (const ChannelError& c : error->channels)
+      if (c.channel == name) {
+        found.statistics.mean = c.mean;
+        found.half_width = c.total;
+      }
+    return found;
+  };
+  load.along = component("ice_resistance_N");
+  load.across = component("ice_side_N");
+  load.in_largest = share_of_largest_percent(load.window.of(series_of("ice_resistance_N")));
+  if (mean_tow(load.window)) {
+    const LoadStatistics tow = load_statistics(load.window.of(tow_));
+    TowForce& force = load.tow.emplace();
+    force.mean = tow.mean;
+    force.std = tow.std;
+    force.ice = load_statistics(load.window.of(series_of("ice_resistance_N"))).mean;
+    force.water = load_statistics(load.window.of(water_)).mean;
+    force.inertia = force.mean - force.ice - force.water;  // by Newton's law along the course
+    force.speed = load_statistics(load.window.of(speed_)).mean;
+  }
+  return load;
+}
+
+std::vector<StructureLoad> RunStatistics::structure_loads() const {
+  std::vector<StructureLoad> all;
+  const auto& names = structure_load_names();
+  for (std::size_t k = 0; k < info_.structures.size(); ++k) {
+    StructureLoad load;
+    load.name = info_.structures[k].name;
+    load.ice.window = window_from(structure_first_ice_[k], std::nullopt);
+    load.ice.filter = info_.peak_filter.value_or(default_peak_filter(info_.structures[k].length));
+    load.ice.step = h_;
+    load.ice.touched = structure_first_ice_[k] < k_never;
+    load.ice.rigid = info_.rigid_contacts;
+    for (std::size_t c = 0; c < names.size(); ++c)
+      load.loads.emplace_back(names[c], component_load(structure_series_[k * names.size() + c], load.ice.window,
+                                                       t_start_, h_, load.ice.filter));
+    load.ice.along = load.loads[names.size() - k_num_course_loads].second;
+    load.ice.across = load.loads.back().second;
+    load.ice.in_largest =
+        share_of_largest_percent(load.ice.window.of(structure_series_[(k + 1) * names.size() - k_num_course_loads]));
+    all.push_back(std::move(load));
+  }
+  return all;
+}
+
+std::string RunStatistics::slowdown() const {
+  const double first = first_ice_ < k_never && h_ > 0 ? (first_ice_ - t_start_) / h_ : 0;
+  return costs_.slowdown(static_cast<std::size_t>(std::max(0.0, first)));
 }
 
 double RunStatistics::mean_ms(Phase phase) const {

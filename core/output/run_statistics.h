@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "core/base/state.h"
+#include "core/output/ice_load.h"
 #include "core/output/load_error.h"
+#include "core/output/slowdown.h"
 #include "core/output/vessel_channels.h"
 #include "core/sim/step_record.h"
 
@@ -52,8 +54,21 @@ class RunStatistics {
 
   const std::vector<std::string>& load_names() const { return load_names_; }
   const std::vector<double>& load_series(std::size_t channel) const { return load_series_[channel]; }
-  /// Nothing without a vessel. `twins`: of the run, or none.
+  /// The part of the run that the vessel's loads are summed up over.
+  LoadWindow window() const;
+  /// Averaging time of the vessel's filtered peaks [s].
+  double peak_filter() const;
+  /// Over the window; nothing without a vessel. `twins`: of the run, or none.
   std::optional<LoadError> load_error(const TwinStatistics* twins) const;
+  /// Over the window; nothing without a vessel.
+  std::optional<IceLoad> ice_load(const TwinStatistics* twins) const;
+  /// Each over its own window.
+  std::vector<StructureLoad> structure_loads() const;
+  /// Mean of the carriage's force along the course over a window; nothing without a carriage that moves [N].
+  std::optional<double> mean_tow(const LoadWindow& window) const;
+  /// Why the last steps took longer than the first with ice, in sentences; or empty.
+  std::string slowdown() const;
+  double step() const { return h_; }  ///< [s]
 
   void save(StateWriter out) const;
   /// Throws InputError when the state is one of a run with other columns.
@@ -61,11 +76,23 @@ class RunStatistics {
 
  private:
   void note(std::size_t column, double value, double t);
+  void add_vessel(const StepRecord& record, const std::vector<double>& vessel_values);
+  void add_structures(const StepRecord& record);
+  const std::vector<double>& series_of(const std::string& name) const;
+  LoadWindow window_from(std::optional<double> first_ice, std::optional<double> ramp_end) const;
 
+  RunInfo info_;
   std::vector<Worst> worst_;
   std::vector<std::string> load_names_;
   std::vector<std::vector<double>> load_series_;
-  LoadResidualSums load_residuals_;
+  LoadResiduals load_residuals_;
+  std::vector<double> tow_, water_, speed_;  ///< along the course, of a vessel on a carriage [N, N, m/s]
+  double first_ice_ = k_never;               ///< start of the first step in which ice pressed on the vessel [s]
+  std::vector<std::vector<double>> structure_series_;  ///< per structure and load
+  std::vector<double> structure_first_ice_;            ///< per structure [s]
+  StepCosts costs_;
+  double h_ = 0;  ///< [s]
+  static constexpr double k_never = 1e300;
   std::vector<double> works_;  ///< of the step before [J]
   double energy_put_in_ = 0;
   double t_start_ = 0, t_end_ = 0;

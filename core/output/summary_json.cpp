@@ -1,5 +1,8 @@
 #include "core/output/summary_json.h"
 
+#include <cmath>
+
+#include "core/output/ice_load_json.h"
 #include "core/output/load_error_json.h"
 #include "core/output/load_statistics.h"
 #include "core/output/output_file.h"
@@ -32,9 +35,16 @@ Json shortfalls_json(const Shortfalls& shortfalls) {
 
 Json loads_json(const RunStatistics& statistics) {
   Json loads = Json::object();
+  const LoadWindow window = statistics.window();
   for (std::size_t c = 0; c < statistics.load_names().size(); ++c) {
-    const LoadStatistics s = load_statistics(statistics.load_series(c));
-    loads[statistics.load_names()[c]] = {{"mean", s.mean}, {"std", s.std}, {"max", s.max}, {"p99", s.p99}};
+    const ComponentLoad load = component_load(statistics.load_series(c), window, statistics.start_time(),
+                                              statistics.step(), statistics.peak_filter());
+    const LoadStatistics& s = load.statistics;
+    loads[statistics.load_names()[c]] = {{"mean", s.mean},
+                                         {"std", s.std},
+                                         {"max", s.max},
+                                         {"p99", s.p99},
+                                         {"max_filtered", std::abs(load.peak.filtered)}};
   }
   return loads;
 }
@@ -69,11 +79,18 @@ Json summary_json(const RunInfo& info, const RunStatistics& statistics, const Su
                     {"concentration", info.concentration}};
   summary["worst"] = worst_json(statistics);
   summary["shortfalls"] = shortfalls_json(statistics.shortfalls());
-  summary["loads"] = loads_json(statistics);
   const TwinStatistics* const twins = input.twins ? &*input.twins : nullptr;
+  if (info.has_vessel) summary["window"] = window_json(statistics.window());
+  if (input.ice_load) {
+    summary["ice_load"] = ice_load_json(*input.ice_load, info.course);
+    if (input.ice_load->tow) summary["tow_force"] = tow_force_json(*input.ice_load->tow);
+  }
+  summary["loads"] = loads_json(statistics);
+  if (!info.structures.empty()) summary["structures"] = structures_json(statistics.structure_loads());
   if (const auto error = statistics.load_error(twins)) summary["load_error"] = load_error_json(*error, twins);
   if (twins != nullptr) summary["twins"] = twins_json(*twins);
   summary["warnings"] = warning_texts(info);
+  if (const std::string slower = statistics.slowdown(); !slower.empty()) summary["slowdown"] = slower;
   summary["modules"] = modules_json(info, statistics);
   summary["not_built"] = info.not_built;
   summary["versions"] = input.versions;

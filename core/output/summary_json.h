@@ -25,6 +25,7 @@ struct SummaryInput {
   double brash_mass = 0;     ///< of ice that broke too small to follow [kg]
   double extruded_mass = 0;  ///< of crushed ice that was cut out of its floes [kg]
   std::optional<TwinStatistics> twins;
+  std::optional<IceLoad> ice_load;  ///< of a vessel
 };
 
 nlohmann::ordered_json summary_json(const RunInfo& info, const RunStatistics& statistics, const SummaryInput& input);

@@ -26,10 +26,24 @@ VesselChannels::VesselChannels(const RunInfo& info)
   if (has_cells_)
     for (int cell = 1; cell <= 6; ++cell) names_.push_back("cell" + std::to_string(cell) + "_N");
   if (has_hydro_) name_wrench("hydro");
-  num_loads_ = static_cast<int>(names_.size());
+  num_global_loads_ = names_.size();
   for (const char* name : {"x_m", "y_m", "z_m", "yaw_deg", "pitch_deg", "roll_deg", "vx_m_s", "vy_m_s", "vz_m_s",
                            "roll_rate_deg_s", "pitch_rate_deg_s", "yaw_rate_deg_s", "wx_rad_s", "wy_rad_s", "wz_rad_s"})
     names_.emplace_back(name);
+  for (const char* name : {"ice_resistance_N", "ice_side_N"}) names_.emplace_back(name);
+}
+
+template <class Value>
+static std::vector<Value> loads_among(const std::vector<Value>& channels, std::size_t num_global_loads) {
+  std::vector<Value> loads(channels.begin(), channels.begin() + static_cast<std::ptrdiff_t>(num_global_loads));
+  loads.insert(loads.end(), channels.end() - k_num_course_loads, channels.end());
+  return loads;
+}
+
+std::vector<std::string> VesselChannels::load_names() const { return loads_among(names_, num_global_loads_); }
+std::vector<double> VesselChannels::loads(const std::vector<double>& values) const {
+  NILAS_DEMAND(values.size() == names_.size());
+  return loads_among(values, num_global_loads_);
 }
 
 void VesselChannels::name_wrench(const std::string& source) {
@@ -57,6 +71,8 @@ bool VesselChannels::read(const VesselRecord& record, std::vector<double>& value
   add(state.v, values);
   add(Vec3(rates.roll, rates.pitch, rates.yaw) / k_deg, values);
   add(state.w, values);
+  values.push_back(-record.contact.force.head<2>().dot(record.course));
+  values.push_back(record.contact.force.head<2>().dot(to_port(record.course)));
   return !angles.gimbal_lock;
 }
 

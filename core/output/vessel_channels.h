@@ -7,14 +7,20 @@
 
 namespace nilas {
 
-/// Channels of the modules that a scene uses, loads first, then motion; units are in the names, angles in degrees.
+/// Along and across the course: ice_resistance_N, positive astern, and ice_side_N, positive to port of the course.
+constexpr std::size_t k_num_course_loads = 2;
+
+/// Channels of the modules that a scene uses: loads along the global axes, motion, then the contact load along and
+/// across the course. Units are in the names, angles in degrees.
 class VesselChannels {
  public:
   explicit VesselChannels(const RunInfo& info);
 
   const std::vector<std::string>& names() const { return names_; }
-  /// The first so many channels are loads on the vessel.
-  int num_loads() const { return num_loads_; }
+  /// Names of the channels that are loads: those along the global axes, then those along and across the course.
+  std::vector<std::string> load_names() const;
+  /// Their values, from all values as read().
+  std::vector<double> loads(const std::vector<double>& values) const;
   /// Values in the order of names(). Returns false at gimbal lock, where the angular rates are written as zero.
   bool read(const VesselRecord& record, std::vector<double>& values) const;
 
@@ -22,7 +28,7 @@ class VesselChannels {
   void name_wrench(const std::string& source);
 
   std::vector<std::string> names_;
-  int num_loads_ = 0;
+  std::size_t num_global_loads_ = 0;
   bool has_carriage_ = false, has_cells_ = false, has_hydro_ = false;
 };
 

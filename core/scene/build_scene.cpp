@@ -145,6 +145,8 @@ static OutputScene build_output(const SceneElement& element) {
   assign(output.problems, element, "problems");
   assign(output.checkpoint_every, element, "checkpoint_every");
   assign(output.bodies, element, "bodies");
+  assign(output.peak_filter, element, "peak_filter");
+  if (const auto window = numbers_of(element, "statistics")) output.statistics = {window->at(0), window->at(1)};
   return output;
 }
 

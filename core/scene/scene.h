@@ -243,8 +243,10 @@ struct OutputScene {
   double trajectory_every = 0.1;  ///< [s]; 0: none
   std::string contacts = "hull";
   std::string problems = "never";
-  double checkpoint_every = 0;  ///< [s]; 0: none
-  std::optional<bool> bodies;   ///< default: on up to 200 bodies
+  double checkpoint_every = 0;                      ///< [s]; 0: none
+  std::optional<bool> bodies;                       ///< default: on up to 200 bodies
+  std::optional<std::array<double, 2>> statistics;  ///< from, to [s]; default: end of the ramp and first ice, end
+  std::optional<double> peak_filter;                ///< averaging time of filtered peaks [s]; default: by the length
 };
 
 /// An input file that the scene refers to, for the scene as run.
@@ -273,9 +275,9 @@ struct Scene {
   /// Where the first element of each path and its given attributes stand: "vessel/carriage", "vessel/carriage/@speed".
   /// A place is a fault without a message.
   std::map<std::string, Fault> places;
-  std::string as_run;              ///< the XML with every default and override written out
-  std::string fingerprint;  ///< SHA-256 of it but for time/@end and output/@checkpoint_every: what a run's states
-                            ///< depend on
+  std::string as_run;       ///< the XML with every default and override written out
+  std::string fingerprint;  ///< SHA-256 of it but for time/@end and what of <output> only concerns checkpoints and
+                            ///< statistics: what a run's states depend on
 };
 
 /// A warning that is placed at `path` ("vessel/carriage/@speed"), or where that is not given at the nearest element

@@ -35,6 +35,20 @@ static ElementSpec output() {
                           .default_value = "0",
                           .doc = "Simulated time between checkpoints, from which `nilas run --resume` goes on; 0: "
                                  "none."},
+                         {.name = "statistics",
+                          .min_count = 2,
+                          .max_count = 2,
+                          .unit = "s",
+                          .default_note = "from the end of the carriage's ramp and the first contact with ice, "
+                                          "whichever is later, to the end of the run",
+                          .doc = "From when to when means, deviations and peaks of loads are taken; "
+                                 "`nilas run --statistics FROM:TO` sets it."},
+                         {.name = "peak_filter",
+                          .unit = "s",
+                          .range = above(0),
+                          .default_note = "0.2 s for a hull of 100 m, times the root of length / 100 m for others",
+                          .doc = "Peaks are also told of the load averaged over this time: they hardly depend on the "
+                                 "time step."},
                          {.name = "bodies",
                           .type = ValueType::boolean,
                           .default_note = "true up to 200 bodies",

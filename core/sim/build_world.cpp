@@ -9,6 +9,7 @@
 #include "core/base/random.h"
 #include "core/sim/contact_model.h"
 #include "core/sim/implausible.h"
+#include "core/sim/load_axes.h"
 #include "core/sim/reference.h"
 #include "core/sim/world.h"
 #include "hydro/modules.h"
@@ -122,6 +123,7 @@ WorldParts build_world(const Scene& scene, int threads, WarningCounts& warnings)
   parts.info.bodies = parts.bodies.size();
   list_absent(scene, parts.info);
   refuse_overlaps(scene, parts.bodies);
+  describe_loads(scene, parts);
   note_implausible(scene, parts);
   return parts;
 }

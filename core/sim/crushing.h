@@ -57,6 +57,10 @@ class Crushing {
   /// in ice as before. None while a hull stands in the midst of its floe, which `warnings` are told.
   std::vector<FloeBreak> floes_to_clear(const Bodies& bodies, WarningCounts& warnings) const;
 
+  /// How deep a corner of a breakable floe stands inside the vessel or a body that crushes it, at the present poses:
+  /// the shortest way out through an outer face of the convex part that it is in. 0 where none is inside [m].
+  double deepest_overlap(const Bodies& bodies) const;
+
   /// Of the ice that was crushed since the start [kg].
   double crushed_mass() const { return crushed_mass_; }
 

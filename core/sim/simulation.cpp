@@ -184,7 +184,11 @@ void Simulation::World::part_of_step(bool may_cut, StepRecord& record, MomentumB
   energy.position_step(kinetic_energy(parts.bodies), potential(), pseudo, motion, loads);
   balance += momentum_balance(parts.bodies, motion, loads, vessel);
   if (parts.vessel) note_vessel(motion, contacts.C, record);
-  if (crushing) crushing->note_crushed(parts.bodies, motion);
+  if (!parts.info.structures.empty()) note_structures(motion, record);
+  if (crushing) {
+    crushing->note_crushed(parts.bodies, motion);
+    record.crushed_overlap_max = std::max(record.crushed_overlap_max, crushing->deepest_overlap(parts.bodies));
+  }
   if (breaking) breaking->note_loads(parts.bodies, *parts.ice_properties, motion);
   ++record.parts;
   watch.lap(Phase::output);

@@ -1,9 +1,13 @@
 /// What a step leaves: accounts, records, warnings, and the state for a checkpoint.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <tuple>
+
 #include "core/base/error.h"
 #include "core/base/hash.h"
 #include "core/base/order_free_sum.h"
+#include "core/sim/load_axes.h"
 #include "core/sim/load_residual.h"
 #include "core/sim/simulation_world.h"
 
@@ -58,12 +62,15 @@ VesselRecord Simulation::World::vessel_record(const StepMotion& motion, const st
   record.law_residual = {off.law.force / h, off.law.torque / h};
   const auto vessel = static_cast<std::size_t>(parts.vessel_index);
   OrderFreeVectorSum on_port, on_starboard;
+  record.course = course_at(parts, time() + h);
   for (std::size_t i = 0; i < motion.points.size(); ++i) {
     const ContactPoint& c = motion.points[i];
     if (c.a != parts.vessel_index && c.b != parts.vessel_index) continue;
     const bool port = (motion.R[vessel].transpose() * (c.p - motion.p[vessel])).y() > 0;
     const double sign = c.b == parts.vessel_index ? 1 : -1;
     (port ? on_port : on_starboard).add(sign / h * motion.impulses[i]);
+    const auto other = static_cast<std::size_t>(c.a == parts.vessel_index ? c.b : c.a);
+    if (parts.bodies.kind[other] == BodyKind::floe && !motion.impulses[i].isZero(0)) record.touches_ice = true;
   }
   record.contact_port = on_port.value();
   record.contact_starboard = on_starboard.value();
@@ -109,6 +116,38 @@ void Simulation::World::note_vessel(const StepMotion& motion, const std::vector<
   }
   sum.has_cells = part.has_cells;
   sum.state = part.state;
+  sum.course = part.course;
+  sum.touches_ice = sum.touches_ice || part.touches_ice;
+}
+
+/// Adds the share of the part of the step at work.
+void Simulation::World::note_structures(const StepMotion& motion, StepRecord& record) const {
+  const auto& structures = parts.info.structures;
+  const auto structure_of = [&](int body) {
+    const auto found = std::lower_bound(structures.begin(), structures.end(), body,
+                                        [](const StructureInfo& s, int b) { return s.body < b; });
+    return found != structures.end() && found->body == body ? found - structures.begin() : -1;
+  };
+  struct Sums {
+    OrderFreeVectorSum force, torque;
+  };
+  std::vector<Sums> sums(structures.size());
+  record.structures.resize(structures.size());
+  for (std::size_t i = 0; i < motion.points.size(); ++i) {
+    const ContactPoint& c = motion.points[i];
+    for (const auto& [body, other, sign] : {std::tuple(c.a, c.b, -1.0), std::tuple(c.b, c.a, 1.0)}) {
+      const auto k = structure_of(body);
+      if (k < 0 || motion.impulses[i].isZero(0)) continue;
+      Sums& sum = sums[static_cast<std::size_t>(k)];
+      sum.force.add(sign * motion.impulses[i]);
+      sum.torque.add((c.p - motion.p[static_cast<std::size_t>(body)]).cross(sign * motion.impulses[i]));
+      if (!motion.couples.empty()) sum.torque.add(sign * motion.couples[i]);
+      if (parts.bodies.kind[static_cast<std::size_t>(other)] == BodyKind::floe)
+        record.structures[static_cast<std::size_t>(k)].touches_ice = true;
+    }
+  }
+  for (std::size_t k = 0; k < sums.size(); ++k)
+    record.structures[k].contact += {sums[k].force.value() / whole_step, sums[k].torque.value() / whole_step};
 }
 
 std::uint64_t Simulation::World::state_hash() const {

@@ -78,6 +78,7 @@ struct Simulation::World {
   void break_ice(StepRecord& record);
   void follow_bodies(const std::vector<NewPiece>& new_pieces);
   void note_vessel(const StepMotion& motion, const std::vector<Mat3>& C, StepRecord& record) const;
+  void note_structures(const StepMotion& motion, StepRecord& record) const;
   void note_end(const MomentumBalance& balance, StepRecord& record) const;
   void stop_on_failure(const StepRecord& record) const;
   std::uint64_t state_hash() const;

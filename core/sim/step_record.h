@@ -38,6 +38,18 @@ struct VesselRecord {
   Wrench solver_residual, law_residual;
   std::optional<Wrench> hydro;
   VesselState state;  ///< at the step's end
+  /// Unit vector along the course, horizontal; docs/conventions.md says which way it points.
+  Vec2 course = Vec2::UnitX();
+  bool touches_ice = false;  ///< a floe pressed on it during the step
+};
+
+/// Horizontal unit vector to port of a horizontal one.
+inline Vec2 to_port(const Vec2& ahead) { return {-ahead.y(), ahead.x()}; }
+
+/// Loads over the step on a body that the scene holds fixed, in G, torques about its centre.
+struct StructureRecord {
+  Wrench contact;
+  bool touches_ice = false;
 };
 
 /// What changed at a contact at one instant; integrator "reference" only. The first contact of a pair of bodies may
@@ -91,6 +103,9 @@ struct StepRecord {
   std::array<double, k_num_phases> ms{};
   std::uint64_t state_hash = 0;
   std::optional<VesselRecord> vessel;
+  std::vector<StructureRecord> structures;  ///< in the order of RunInfo::structures
+  /// How deep floes stand inside hulls that crush them, 0 where nothing crushes [m].
+  double crushed_overlap_max = 0;
   std::vector<ContactEvent> events;  ///< in the order of time
   std::vector<FractureEvent> broken;
 };
@@ -114,6 +129,16 @@ struct SolvedProblem {
   Mat3 vessel_R = Mat3::Identity();  ///< its attitude there
 };
 
+/// How the course of the vessel is found, the axis along which its ice load is told.
+enum class CourseKind { carriage, drift, heading };
+
+/// A body that the scene holds fixed.
+struct StructureInfo {
+  std::string name;
+  int body = -1;
+  double length = 0;  ///< largest horizontal extent [m]
+};
+
 /// What is known when a run begins.
 struct RunInfo {
   std::string scene_name;
@@ -127,6 +152,15 @@ struct RunInfo {
   bool has_vessel = false, has_carriage = false, has_cells = false, has_hydro = false;
   MassProperties vessel_mass;  ///< com, inertia in V
   double ice_thickness = 0;    ///< [m]
+  double vessel_length = 0;    ///< along x of V [m]
+  CourseKind course = CourseKind::heading;
+  Vec2 drift_course = Vec2::UnitX();  ///< against the drift of ice or water where a vessel or structure is fixed
+  std::optional<double> ramp_end;     ///< of a carriage with a ramp [s]
+  bool rigid_contacts = true;         ///< some ice meets the hull as a rigid body
+  bool crushes = false;               ///< some ice is crushed by hulls
+  std::vector<StructureInfo> structures;
+  std::optional<std::array<double, 2>> statistics;  ///< window that the scene asks for: from, to [s]
+  std::optional<double> peak_filter;                ///< that the scene asks for [s]
 };
 
 /// "file:line:column: <element attribute>: message" of each warning.

@@ -23,6 +23,7 @@ struct WorldParts {
   std::optional<Water> water;
   std::vector<std::unique_ptr<ForceModule>> modules;
   std::optional<VesselSystem> vessel;
+  std::optional<CarriageMotion> towing;  ///< of a vessel on a carriage
   int vessel_index = -1;
   std::vector<PlannedIce> ice;                  ///< its floes in the order of their bodies
   std::optional<IceProperties> ice_properties;  ///< of a scene with <fracture> and ice

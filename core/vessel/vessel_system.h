@@ -42,6 +42,8 @@ class CarriageMotion {
   /// InputError.
   static CarriageMotion path(const Vec3& start, double yaw, const std::string& csv_file);
   State at(double t) const;
+  bool follows_path() const { return knots_ != nullptr; }
+  double direction() const { return direction_; }  ///< of a straight motion, from X [rad]
 
  private:
   struct Knots;

@@ -10,14 +10,14 @@
 namespace nilas {
 namespace {
 
-const std::vector<std::string> k_names{"contact_fx_N",   "contact_fy_N",  "contact_fz_N",  "contact_mx_Nm",
-                                       "contact_my_Nm",  "contact_mz_Nm", "carriage_fx_N", "carriage_fy_N",
-                                       "carriage_mx_Nm", "hydro_fx_N"};
+const std::vector<std::string> k_names{"contact_fx_N",   "contact_fy_N",  "contact_fz_N",    "contact_mx_Nm",
+                                       "contact_my_Nm",  "contact_mz_Nm", "carriage_fx_N",   "carriage_fy_N",
+                                       "carriage_mx_Nm", "hydro_fx_N",    "ice_resistance_N"};
 
 /// Every channel with the values given, over one second.
 struct Series {
   std::vector<std::vector<double>> values = std::vector<std::vector<double>>(k_names.size());
-  LoadRecord record() const { return {k_names, values, 0, 1}; }
+  LoadRecord record() const { return {k_names, values, {0, 1, 0, values[0].size(), ""}}; }
 };
 
 Series all_channels(const std::vector<double>& values) {
@@ -26,8 +26,8 @@ Series all_channels(const std::vector<double>& values) {
   return series;
 }
 
-LoadResidualSums residuals_of(int steps, double solver, double law) {
-  LoadResidualSums sums;
+LoadResiduals residuals_of(int steps, double solver, double law) {
+  LoadResiduals sums;
   VesselRecord vessel;
   vessel.solver_residual.force.x() = solver;
   vessel.law_residual.force.x() = law;
@@ -35,18 +35,17 @@ LoadResidualSums residuals_of(int steps, double solver, double law) {
   return sums;
 }
 
-TEST(LoadError, TakesTheLargestHorizontalForceOfTheCarriage) {
+TEST(LoadError, IsThatOfTheLoadAlongTheCourseFirst) {
   Series series = all_channels({99, 99});
-  series.values[6] = {1, 1};
-  series.values[7] = {-2, -2};
+  series.values[10] = {1, -5};
   const auto error = load_error(series.record(), residuals_of(2, 0.5, 0), nullptr);
   ASSERT_TRUE(error.has_value());
-  EXPECT_EQ(error->channels.size(), 8u) << "moments about the joint and water loads are not mapped";
+  EXPECT_EQ(error->channels.size(), 9u) << "moments about the joint and water loads are not mapped";
   const ChannelError& headline = error->channels[error->headline];
-  EXPECT_EQ(headline.channel, "carriage_fy_N");
+  EXPECT_EQ(headline.channel, "ice_resistance_N");
   EXPECT_EQ(headline.mean, -2);
   EXPECT_FALSE(headline.chaos.has_value()) << "two steps";
-  EXPECT_EQ(headline.total, 0);
+  EXPECT_EQ(headline.total, 0.5) << "the course is x";
   EXPECT_EQ(error->channels[6].total, 0.5);
 }
 
@@ -55,9 +54,9 @@ TEST(LoadError, AddsPartsThatHoldStillAndChaosAsIndependent) {
   TwinStatistics twins;
   twins.mean_loads.assign(k_names.size(), {7, 9});
   twins.horizon = 0.4;
-  const LoadResidualSums residuals = residuals_of(100, 1, -2);
-  EXPECT_DOUBLE_EQ(residuals.solver(0, 100), 1);
-  EXPECT_DOUBLE_EQ(residuals.law(0, 100), 2 + 2 * 2 / 10.0);
+  const LoadResiduals residuals = residuals_of(100, 1, -2);
+  EXPECT_DOUBLE_EQ(residuals.solver(0, series.record().window), 1);
+  EXPECT_DOUBLE_EQ(residuals.law(0, series.record().window), 2 + 2 * 2 / 10.0);
   const auto error = load_error(series.record(), residuals, &twins);
   EXPECT_TRUE(error->from_twins);
   EXPECT_EQ(error->channels[0].mean, 8);
@@ -76,20 +75,41 @@ TEST(LoadError, TwinsThatPartTooLateDoNotStandForChaos) {
   twins.mean_loads.assign(k_names.size(), {0, 0, 0});
   const auto chaos = [&](std::optional<double> horizon) {
     twins.horizon = horizon;
-    const auto error = load_error(series.record(), {}, &twins);
+    const auto error = load_error(series.record(), residuals_of(640, 0, 0), &twins);
     EXPECT_EQ(error->chaos_from_twins, horizon == 0.3);
     EXPECT_EQ(*error->channels[6].chaos, *error->channels[0].chaos) << "of the carriage that of the contact load";
     return *error->channels[0].chaos;
   };
   EXPECT_EQ(chaos(0.3), 0);
   EXPECT_EQ(chaos(0.8), chaos(std::nullopt));
-  EXPECT_EQ(chaos(0.8), *load_error(series.record(), {}, nullptr)->channels[0].chaos);
+  EXPECT_EQ(chaos(0.8), *load_error(series.record(), residuals_of(640, 0, 0), nullptr)->channels[0].chaos);
+}
+
+TEST(LoadError, CountsTheWindowAlone) {
+  std::vector<double> values(100, 3);
+  for (std::size_t k = 50; k < 100; ++k) values[k] = 7;
+  const Series series = all_channels(values);
+  LoadRecord record = series.record();
+  record.window.first = 50;
+  LoadResiduals residuals = residuals_of(50, 4, 0);
+  for (int k = 0; k < 50; ++k) {
+    VesselRecord vessel;
+    vessel.course = Vec2(0.6, 0.8);
+    vessel.solver_residual.force = Vec3(1, 2, 0);
+    vessel.law_residual.force = Vec3(-1, 2, 0);
+    residuals.add(vessel);
+  }
+  const auto error = load_error(record, residuals, nullptr);
+  EXPECT_EQ(error->channels.back().mean, 7);
+  EXPECT_EQ(error->channels.front().solver, 1) << "fx";
+  EXPECT_DOUBLE_EQ(error->channels.back().solver, 0.6 * 1 + 0.8 * 2) << "along the course, if none cancel";
+  EXPECT_DOUBLE_EQ(error->channels.back().law, (-0.6 + 1.6) * (1 + 2 / std::sqrt(50.0)));
 }
 
 TEST(LoadError, IsWrittenWithItsMethods) {
   const Series series = all_channels(std::vector<double>(100, 7));
   const auto json = load_error_json(*load_error(series.record(), residuals_of(100, 1, 0), nullptr), nullptr);
-  EXPECT_EQ(json["channel"], "carriage_fx_N");
+  EXPECT_EQ(json["channel"], "ice_resistance_N");
   EXPECT_TRUE(json["step_N"].is_null());
   EXPECT_EQ(json["known"].size(), 3u);
   EXPECT_EQ(json["runs"], 1);
@@ -97,7 +117,7 @@ TEST(LoadError, IsWrittenWithItsMethods) {
   for (const char* part : {"solver", "law", "chaos", "step"}) EXPECT_TRUE(json["methods"].contains(part)) << part;
 }
 
-TEST(LoadError, NothingWithoutAVessel) { EXPECT_FALSE(load_error({{}, {}}, {}, nullptr).has_value()); }
+TEST(LoadError, NothingWithoutAVessel) { EXPECT_FALSE(load_error({{}, {}, {}}, {}, nullptr).has_value()); }
 
 }  // namespace
 }  // namespace nilas

@@ -156,7 +156,7 @@ TEST(RunFolder, SummaryTellsTheRun) {
   EXPECT_EQ(summary["worst"]["law_map_m_s"]["time_s"], 0.01);
   EXPECT_EQ(summary["worst"]["penetration_max_m"]["value"], 0.002);
   EXPECT_TRUE(summary["worst"].contains("imbalance_J"));
-  EXPECT_EQ(summary["loads"].size(), 30u);
+  EXPECT_EQ(summary["loads"].size(), 32u);
   EXPECT_EQ(summary["loads"]["contact_fx_N"]["mean"], -1);
   EXPECT_EQ(summary["loads"]["contact_fx_N"]["std"], 2);
   EXPECT_EQ(summary["loads"]["contact_fx_N"]["max"], 3);

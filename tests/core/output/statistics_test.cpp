@@ -39,7 +39,7 @@ TEST(RunStatistics, GoOnAsSaved) {
     record.ledger.works = {std::sin(k), std::cos(k)};
     record.ledger.imbalance = k == 5 ? std::numeric_limits<double>::quiet_NaN() : 1e-9 * k;
     record.solver_short = k % 3 == 0;
-    whole.add(record, std::vector<double>(30, std::sin(0.1 * k)));
+    whole.add(record, std::vector<double>(47, std::sin(0.1 * k)));
   }
   RunStatistics rest(full_run());
   rest.restore(StateReader(state));
@@ -49,7 +49,7 @@ TEST(RunStatistics, GoOnAsSaved) {
     record.ledger.works = {std::sin(k), std::cos(k)};
     record.ledger.imbalance = 1e-9 * k;
     record.solver_short = k % 3 == 0;
-    rest.add(record, std::vector<double>(30, std::sin(0.1 * k)));
+    rest.add(record, std::vector<double>(47, std::sin(0.1 * k)));
   }
   EXPECT_EQ(rest.steps(), whole.steps());
   EXPECT_EQ(rest.end_time(), whole.end_time());
@@ -69,7 +69,7 @@ TEST(RunStatistics, KeepsTheWorstWithItsTime) {
   RunStatistics statistics(full_run());
   statistics.start(0, Ledger{});
   StepRecord record = full_record();
-  const std::vector<double> values(30, 1);
+  const std::vector<double> values(47, 1);
   for (const double x : {1.0, -3.0, 2.0}) {
     record.ledger.imbalance = x;
     record.residuals.natural_map_m_s = std::abs(x);
@@ -88,7 +88,7 @@ TEST(RunStatistics, KeepsTheWorstWithItsTime) {
 TEST(RunStatistics, CountsWhatFellShort) {
   RunStatistics statistics(full_run());
   StepRecord record = full_record();
-  const std::vector<double> values(30, 1);
+  const std::vector<double> values(47, 1);
   statistics.add(record, values);
   EXPECT_EQ(statistics.shortfalls().unconverged_steps, 0);
   EXPECT_EQ(statistics.shortfalls().uncorrected_steps, 0);
@@ -104,7 +104,7 @@ TEST(RunStatistics, CountsWhatFellShort) {
 TEST(RunStatistics, AValueThatIsNotANumberIsTheWorst) {
   RunStatistics statistics(full_run());
   StepRecord record = full_record();
-  const std::vector<double> values(30, 1);
+  const std::vector<double> values(47, 1);
   record.residuals.law_map_m_s = std::numeric_limits<double>::quiet_NaN();
   statistics.add(record, values);
   record.residuals.law_map_m_s = 1;
@@ -119,7 +119,7 @@ TEST(RunStatistics, EnergyPutInAddsTheAbsoluteWorksOfAllSteps) {
   start.works = {0, 0};
   statistics.start(0, start);
   StepRecord record = full_record();
-  const std::vector<double> values(30, 1);
+  const std::vector<double> values(47, 1);
   record.ledger.works = {1, -4};
   statistics.add(record, values);
   record.ledger.works = {0, -4};

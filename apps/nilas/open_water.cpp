@@ -1,0 +1,69 @@
+#include "apps/nilas/open_water.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "apps/nilas/scene_flags.h"
+#include "core/base/error.h"
+#include "core/base/log.h"
+#include "core/sim/simulation.h"
+
+namespace nilas {
+
+using nlohmann::literals::operator""_json_pointer;
+
+OpenWater OpenWater::towed(const Scene& scene, int threads) {
+  if (!scene.vessel || !scene.vessel->carriage)
+    throw InputError("--open-water: the scene tows no vessel; allowed: scenes with <vessel><carriage>");
+  Scene without_ice = scene;
+  without_ice.ice.reset();
+  without_ice.fracture.reset();
+  WarningCounts warnings(make_logger("off", ""));
+  Simulation simulation(without_ice, threads, warnings);
+  const VesselChannels channels(simulation.info());
+  OpenWater water;
+  water.source_ = "towed without ice";
+  water.run_.emplace(simulation.info());
+  water.run_->start(scene.time.start, simulation.initial_ledger());
+  std::vector<double> values;
+  const long steps = number_of_steps(scene.time);
+  for (long k = 0; k < steps; ++k) {
+    const StepRecord record = simulation.step();
+    channels.read(record.vessel.value(), values);
+    water.run_->add(record, values);
+  }
+  return water;
+}
+
+OpenWater OpenWater::stored(const std::filesystem::path& run) {
+  const auto file = run / "summary.json";
+  std::ifstream in(file);
+  if (!in) throw FileError("--open-water-run: cannot open " + file.string());
+  const auto summary = nlohmann::json::parse(in, nullptr, false);
+  const auto mean = nlohmann::json::json_pointer("/tow_force/mean_N");
+  if (summary.is_discarded() || !summary.contains(mean))
+    throw InputError("--open-water-run: " + file.string() + " tells no tow force; allowed: runs of a towed vessel");
+  if (summary.at("/ice/floes"_json_pointer).get<long>() > 0)
+    throw InputError("--open-water-run: the run in " + run.string() + " has ice; allowed: runs without <ice>");
+  OpenWater water;
+  water.mean_ = summary.at(mean).get<double>();
+  water.speed_ = summary.at("/tow_force/speed_m_s"_json_pointer).get<double>();
+  water.source_ = "from " + run.string();
+  return water;
+}
+
+std::string OpenWater::deduct_from(IceLoad& load) const {
+  if (!load.tow) return "nothing is deducted: the carriage does not move";
+  constexpr double k_same_speed = 0.01;
+  if (!run_ && std::abs(speed_ - load.tow->speed) > k_same_speed * std::abs(load.tow->speed))
+    return fmt::format("nothing is deducted: the open-water run was towed at {:.4g} m/s, this one at {:.4g} m/s",
+                       speed_, load.tow->speed);
+  load.tow->open_water = run_ ? run_->mean_tow(load.window) : mean_;
+  load.tow->open_water_source = source_;
+  return "";
+}
+
+}  // namespace nilas

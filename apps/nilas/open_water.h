@@ -1,0 +1,30 @@
+#pragma once
+/// The force of the same tow without ice, which a model basin deducts from that in ice.
+#include <filesystem>
+#include <optional>
+
+#include "core/output/ice_load.h"
+#include "core/output/run_statistics.h"
+#include "core/scene/scene.h"
+
+namespace nilas {
+
+class OpenWater {
+ public:
+  /// Tows the scene's vessel without its ice, from start to end. Throws InputError for a scene that tows no vessel, and
+  /// as Simulation does.
+  static OpenWater towed(const Scene& scene, int threads);
+  /// Of a run without ice that was stored. Throws FileError, and InputError where it is no such run.
+  static OpenWater stored(const std::filesystem::path& run);
+
+  /// Fills the open-water force of a tow. Returns why nothing is deducted, where a stored run was towed at another
+  /// speed, or nothing moves; else nothing.
+  std::string deduct_from(IceLoad& load) const;
+
+ private:
+  std::optional<RunStatistics> run_;
+  double mean_ = 0, speed_ = 0;  ///< of a stored run [N, m/s]
+  std::string source_;
+};
+
+}  // namespace nilas

@@ -1,0 +1,128 @@
+#include "core/output/ice_load_text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/output/console.h"
+
+namespace nilas {
+
+namespace {
+
+constexpr std::size_t k_label_width = 22;
+
+/// A label, and text broken at blanks behind it.
+std::string line(const std::string& label, const std::string& text) {
+  return fmt::format("{:<22}{}\n", label, wrapped(text, k_label_width));
+}
+
+struct Unit {
+  const char* name;
+  double size;
+};
+
+Unit unit_of(double newton) {
+  constexpr double k_kilo = 1e3, k_mega = 1e6, k_from = 10;
+  if (std::abs(newton) >= k_from * k_mega) return {"MN", k_mega};
+  if (std::abs(newton) >= k_from * k_kilo) return {"kN", k_kilo};
+  return {"N", 1};
+}
+
+/// "16.9 N +- 2.1 N", both in the unit of the larger.
+std::string with_error(double mean, const std::optional<double>& half_width) {
+  const Unit unit = unit_of(std::max(std::abs(mean), half_width.value_or(0)));
+  if (!half_width) return fmt::format("{:.4g} {}", mean / unit.size, unit.name);
+  return fmt::format("{:.4g} {} +- {:.2g} {}", mean / unit.size, unit.name, *half_width / unit.size, unit.name);
+}
+
+std::string window_text(const IceLoad& load) {
+  return fmt::format("{:g} s to {:g} s, {}", load.window.from, load.window.to, load.window.reason);
+}
+
+std::string peak_lines(const IceLoad& load) {
+  const Peak &along = load.along.peak, &across = load.across.peak;
+  std::string text = line(
+      "  filtered peak", fmt::format("{} along at {:.5g} s, {} across: means over {:.2g} s", force_text(along.filtered),
+                                     along.filtered_time, force_text(across.filtered), load.filter));
+  text += line("  raw peak",
+               fmt::format("{} in one step, at {:g} s; its event has an impulse of {:.3g} N s in {:.2g} s. {}",
+                           force_text(along.raw), along.raw_time, along.event_impulse,
+                           along.event_to - along.event_from, raw_peak_depends_on(load)));
+  if (load.impacts_dominate())
+    text += line("  advice", fmt::format("1 % of the steps carry {:.0f} % of the load: single rigid impacts. Let the "
+                                         "ice crush (<fracture><crushing>, breakable ice) to limit them to what ice "
+                                         "bears.",
+                                         100 * load.in_largest));
+  return text;
+}
+
+std::string error_text(const ChannelError& load, bool solver_at_least) {
+  std::string text = fmt::format("solver {}{}, law {}", solver_at_least ? "at least " : "", force_text(load.solver),
+                                 force_text(load.law));
+  if (load.chaos) text += fmt::format(", chaos {}", force_text(*load.chaos));
+  text += load.chaos ? "; step unknown" : "; chaos, step unknown";
+  if (solver_at_least) text += ", and steps that missed the tolerance can add more";
+  return text;
+}
+
+std::string tow_lines(const TowForce& tow) {
+  std::string text =
+      line("tow force", fmt::format("{} forward: ice takes {}, water {}, inertia {}", force_text(tow.mean),
+                                    force_text(tow.ice), force_text(tow.water), force_text(tow.inertia)));
+  if (tow.open_water)
+    text += line("  less open water", fmt::format("{}: {} in open water deducted ({})", force_text(tow.net()),
+                                                  force_text(*tow.open_water), tow.open_water_source));
+  return text;
+}
+
+}  // namespace
+
+std::string force_text(double newton) {
+  const Unit unit = unit_of(newton);
+  return fmt::format("{:.4g} {}", newton / unit.size, unit.name);
+}
+
+std::string raw_peak_depends_on(const IceLoad& load) {
+  if (load.rigid)
+    return fmt::format("It depends on the step of {:g} s, in which a rigid contact passes its impulse.", load.step);
+  return fmt::format("It depends on the ice's crushing strength, on the hull's faces and on the step of {:g} s.",
+                     load.step);
+}
+
+std::string ice_load_lines(const IceLoad& load, const LoadError& error) {
+  std::string text;
+  if (!load.touched) {
+    text = line("ice load", "none: no ice pressed on the hull");
+    if (load.along.statistics.max > 0)
+      text += line("  other contacts", fmt::format("{} astern, {} to port", force_text(load.along.statistics.mean),
+                                                   force_text(load.across.statistics.mean)));
+    text += line("  window", window_text(load));
+  } else {
+    text = line("ice load",
+                fmt::format("{} astern, {} to port{}", with_error(load.along.statistics.mean, load.along.half_width),
+                            with_error(load.across.statistics.mean, load.across.half_width),
+                            error.from_twins ? "; means over the run and its twins" : ""));
+    text += line("  window", window_text(load));
+    text += line("  deviation", fmt::format("{} along, {} across", force_text(load.along.statistics.std),
+                                            force_text(load.across.statistics.std)));
+    text += peak_lines(load);
+    text += line("  of the +-", error_text(error.channels[error.headline], error.solver_at_least));
+  }
+  if (load.tow) text += tow_lines(*load.tow);
+  return text;
+}
+
+std::string structure_lines(const StructureLoad& structure) {
+  const std::string label = fmt::format("load on '{}'", structure.name);
+  if (!structure.ice.touched) return line(label, "no ice pressed on it");
+  return line(label, fmt::format("{} along, {} across the drift, from {:g} s to {:g} s",
+                                 with_error(structure.ice.along.statistics.mean, structure.ice.along.half_width),
+                                 with_error(structure.ice.across.statistics.mean, structure.ice.across.half_width),
+                                 structure.ice.window.from, structure.ice.window.to)) +
+         line("  deviation", fmt::format("{} along, {} across", force_text(structure.ice.along.statistics.std),
+                                         force_text(structure.ice.across.statistics.std))) +
+         peak_lines(structure.ice);
+}
+
+}  // namespace nilas

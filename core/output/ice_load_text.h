@@ -1,0 +1,20 @@
+#pragma once
+/// Ice loads, tow force and loads on structures as a run tells them at its end.
+#include <string>
+
+#include "core/output/ice_load.h"
+
+namespace nilas {
+
+/// A force in N, kN or MN with four digits.
+std::string force_text(double newton);
+
+/// What a raw peak depends on, as a whole sentence.
+std::string raw_peak_depends_on(const IceLoad& load);
+
+/// Lines of at most 80 columns: mean, window, deviation and peaks, of a towed vessel what takes the tow force. `error`:
+/// the parts of the mean's error.
+std::string ice_load_lines(const IceLoad& load, const LoadError& error);
+std::string structure_lines(const StructureLoad& structure);
+
+}  // namespace nilas

@@ -1,0 +1,26 @@
+#pragma once
+/// How the time that steps take changes over a run, and what changes with it.
+#include <string>
+#include <vector>
+
+#include "core/base/state.h"
+#include "core/sim/step_record.h"
+
+namespace nilas {
+
+/// One value per step.
+class StepCosts {
+ public:
+  void add(const StepRecord& record);
+  /// Whole sentences about why the last quarter of the steps from `first` on takes longer than the first quarter; empty
+  /// where it takes less than half as long again, or the run is short.
+  std::string slowdown(std::size_t first) const;
+
+  void save(StateWriter out) const;
+  void restore(const StateReader& in, std::size_t steps);
+
+ private:
+  std::vector<double> ms_, contacts_, iterations_, solver_ms_, fracture_ms_;
+};
+
+}  // namespace nilas

@@ -1,0 +1,20 @@
+#pragma once
+/// Loads on the bodies that a scene holds fixed: names and values, for structures.csv and the summary.
+#include <string>
+#include <vector>
+
+#include "core/sim/step_record.h"
+
+namespace nilas {
+
+/// contact_fx_N .. contact_mz_Nm, ice_resistance_N, ice_side_N: those of each structure, without its name.
+const std::vector<std::string>& structure_load_names();
+
+/// Values in that order; `course`: unit vector, as of a fixed vessel.
+std::vector<double> structure_loads(const StructureRecord& record, const Vec2& course);
+
+/// time_s, then for each structure its columns behind its name, as pier_contact_fx_N. Commas and quotes in names become
+/// underscores.
+std::vector<std::string> structure_columns(const RunInfo& info);
+
+}  // namespace nilas
