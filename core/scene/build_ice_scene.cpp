@@ -1,9 +1,9 @@
 #include <algorithm>
+#include <map>
 
 #include "core/scene/attribute_values.h"
 #include "core/scene/build_scene.h"
-#include "core/scene/schema.h"
-#include "core/scene/values.h"
+#include "core/scene/ice_presets.h"
 
 namespace nilas {
 
@@ -83,22 +83,25 @@ static FloeScene build_floe(const SceneElement& element) {
   return floe;
 }
 
-/// What a strength varies about when <vary> gives no mean: that of <fracture>, or its default there.
-static double strength_of(const std::string& property, const SceneElement* fracture) {
-  const AttributeSpec* strength = find_attribute(*find_element("fracture"), property);
-  if (!strength) return 0;
-  double mean = parse_number(strength->default_value).value();
+/// What a strength varies about when <vary> gives no mean: that of <fracture>, or of the ice's preset.
+static double strength_of(const std::string& property, const IcePreset& preset, const SceneElement* fracture) {
+  const std::map<std::string, double> strengths{{"flexural_strength", preset.flexural_strength},
+                                                {"compressive_strength", preset.compressive_strength},
+                                                {"fracture_toughness", preset.fracture_toughness}};
+  const auto strength = strengths.find(property);
+  if (strength == strengths.end()) return 0;
+  double mean = strength->second;
   if (fracture) assign(mean, *fracture, property);
   return mean;
 }
 
-static VaryScene build_vary(const SceneElement& element, const SceneElement* fracture) {
+static VaryScene build_vary(const SceneElement& element, const IcePreset& preset, const SceneElement* fracture) {
   VaryScene vary;
   vary.line = element.place.line;
   assign(vary.property, element, "property");
   assign(vary.distribution, element, "distribution");
   assign(vary.cov, element, "cov");
-  vary.mean = strength_of(vary.property, fracture);
+  vary.mean = strength_of(vary.property, preset, fracture);
   if (vary.mean > 0) assign(vary.mean, element, "mean");
   assign(vary.correlation_length, element, "correlation_length");
   const auto partners = words_of(element, "with");
@@ -109,13 +112,14 @@ static VaryScene build_vary(const SceneElement& element, const SceneElement* fra
 
 IceScene build_ice_scene(const SceneElement& element, const SceneElement* fracture) {
   IceScene ice;
+  const IcePreset& preset = ice_preset(text_of(element, "preset").value());
   assign(ice.density, element, "density");
   assign(ice.youngs_modulus, element, "youngs_modulus");
   assign(ice.poisson, element, "poisson");
   assign(ice.thickness, element, "thickness");
   for (const auto& child : element.children) {
     if (child.name == "field") ice.fields.push_back(build_field(child));
-    if (child.name == "vary") ice.vary.push_back(build_vary(child, fracture));
+    if (child.name == "vary") ice.vary.push_back(build_vary(child, preset, fracture));
     if (child.name == "floe") ice.floes.push_back(build_floe(child));
     if (child.name == "weak_line") ice.weak_lines.push_back(build_weak_line(child));
   }

@@ -67,7 +67,7 @@ static std::string fingerprint(SceneElement root) {
 
 Scene read_scene(const std::filesystem::path& file, const Overrides& overrides) {
   std::vector<Fault> faults;
-  std::vector<std::string> notes;
+  SceneNotes notes;
   SceneElement root = parse_document(read_text(file), file.string());
   check_root_name(root, faults);
   apply_overrides(root, overrides, faults);
@@ -78,7 +78,8 @@ Scene read_scene(const std::filesystem::path& file, const Overrides& overrides) 
   if (!faults.empty()) throw_sorted(std::move(faults));
   Scene scene = build_scene(root);
   scene.file = file;
-  scene.notes = std::move(notes);
+  scene.notes = std::move(notes.said_once);
+  scene.derived = std::move(notes.derived);
   scene.warnings = implausible_values(root);
   scene.places = places_of(root);
   root = as_run_tree(std::move(root));

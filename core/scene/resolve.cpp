@@ -4,6 +4,7 @@
 #include <map>
 
 #include "core/scene/attribute_values.h"
+#include "core/scene/scale_defaults.h"
 #include "core/scene/schema.h"
 #include "core/scene/values.h"
 
@@ -26,9 +27,18 @@ const std::map<std::string, std::string>& seed_2014() {
 
 class Resolver {
  public:
-  Resolver(const std::filesystem::path& file, std::vector<std::string>& notes)
-      : folder_(std::filesystem::absolute(file).parent_path()), stem_(file.stem().string()), notes_(notes) {}
+  Resolver(const SceneElement& root, const std::filesystem::path& file, SceneNotes& notes)
+      : folder_(std::filesystem::absolute(file).parent_path()),
+        stem_(file.stem().string()),
+        scale_(root, folder_),
+        notes_(notes) {}
 
+  void resolve_all(SceneElement& root) {
+    resolve(root);
+    for (const auto& text : scale_.notes()) notes_.derived.push_back(text + ".");
+  }
+
+ private:
   void resolve(SceneElement& element) {
     const ElementSpec& spec = *find_element(element.name);
     if (!spec.remark.empty()) note(element.path, spec.remark);
@@ -42,8 +52,9 @@ class Resolver {
     for (auto& child : element.children) resolve(child);
   }
 
- private:
-  void note(const std::string& where, const std::string& text) { notes_.push_back(where + ": " + text + "."); }
+  void note(const std::string& where, const std::string& text) {
+    notes_.said_once.push_back(where + ": " + text + ".");
+  }
 
   void spell(SceneAttribute& attribute, const AttributeSpec& spec) const {
     attribute.value = canonical_value(spec, attribute.value);
@@ -56,10 +67,12 @@ class Resolver {
   }
 
   void add_default(SceneElement& element, const AttributeSpec& spec) {
-    if (spec.default_value.empty() || attribute_of(element, spec.name) || !has_effect(element, spec.applies)) return;
+    if (attribute_of(element, spec.name) || !has_effect(element, spec.applies)) return;
     if (const SceneAttribute* preset = attribute_of(element, "preset"); preset && preset->valid)
       if (const auto set = seed_2014().find(spec.name); set != seed_2014().end())
         return add(element, spec.name, set->second);
+    if (const auto scaled = scale_.take(element.name, spec.name)) return add(element, spec.name, *scaled);
+    if (spec.default_value.empty()) return;
     std::string value = spec.default_value;
     if (is_not_built(spec, value)) {
       note(where_of(element, spec.name),
@@ -196,14 +209,15 @@ class Resolver {
 
   std::filesystem::path folder_;
   std::string stem_;
-  std::vector<std::string>& notes_;
+  ScaleDefaults scale_;
+  SceneNotes& notes_;
   int num_bodies_ = 0;
 };
 
 }  // namespace
 
-void resolve_defaults(SceneElement& root, const std::filesystem::path& file, std::vector<std::string>& notes) {
-  Resolver(file, notes).resolve(root);
+void resolve_defaults(SceneElement& root, const std::filesystem::path& file, SceneNotes& notes) {
+  Resolver(root, file, notes).resolve_all(root);
 }
 
 }  // namespace nilas

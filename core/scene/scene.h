@@ -271,7 +271,8 @@ struct Scene {
   std::vector<BodyScene> bodies;
   OutputScene output;
   std::vector<std::string> notes;  ///< what the reader wants said once, e.g. a default that fell back to a built model
-  std::vector<Fault> warnings;     ///< valid values that can hardly be meant, with their places
+  std::vector<std::string> derived;  ///< defaults that follow from the scene's scale, and why
+  std::vector<Fault> warnings;       ///< valid values that can hardly be meant, with their places
   /// Where the first element of each path and its given attributes stand: "vessel/carriage", "vessel/carriage/@speed".
   /// A place is a fault without a message.
   std::map<std::string, Fault> places;

@@ -24,7 +24,9 @@ static std::vector<AttributeSpec> law_and_solver() {
       {.name = "tolerance",
        .unit = "m/s",
        .range = at_least(0),
-       .default_value = "1e-6",
+       .default_note =
+           "1e-6; of scenes with ice that moves the power of ten below a thousandth of the largest speed that "
+           "the scene names",
        .doc = "Residual of the law (law_map_m_s) at which the solver stops; 0: always max_iterations sweeps."},
       {.name = "max_iterations",
        .type = ValueType::integer,

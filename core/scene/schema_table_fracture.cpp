@@ -2,8 +2,8 @@
 
 namespace nilas::schema_table {
 
-static AttributeSpec strength(const std::string& name, const std::string& value, const std::string& doc) {
-  return {.name = name, .unit = "Pa", .range = above(0), .default_value = value, .doc = doc};
+static AttributeSpec strength(const std::string& name, const std::string& doc) {
+  return {.name = name, .unit = "Pa", .range = above(0), .default_note = "that of the ice's preset", .doc = doc};
 }
 
 static AttributeSpec model(const std::string& name, std::vector<std::string> choices, const std::string& doc) {
@@ -18,17 +18,17 @@ std::vector<ElementSpec> fracture_elements() {
        .doc = "Ice that breaks: strengths of the floes that are breakable, and as its children the ways in which they "
               "fail. Absent: ice cannot break.",
        .attributes =
-           {strength("flexural_strength", "4e4", "Flexural strength. No effect without <bending> or <splitting>."),
-            strength("compressive_strength", "1e5", "Compressive strength, of <crushing>."),
+           {strength("flexural_strength", "Flexural strength. No effect without <bending> or <splitting>."),
+            strength("compressive_strength", "Compressive strength, of <crushing>."),
             {.name = "fracture_toughness",
              .unit = "Pa sqrt(m)",
              .range = above(0),
-             .default_value = "3e3",
+             .default_note = "that of the ice's preset",
              .doc = "Fracture toughness. No effect without <splitting>."},
             {.name = "min_area",
              .unit = "m^2",
              .range = at_least(0),
-             .default_value = "2e-4",
+             .default_note = "that of the ice's preset",
              .doc = "Smallest area that breaking, or cutting out crushed ice, leaves a piece. No effect without "
                     "<bending>, "
                     "<splitting> or <crushing clear_volume>."},
@@ -57,7 +57,7 @@ std::vector<ElementSpec> fracture_elements() {
             {.name = "coefficient",
              .unit = "Pa m^(-2 exponent)",
              .range = above(0),
-             .default_value = "1e5",
+             .default_note = "that of the ice's preset",
              .applies = {"model", {"pressure-area"}},
              .doc = "Pressure on an area of 1 m^2."},
             {.name = "exponent",

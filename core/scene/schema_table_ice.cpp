@@ -1,3 +1,4 @@
+#include "core/scene/ice_presets.h"
 #include "core/scene/schema_table.h"
 
 namespace nilas::schema_table {
@@ -20,25 +21,37 @@ static std::vector<AttributeSpec> placement() {
 }
 
 static ElementSpec ice() {
-  return {.name = "ice",
-          .parent = "scene",
-          .doc = "Ice: fields of floes and single floes, as its children.",
-          .attributes = {
-              {.name = "density", .unit = "kg/m^3", .range = above(0), .default_value = "920", .doc = "Density."},
-              {.name = "youngs_modulus",
-               .unit = "Pa",
-               .range = above(0),
-               .default_value = "6e7",
-               .doc = "Young's modulus. No effect without <fracture>."},
-              {.name = "poisson",
-               .range = within(0, 0.5),
-               .default_value = "0.3",
-               .doc = "Poisson's ratio. No effect without <fracture>."},
-              {.name = "thickness",
-               .unit = "m",
-               .range = above(0),
-               .default_value = "0.04",
-               .doc = "Thickness of floes that name none."}}};
+  return {
+      .name = "ice",
+      .parent = "scene",
+      .doc = "Ice: fields of floes and single floes, as its children.",
+      .attributes = {
+          {.name = "preset",
+           .type = ValueType::choice,
+           .choices = ice_preset_names(),
+           .default_note = "model below 0.2 m of thickness, else full-scale sea ice; of ice that names no thickness "
+                           "by the hull's length (30 m) or the field's (100 m)",
+           .doc = "Which sourced values (docs/scales.md) stand in for density, modulus, thickness, strengths, floe "
+                  "sizes and smallest piece that the scene does not give."},
+          {.name = "density",
+           .unit = "kg/m^3",
+           .range = above(0),
+           .default_note = "that of the preset",
+           .doc = "Density."},
+          {.name = "youngs_modulus",
+           .unit = "Pa",
+           .range = above(0),
+           .default_note = "that of the preset",
+           .doc = "Young's modulus. No effect without <fracture>."},
+          {.name = "poisson",
+           .range = within(0, 0.5),
+           .default_note = "that of the preset",
+           .doc = "Poisson's ratio. No effect without <fracture>."},
+          {.name = "thickness",
+           .unit = "m",
+           .range = above(0),
+           .default_note = "that of the preset",
+           .doc = "Thickness of floes that name none."}}};
 }
 
 static std::vector<AttributeSpec> packing() {
@@ -125,12 +138,11 @@ static ElementSpec field() {
 }
 
 static ElementSpec size() {
-  const auto length = [](const std::string& name, const std::string& value, std::vector<std::string> when,
-                         const std::string& doc) {
+  const auto length = [](const std::string& name, std::vector<std::string> when, const std::string& doc) {
     return AttributeSpec{.name = name,
                          .unit = "m",
                          .range = above(0),
-                         .default_value = value,
+                         .default_note = "that of the ice's preset",
                          .applies = {"distribution", std::move(when)},
                          .doc = doc};
   };
@@ -145,10 +157,10 @@ static ElementSpec size() {
                           .default_value = "lognormal",
                           .doc = "fixed takes the mean; uniform lies between min and max; lognormal and power-law are "
                                  "cut at min and max; as-library leaves the outlines of <shape library> as they are."},
-                         length("mean", "0.8", {"fixed", "lognormal"}, "Mean size."),
-                         length("sd", "0.3", {"lognormal"}, "Standard deviation."),
-                         length("min", "0.3", {"uniform", "lognormal", "power-law"}, "Smallest size."),
-                         length("max", "1.6", {"uniform", "lognormal", "power-law"}, "Largest size."),
+                         length("mean", {"fixed", "lognormal"}, "Mean size."),
+                         length("sd", {"lognormal"}, "Standard deviation."),
+                         length("min", {"uniform", "lognormal", "power-law"}, "Smallest size."),
+                         length("max", {"uniform", "lognormal", "power-law"}, "Largest size."),
                          {.name = "exponent",
                           .range = above(0),
                           .default_value = "1.5",

@@ -23,7 +23,13 @@ std::vector<ElementSpec> run_elements() {
        .always = true,
        .doc = "The span that is simulated and its step.",
        .attributes =
-           {{.name = "step", .unit = "s", .range = above(0), .default_value = "0.01", .doc = "Length of a time step."},
+           {{.name = "step",
+             .unit = "s",
+             .range = above(0),
+             .default_note =
+                 "0.01; of a scene with a vessel by Froude's law from 0.01 s for a hull of 6 m, rounded to 1, "
+                 "2 or 5 times a power of ten",
+             .doc = "Length of a time step."},
             {.name = "start", .unit = "s", .default_value = "0", .doc = "Time of the initial state."},
             {.name = "end",
              .unit = "s",

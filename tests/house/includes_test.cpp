@@ -33,9 +33,9 @@ const std::map<std::string, std::set<std::string>>& allowed() {
     return s;
   }();
   static const std::map<std::string, std::set<std::string>> table{
-      {"core/base", {}},       {"core/numerics", base}, {"core/scene", base}, {"core/bodies", base},
-      {"core/vessel", middle}, {"core/field", middle},  {"contact", middle},  {"hydro", water},
-      {"core/mesh", middle},   {"fracture", middle},    {"core/sim", sim},    {"core/output", output},
+      {"core/base", {}},       {"core/numerics", base}, {"core/scene", middle}, {"core/bodies", base},
+      {"core/vessel", middle}, {"core/field", middle},  {"contact", middle},    {"hydro", water},
+      {"core/mesh", middle},   {"fracture", middle},    {"core/sim", sim},      {"core/output", output},
       {"apps", apps}};
   return table;
 }
