@@ -5,9 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/nilas/check_equilibrium.h"
+#include "apps/nilas/check_periods.h"
 #include "apps/nilas/commands.h"
 #include "apps/nilas/scene_flags.h"
 #include "contact/detect/detector.h"
+#include "core/output/console.h"
 #include "core/sim/step_modules.h"
 #include "core/sim/world.h"
 
@@ -50,12 +52,14 @@ Estimate estimate(const WorldParts& parts) {
 }
 
 int check(const CheckOptions& options) {
+  constexpr std::size_t k_indent = 2;
   const Scene scene = read_flagged_scene(options.scene);
   WarningCounts warnings(make_logger(options.json ? "off" : "warn", ""));
   WorldParts parts = build_world(scene, 1, warnings);
   list_step_modules(scene, parts);
   const Estimate e = estimate(parts);
   const auto equilibrium = vessel_equilibrium(scene, parts);
+  const PeriodsReport periods = natural_periods_report(scene, parts);
   if (options.json) {
     auto modules = nlohmann::ordered_json::object();
     for (const auto& [name, why] : parts.info.modules) modules[name] = why;
@@ -64,23 +68,27 @@ int check(const CheckOptions& options) {
                                   {"modules", modules},
                                   {"not_built", parts.info.not_built},
                                   {"notes", scene.notes},
+                                  {"derived_defaults", scene.derived},
                                   {"warnings", warning_texts(parts.info)},
                                   {"bodies", e.bodies},
                                   {"floes", parts.info.floes},
                                   {"contacts_estimated", e.contacts},
                                   {"memory_MB_estimated", e.memory_MB}};
     if (equilibrium) result["equilibrium"] = equilibrium->json;
+    result["natural_periods"] = periods.json;
     std::cout << result.dump(2) << "\n";
     return exit_done;
   }
-  for (const auto& text : warning_texts(parts.info)) std::cout << "warning: " << text << "\n";
+  for (const auto& text : warning_texts(parts.info)) std::cout << wrapped("warning: " + text, k_indent) << "\n";
   std::cout << fmt::format("{}: valid\n\nrequired by the scene:\n", scene.file.string());
   for (const auto& [name, why] : parts.info.modules) std::cout << fmt::format("  {:<26} {}\n", name, why);
   std::cout << "not asked for, so not built:\n ";
   for (const auto& name : parts.info.not_built) std::cout << " " << name;
   std::cout << "\n";
-  for (const auto& note : scene.notes) std::cout << "note: " << note << "\n";
+  for (const auto* notes : {&scene.notes, &scene.derived})
+    for (const auto& note : *notes) std::cout << wrapped("note: " + note, k_indent) << "\n";
   if (equilibrium) std::cout << equilibrium->text;
+  std::cout << periods.text;
   std::cout << fmt::format("\n{} bodies ({} floes), about {} contacts, about {:.0f} MB, {} steps of {} s\n", e.bodies,
                            parts.info.floes, e.contacts, std::ceil(e.memory_MB), number_of_steps(scene.time),
                            scene.time.step);

@@ -51,7 +51,8 @@ std::string machine() {
 struct Ending {
   std::string status = "done";
   int exit_code = exit_done;
-  std::string message;
+  std::string message = {};
+  std::string early = {};  ///< why a run that is done did not reach its end time
 };
 
 class Run {
@@ -78,6 +79,7 @@ class Run {
     if (!options_.open_water_run.empty()) open_water_ = OpenWater::stored(options_.open_water_run);
     const auto built = build();
     Simulation& simulation = *built;
+    if (options_.open_water) open_water_ = tow_without_ice();
     say_what_was_built(simulation.info());
     Console console(std::cout, console_style(options_.quiet || options_.json), scene_.time.start, scene_.time.end);
     console.make_room_for(*logger_);
@@ -85,10 +87,11 @@ class Run {
       go_on(simulation, console);
     else
       begin(simulation);
-    if (options_.open_water) open_water_ = OpenWater::towed(scene_, options_.threads);
     if (options_.twins > 0) twins_.emplace(scene_, simulation, options_.twins, options_.threads);
     const Ending ending = advance(simulation, console);
     const double wall = wall_seconds();
+    if (!ending.early.empty())
+      logger_->warn("the run ends at {:g} s of {:g} s: {}", simulation.time(), scene_.time.end, ending.early);
     if (!ending.message.empty()) logger_->error("{}", ending.message);
     warnings_.summarise();
     SummaryInput input = summary_input(ending, wall);
@@ -124,6 +127,16 @@ class Run {
   std::unique_ptr<Simulation> build() {
     try {
       return std::make_unique<Simulation>(scene_, options_.threads, warnings_);
+    } catch (...) {
+      if (!goes_on_) folder_.abandon();
+      throw;
+    }
+  }
+
+  OpenWater tow_without_ice() {
+    try {
+      logger_->info("towing the vessel without ice first");
+      return OpenWater::towed(scene_, options_.threads);
     } catch (...) {
       if (!goes_on_) folder_.abandon();
       throw;
@@ -167,6 +180,7 @@ class Run {
   Ending advance(Simulation& simulation, Console& console) {
     const long steps = number_of_steps(scene_.time), done = simulation.steps();
     const double every = scene_.output.checkpoint_every;
+    Ending ending;
     const long checkpoint_steps = every > 0 ? std::max(1L, std::lround(every / scene_.time.step)) : 0;
     stop_requested = 0;
     std::signal(SIGINT, request_stop);
@@ -174,6 +188,8 @@ class Run {
     std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is then an error of the write, with a message
     try {
       for (long k = done; k < steps && !stop_requested; ++k) {
+        ending.early = simulation.end_of_course();
+        if (!ending.early.empty()) break;
         const StepRecord record = twins_ ? twins_->step(simulation) : simulation.step();
         folder_.store(record, simulation.last_problem());
         folder_.record(record, simulation.solved_parts(), simulation.bodies());
@@ -187,13 +203,14 @@ class Run {
     if (checkpoint_steps > 0 && steps_saved_ != simulation.steps()) write_checkpoint(simulation);
     if (stop_requested)
       return {"interrupted", exit_interrupted, "interrupted at " + std::to_string(simulation.time()) + " s"};
-    return {};
+    return ending;
   }
 
   void say_what_was_built(const RunInfo& info) {
     logger_->debug("scene {}", scene_.file.string());
     for (const auto& text : warning_texts(info)) logger_->warn("{}", text);
     for (const auto& note : scene_.notes) logger_->info("{}", note);
+    for (const auto& note : scene_.derived) logger_->info("{}", note);
     for (const auto& [name, why] : info.modules) logger_->debug("built: {} ({})", name, why);
     std::string absent;
     for (const auto& name : info.not_built) absent += " " + name;
@@ -204,6 +221,7 @@ class Run {
     SummaryInput input;
     input.status = ending.status;
     input.exit_code = ending.exit_code;
+    input.ended_early = ending.early;
     input.wall_s = wall;
     input.seed = scene_.seed;
     input.threads = options_.threads;

@@ -30,7 +30,7 @@ OpenWater OpenWater::towed(const Scene& scene, int threads) {
   water.run_->start(scene.time.start, simulation.initial_ledger());
   std::vector<double> values;
   const long steps = number_of_steps(scene.time);
-  for (long k = 0; k < steps; ++k) {
+  for (long k = 0; k < steps && simulation.end_of_course().empty(); ++k) {
     const StepRecord record = simulation.step();
     channels.read(record.vessel.value(), values);
     water.run_->add(record, values);

@@ -14,7 +14,7 @@ namespace nilas {
 
 namespace fs = std::filesystem;
 
-/// summary.json where it tells of a run that did all its steps.
+/// summary.json where it tells of a run that did all its steps, or all that its course allows.
 static std::string summary_of_done_run(const fs::path& file, long steps) {
   std::ifstream in(file, std::ios::binary);
   if (!in) return "";
@@ -22,7 +22,7 @@ static std::string summary_of_done_run(const fs::path& file, long steps) {
   text << in.rdbuf();
   const auto summary = nlohmann::json::parse(text.str(), nullptr, false);
   const bool done = summary.is_object() && summary.value("status", nlohmann::json()) == "done" &&
-                    summary.value("steps", nlohmann::json()) == steps;
+                    (summary.value("steps", nlohmann::json()) == steps || summary.contains("ended_early"));
   return done ? text.str() : "";
 }
 

@@ -63,6 +63,7 @@ Json summary_json(const RunInfo& info, const RunStatistics& statistics, const Su
   Json summary;
   summary["scene"] = info.scene_name;
   summary["status"] = input.status;
+  if (!input.ended_early.empty()) summary["ended_early"] = input.ended_early;
   summary["exit_code"] = input.exit_code;
   summary["time_end_s"] = statistics.end_time();
   summary["steps"] = statistics.steps();

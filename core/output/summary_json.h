@@ -13,6 +13,7 @@ namespace nilas {
 /// What only the program that ran the scene knows.
 struct SummaryInput {
   std::string status = "done";  ///< done, failed, interrupted ...
+  std::string ended_early;      ///< why a run that is done did not reach its end time, or empty
   int exit_code = 0;
   double wall_s = 0;  ///< of the whole run [s]
   std::uint64_t seed = 0;

@@ -146,7 +146,7 @@ int build_vessel(const Scene& scene, WorldParts& parts) {
   model.gyroscopic = scene.contact.gyroscopic;
   if (scene.contact.integrator == "moreau") model.theta = scene.contact.theta;
   if (vessel.carriage) model.carriage = carriage_model(scene, model, length_of(hull.fluid));
-  if (model.carriage) parts.towing = model.carriage->motion;
+  parts.carriage = model.carriage;
   parts.vessel.emplace(model, scene.time.start);
 
   BodySpec spec;

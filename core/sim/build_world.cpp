@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/random.h"
 #include "core/sim/contact_model.h"
+#include "core/sim/course.h"
 #include "core/sim/implausible.h"
 #include "core/sim/load_axes.h"
 #include "core/sim/reference.h"
@@ -124,6 +125,7 @@ WorldParts build_world(const Scene& scene, int threads, WarningCounts& warnings)
   list_absent(scene, parts.info);
   refuse_overlaps(scene, parts.bodies);
   describe_loads(scene, parts);
+  describe_course(scene, parts);
   note_implausible(scene, parts);
   return parts;
 }

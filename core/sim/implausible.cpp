@@ -2,18 +2,174 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "core/sim/course.h"
+#include "core/sim/natural_periods.h"
+
 namespace nilas {
 
-static void doubt_ice(const Scene& scene, const WorldParts& parts, std::vector<Fault>& warnings) {
-  if (!scene.ice || !parts.water || scene.ice->density < parts.water->density) return;
-  warnings.push_back(warning_at(
-      scene, "ice/@density",
-      fmt::format("ice of {:g} kg/m^3 sinks in water of {:g} kg/m^3", scene.ice->density, parts.water->density)));
-}
+namespace {
+
+class Doubts {
+ public:
+  Doubts(const Scene& scene, const WorldParts& parts, std::vector<Fault>& warnings)
+      : scene_(scene), parts_(parts), warnings_(warnings) {}
+
+  void all() {
+    ice();
+    water();
+    motion();
+    course();
+    periods();
+    structures();
+  }
+
+ private:
+  void doubt(const std::string& path, const std::string& message) {
+    warnings_.push_back(warning_at(scene_, path, message));
+  }
+
+  void ice() {
+    if (!scene_.ice || !parts_.water || scene_.ice->density < parts_.water->density) return;
+    doubt("ice/@density",
+          fmt::format("ice of {:g} kg/m^3 sinks in water of {:g} kg/m^3", scene_.ice->density, parts_.water->density));
+  }
+
+  bool falls(int b) const {
+    const BodyKind kind = parts_.bodies.kind[static_cast<std::size_t>(b)];
+    return parts_.bodies.is_free(b) && (kind == BodyKind::floe || kind == BodyKind::vessel);
+  }
+
+  void water() {
+    const bool buoyant = scene_.hydro && scene_.hydro->buoyancy;
+    if (scene_.water && !scene_.hydro)
+      doubt("water",
+            "the scene has water but no <hydro>, so that water carries and moves nothing; add <hydro> with "
+            "<buoyancy/> and <drag/>");
+    if (buoyant || scene_.gravity.isZero(0)) return;
+    long floes = 0;
+    for (int b = 0; b < parts_.bodies.size(); ++b) floes += falls(b);
+    if (floes > 0 && scene_.ice)
+      doubt("ice",
+            fmt::format("{} free floes have weight but no buoyancy, so they fall; add <hydro><buoyancy/>", floes));
+    if (scene_.vessel && !scene_.vessel->fixed && !held_in_heave())
+      doubt("vessel", "the vessel has weight but no buoyancy, so it falls; add <hydro><buoyancy/>");
+  }
+
+  bool held_in_heave() const {
+    constexpr std::size_t k_heave = 2;
+    return parts_.carriage && parts_.carriage->balance != BalanceKind::prismatic && !parts_.carriage->free[k_heave];
+  }
+
+  /// Whether the scene itself sets something in motion.
+  bool drives() const {
+    const auto moves = [](const auto& item) { return !item.velocity.isZero(0); };
+    if (parts_.info.course == CourseKind::carriage) return true;
+    if (scene_.vessel && (moves(*scene_.vessel) || !scene_.vessel->angular_velocity.isZero(0))) return true;
+    if (scene_.water && scene_.water->current && moves(*scene_.water->current)) return true;
+    if (scene_.hydro && scene_.hydro->virtual_drag && moves(*scene_.hydro->virtual_drag)) return true;
+    if (std::any_of(scene_.bodies.begin(), scene_.bodies.end(),
+                    [&](const BodyScene& body) { return moves(body) || !body.angular_velocity.isZero(0); }))
+      return true;
+    return scene_.ice && (std::any_of(scene_.ice->fields.begin(), scene_.ice->fields.end(), moves) ||
+                          std::any_of(scene_.ice->floes.begin(), scene_.ice->floes.end(), moves));
+  }
+
+  void motion() {
+    const Bodies& bodies = parts_.bodies;
+    bool can_move = parts_.info.course == CourseKind::carriage || (scene_.vessel && !scene_.vessel->fixed);
+    for (int b = 0; b < bodies.size(); ++b) can_move = can_move || bodies.is_free(b);
+    if (!can_move)
+      doubt("", bodies.size() == 0 ? "the scene has no bodies, so nothing happens in it"
+                                   : "no body of the scene can move: each is fixed");
+    else if (scene_.ice && (scene_.vessel || !scene_.bodies.empty()) && !drives())
+      doubt(scene_.vessel ? "vessel" : "ice",
+            "nothing drives ice and vessel against each other: no <carriage speed>, no velocity, no <current>; "
+            "a vessel without a carriage has no propulsion");
+  }
+
+  void course() {
+    if (parts_.carriage && parts_.carriage->motion.follows_path()) path();
+    const auto forecast = course_forecast(scene_, parts_);
+    if (!forecast) return;
+    const std::string place =
+        parts_.carriage->motion.follows_path() ? "vessel/carriage/path" : "vessel/carriage/@speed";
+    if (forecast->meets_wall)
+      doubt(place, fmt::format("the hull reaches {} at {:.4g} s; the run ends there, before its end at {:g} s",
+                               forecast->wall, *forecast->meets_wall, scene_.time.end));
+    if (!forecast->has_ice_at_rest) return;
+    if (!forecast->reaches_ice)
+      doubt(place, fmt::format("the hull does not reach the ice until {:g} s, so there is no ice load",
+                               forecast->meets_wall.value_or(scene_.time.end)));
+    else if (forecast->leaves_ice)
+      doubt(place, fmt::format("the hull has left the ice behind at {:.4g} s of {:g} s; means over the time after that "
+                               "are too small (<output statistics> sets the window)",
+                               *forecast->leaves_ice, scene_.time.end));
+  }
+
+  void path() {
+    const CarriageMotion& motion = parts_.carriage->motion;
+    const auto [first, last] = motion.path_span();
+    if (last < scene_.time.end - 0.5 * scene_.time.step)
+      doubt("vessel/carriage/path", fmt::format("the path ends at {:g} s; the run ends there, before its end at {:g} s",
+                                                last, scene_.time.end));
+    constexpr double k_least_jump = 1e-6;  // [m/s]
+    const double jump = motion.at(first).v.norm();
+    if (first > scene_.time.start && jump > k_least_jump)
+      doubt("vessel/carriage/path",
+            fmt::format("the carriage rests until the path begins at {:g} s and then jumps to {:.3g} m/s in one step; "
+                        "let the first rows of the path begin at rest",
+                        first, jump));
+  }
+
+  void periods() {
+    const auto& carriage = scene_.vessel ? scene_.vessel->carriage : std::nullopt;
+    const double h = scene_.time.step;
+    for (const NaturalPeriod& mode : natural_periods(scene_, parts_)) {
+      // linear ramps leave an oscillation of at most 2 / (omega ramp) of the speed
+      constexpr double k_overshoot = 0.05, k_percent = 100;
+      const bool along = mode.motion == "surge" || mode.motion == "sway";
+      if (mode.on_cells && along && carriage && carriage->path.empty() && carriage->speed != 0) {
+        const double overshoot = carriage->ramp > 0 ? mode.period / (k_pi * carriage->ramp) : 1;
+        if (overshoot > k_overshoot)
+          doubt("vessel/carriage/@ramp",
+                fmt::format("the ramp of {:g} s sets the vessel swinging on its load cells in {} ({:.3g} s): its speed "
+                            "overshoots by up to {:.0f} %; take stiffer cells or a ramp of {:.2g} s",
+                            carriage->ramp, mode.motion, mode.period, k_percent * overshoot,
+                            mode.period / (k_pi * k_overshoot)));
+      }
+      constexpr double k_steps_on_cells = 4, k_steps_on_water = 10;
+      // faster turns on the cells die out unseen, but surge and sway are what the tow force shows
+      if (mode.on_cells && !along) continue;
+      const double longest = mode.period / (mode.on_cells ? k_steps_on_cells : k_steps_on_water);
+      if (h > longest)
+        doubt("time/@step",
+              fmt::format("the step of {:g} s misses the vessel's {} on {} with its period of {:.3g} s; "
+                          "take at most {:.2g} s to resolve it",
+                          h, mode.motion, mode.on_cells ? "the load cells" : "the water", mode.period, longest));
+    }
+  }
+
+  void structures() {
+    if (scene_.contact.integrator != "reference") return;
+    for (const BodyScene& body : scene_.bodies)
+      if (body.fixed && body.shape != "plane")
+        doubt("body", fmt::format("integrator reference writes no loads on the fixed body '{}'", body.name));
+  }
+
+  const Scene& scene_;
+  const WorldParts& parts_;
+  std::vector<Fault>& warnings_;
+};
+
+}  // namespace
 
 void note_implausible(const Scene& scene, WorldParts& parts) {
-  parts.info.warnings = scene.warnings;
-  doubt_ice(scene, parts, parts.info.warnings);
+  std::vector<Fault> warnings = scene.warnings;
+  Doubts(scene, parts, warnings).all();
+  parts.info.warnings = std::move(warnings);
 }
 
 }  // namespace nilas

@@ -80,8 +80,9 @@ void describe_loads(const Scene& scene, WorldParts& parts) {
 Vec2 course_at(const WorldParts& parts, double t) {
   if (parts.info.course == CourseKind::drift) return parts.info.drift_course;
   if (parts.info.course == CourseKind::carriage) {
-    if (!parts.towing->follows_path()) return unit(parts.towing->direction());
-    const Vec2 v = parts.towing->at(t).v.head<2>();
+    const CarriageMotion& motion = parts.carriage->motion;
+    if (!motion.follows_path()) return unit(motion.direction());
+    const Vec2 v = motion.at(t).v.head<2>();
     if (v.norm() > k_at_rest) return v.normalized();
   }
   const Vec3 forward = parts.vessel->state().pose.q * Vec3::UnitX();

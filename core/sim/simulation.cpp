@@ -4,6 +4,7 @@
 #include <map>
 
 #include "contact/islands.h"
+#include "core/sim/course.h"
 #include "core/sim/simulation_world.h"
 #include "core/sim/stopwatch.h"
 
@@ -215,6 +216,9 @@ StepRecord Simulation::step() {
   return record;
 }
 
+std::string Simulation::end_of_course() const {
+  return nilas::end_of_course(world_->parts, world_->time(), world_->whole_step);
+}
 double Simulation::time() const { return world_->time(); }
 const Bodies& Simulation::bodies() const { return world_->parts.bodies; }
 const RunInfo& Simulation::info() const { return world_->parts.info; }

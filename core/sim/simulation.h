@@ -21,6 +21,10 @@ class Simulation {
   /// Advances by the scene's step. Throws SimulationError when a body leaves finite numbers.
   StepRecord step();
 
+  /// Why the next step cannot be taken, although nothing failed: the carriage's path has ended, or it would drive the
+  /// hull into a wall of the tank. Empty where the run can go on.
+  std::string end_of_course() const;
+
   double time() const;
   const Bodies& bodies() const;
   const RunInfo& info() const;

@@ -23,7 +23,8 @@ struct WorldParts {
   std::optional<Water> water;
   std::vector<std::unique_ptr<ForceModule>> modules;
   std::optional<VesselSystem> vessel;
-  std::optional<CarriageMotion> towing;  ///< of a vessel on a carriage
+  std::optional<CarriageModel> carriage;   ///< of a vessel that is towed
+  std::optional<TankScene> course_within;  ///< whose walls end the course of a towed vessel
   int vessel_index = -1;
   std::vector<PlannedIce> ice;                  ///< its floes in the order of their bodies
   std::optional<IceProperties> ice_properties;  ///< of a scene with <fracture> and ice

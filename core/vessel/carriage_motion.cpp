@@ -81,6 +81,11 @@ CarriageMotion CarriageMotion::path(const Vec3& start, double yaw, const std::st
   return motion;
 }
 
+std::array<double, 2> CarriageMotion::path_span() const {
+  NILAS_DEMAND(knots_ != nullptr);
+  return {knots_->t.front(), knots_->t.back()};
+}
+
 CarriageMotion::State CarriageMotion::at(double t) const {
   State state{start_, yaw_, Vec3::Zero(), 0};
   if (knots_) {

@@ -43,6 +43,8 @@ class CarriageMotion {
   static CarriageMotion path(const Vec3& start, double yaw, const std::string& csv_file);
   State at(double t) const;
   bool follows_path() const { return knots_ != nullptr; }
+  /// First and last time of a path [s]. Throws ContractError where the motion follows none.
+  std::array<double, 2> path_span() const;
   double direction() const { return direction_; }  ///< of a straight motion, from X [rad]
 
  private:

@@ -1,0 +1,27 @@
+#include "apps/nilas/check_periods.h"
+
+#include <fmt/format.h>
+
+#include "core/sim/natural_periods.h"
+
+namespace nilas {
+
+PeriodsReport natural_periods_report(const Scene& scene, const WorldParts& parts) {
+  PeriodsReport report;
+  report.json = nlohmann::ordered_json::array();
+  const auto add = [&](const std::string& motion, const std::string& held_by, double period, bool damped = false) {
+    report.text += fmt::format("  {:<12} {:>9.3g} s  {:>7.3g} steps  held by {}{}\n", motion, period,
+                               period / scene.time.step, held_by, damped ? ", damped by the step" : "");
+    report.json.push_back(
+        {{"motion", motion}, {"held_by", held_by}, {"period_s", period}, {"steps", period / scene.time.step}});
+  };
+  constexpr double k_steps_on_cells = 4;  // fewer: the stiff block of the vessel damps the mode
+  for (const NaturalPeriod& mode : natural_periods(scene, parts))
+    add(mode.motion, mode.on_cells ? "the load cells" : "the water", mode.period,
+        mode.on_cells && mode.period < k_steps_on_cells * scene.time.step);
+  if (const double period = floe_heave_period(scene, parts); period > 0) add("floe heave", "the water", period);
+  if (!report.text.empty()) report.text = "\nnatural periods, without added mass:\n" + report.text;
+  return report;
+}
+
+}  // namespace nilas
