@@ -50,6 +50,7 @@ Json load_error_json(const LoadError& error, const TwinStatistics* twins) {
           {"mean_N", headline.mean},
           {"estimate_N", headline.total},
           {"solver_N", headline.solver},
+          {"solver_at_least", error.solver_at_least},
           {"law_N", headline.law},
           {"chaos_N", or_null(headline.chaos)},
           {"step_N", nullptr},
