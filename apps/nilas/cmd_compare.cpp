@@ -51,7 +51,6 @@ bool holds_problem_study(const std::filesystem::path& folder) {
 int compare(CompareOptions options) {
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);
-  std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is then an error of the write, with a message
   const bool goes_on = !options.study.resume.empty() && holds_problem_study(options.study.resume);
   if (!options.problems.empty() || goes_on) return compare_problems(options, goes_on);
   options.study.scene = options.scene.file;

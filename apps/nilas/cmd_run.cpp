@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <sys/utsname.h>
 
 #include <algorithm>
@@ -92,7 +93,10 @@ class Run {
     const double wall = wall_seconds();
     if (!ending.early.empty())
       logger_->warn("the run ends at {:g} s of {:g} s: {}", simulation.time(), scene_.time.end, ending.early);
-    if (!ending.message.empty()) logger_->error("{}", ending.message);
+    if (!ending.message.empty())
+      logger_->log(ending.exit_code == exit_interrupted ? spdlog::level::warn : spdlog::level::err, "{}",
+                   ending.message);
+>>>>>>> 49d5b6b (Take several values of --set, and name the nearest command and flag)
     warnings_.summarise();
     SummaryInput input = summary_input(ending, wall);
     input.brash_mass = simulation.brash_mass();
@@ -185,7 +189,6 @@ class Run {
     stop_requested = 0;
     std::signal(SIGINT, request_stop);
     std::signal(SIGTERM, request_stop);
-    std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is then an error of the write, with a message
     try {
       for (long k = done; k < steps && !stop_requested; ++k) {
         ending.early = simulation.end_of_course();
@@ -202,7 +205,9 @@ class Run {
     }
     if (checkpoint_steps > 0 && steps_saved_ != simulation.steps()) write_checkpoint(simulation);
     if (stop_requested)
-      return {"interrupted", exit_interrupted, "interrupted at " + std::to_string(simulation.time()) + " s"};
+      return {"interrupted", exit_interrupted,
+              fmt::format("The run was interrupted at {:g} s of {:g} s; its outputs are complete up to there.",
+                          simulation.time(), scene_.time.end)};
     return ending;
   }
 

@@ -6,10 +6,15 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "apps/nilas/commands.h"
 #include "apps/nilas/help_text.h"
+#include "apps/nilas/usage_faults.h"
 #include "core/base/error.h"
+#include "core/output/console.h"
 
 namespace {
 
@@ -39,9 +44,33 @@ int run_action(const nilas::Action& action) {
 
 /// Ends the program where there is nothing to finish; `run` puts its own in place once it has steps to end.
 void leave(int) {
-  constexpr char text[] = "interrupted\n";
+  constexpr char text[] = "The program was interrupted before it had finished.\n";
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text, sizeof text - 1);
   ::_exit(nilas::exit_interrupted);
+}
+
+/// Reads the words of the command line. Returns an exit code where they ask for nothing that can be run.
+std::optional<int> read_words(CLI::App& app, const std::vector<std::string>& words) {
+  const auto refuse = [](const std::string& fault) {
+    std::cerr << nilas::wrapped("error: " + fault, 0) << "\n";
+    return nilas::exit_bad_input;
+  };
+  if (words.empty()) {
+    std::cerr << app.help();
+    return nilas::exit_bad_input;
+  }
+  if (const std::string fault = nilas::unknown_command(app, words); !fault.empty()) return refuse(fault);
+  try {
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // it takes the last word first
+  } catch (const CLI::Success& e) {
+    return app.exit(e);
+  } catch (const CLI::ParseError& e) {
+    // what is missing is often what was misspelt
+    if (const std::string fault = nilas::unknown_word(app); !fault.empty()) return refuse(fault);
+    app.exit(e);
+    return nilas::exit_bad_input;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -54,7 +83,8 @@ int main(int argc, char** argv) {
   mallopt(M_MMAP_THRESHOLD, k_keep_bytes);
   std::signal(SIGINT, leave);
   std::signal(SIGTERM, leave);
-  CLI::App app{"Nilas simulates vessels and offshore structures in broken floating sea ice.", "nilas"};
+  std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is then an error of the write, with a message
+  CLI::App app{"Nilas simulates vessels and fixed structures in broken floating sea ice.", "nilas"};
   app.set_version_flag("--version", "nilas " NILAS_VERSION);
   app.require_subcommand(1);
   app.formatter(std::make_shared<nilas::HelpText>());
@@ -70,13 +100,6 @@ int main(int argc, char** argv) {
   nilas::add_report(app, action);
   nilas::add_problems(app, action);
   nilas::add_schema(app, action);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& e) {
-    return app.exit(e);
-  } catch (const CLI::ParseError& e) {
-    app.exit(e);
-    return nilas::exit_bad_input;
-  }
+  if (const auto code = read_words(app, nilas::one_set_each({argv + 1, argv + argc}))) return *code;
   return run_action(action);
 }

@@ -12,9 +12,14 @@ void add_value_flags(CLI::App& command, SceneFlags& flags) {
   command.add_option("--seed", flags.seed, "random seed instead of the scene's");
   command
       .add_option("--set", flags.set,
-                  "PATH=VALUE: overrides one attribute, e.g. contact/@tolerance=1e-8 or "
-                  "\"body[@name='box']/@mass=2\" (repeatable)")
-      ->allow_extra_args(false);
+                  "PATH=VALUE, one or several: each overrides an attribute of the scene, e.g. contact/@tolerance=1e-8 "
+                  "or \"body[@name='box']/@mass=2\"")
+      ->allow_extra_args(false)
+      ->check([](const std::string& text) -> std::string {
+        return text.find('=') != std::string::npos
+                   ? ""
+                   : "found '" + text + "'; allowed: PATH=VALUE, as in contact/@tolerance=1e-8";
+      });
 }
 
 CLI::Option* add_scene_flags(CLI::App& command, SceneFlags& flags) {

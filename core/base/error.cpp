@@ -45,7 +45,11 @@ static std::size_t edit_distance(const std::string& a, const std::string& b) {
   return row[b.size()];
 }
 
-std::string nearest_name(const std::string& word, const std::vector<std::string>& candidates) {
+/// American words that are further from the English ones than a slip of the keys.
+static std::string in_english(const std::string& word) { return word == "draft" ? "draught" : word; }
+
+std::string nearest_name(const std::string& written, const std::vector<std::string>& candidates) {
+  const std::string word = in_english(written);
   std::string best;
   std::size_t best_distance = std::max<std::size_t>(2, word.size() / 2) + 1;
   for (const auto& c : candidates) {

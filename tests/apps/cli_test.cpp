@@ -210,6 +210,8 @@ TEST(Cli, InterruptionLeavesCompleteOutputs) {
   const auto summary = nlohmann::json::parse(read_text(folder.path() / "run/summary.json"));
   EXPECT_EQ(summary["status"], "interrupted");
   EXPECT_EQ(summary["exit_code"], 130);
+  const std::string said = read_text(folder.path() / "err.txt");
+  EXPECT_TRUE(mentions(said, "warning: The run was interrupted at ")) << said;
   const Table steps(folder.path() / "run/steps.csv");
   EXPECT_EQ(static_cast<long>(steps.rows()), summary["steps"].get<long>());
 }
@@ -226,7 +228,7 @@ TEST(Cli, InterruptionBeforeTheFirstStepSaysSoAndLeavesTheFolderUsable) {
                               "' && timeout --preserve-status -s TERM 0.5 '" NILAS_PROGRAM
                               "' run dense.xml --out run >out.txt 2>err.txt";
   EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 130);
-  EXPECT_EQ(read_text(folder.path() / "err.txt"), "interrupted\n");
+  EXPECT_EQ(read_text(folder.path() / "err.txt"), "The program was interrupted before it had finished.\n");
   folder.write("box.xml", k_box);
   EXPECT_EQ(run_nilas("run box.xml --quiet --out run", folder.path()).exit_code, 0);
 }

@@ -40,6 +40,11 @@ TEST(NearestName, FindsSlipsOfTheFinger) {
   EXPECT_EQ(nearest_name("mass", names), "mass");
 }
 
+TEST(NearestName, KnowsAmericanSpelling) {
+  EXPECT_EQ(nearest_name("draft", {"value", "cog", "draught"}), "draught");
+  EXPECT_EQ(nearest_name("draft", {"value", "cog"}), "");
+}
+
 TEST(NearestName, SaysNothingWhenNothingIsClose) {
   EXPECT_EQ(nearest_name("draught", {"friction", "restitution"}), "");
   EXPECT_EQ(nearest_name("mass", {}), "");

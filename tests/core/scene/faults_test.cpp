@@ -63,6 +63,12 @@ TEST(Faults, AMisspeltRequiredAttributeIsOneFault) {
                {"unknown attribute", "nearest: length"});
 }
 
+TEST(Faults, AmericanSpellingIsOneFault) {
+  const SceneFolder folder;
+  expect_fault(folder.faults(in_scene("<water/><vessel position='0 0'><hull/><mass draft='0.4'/></vessel>")), 2,
+               "<vessel><mass draft>", {"unknown attribute", "nearest: draught"});
+}
+
 TEST(Faults, AnotherVersionIsAClearError) {
   const SceneFolder folder;
   expect_fault(folder.faults("<scene version='2'/>"), 1, "<scene version>", {"found '2'", "allowed: 1"});
