@@ -10,6 +10,7 @@
 #include "apps/nilas/scene_flags.h"
 #include "contact/detect/detector.h"
 #include "core/output/console.h"
+#include "core/output/phase_progress.h"
 #include "core/sim/step_modules.h"
 #include "core/sim/world.h"
 
@@ -19,7 +20,7 @@ namespace {
 
 struct CheckOptions {
   SceneFlags scene;
-  bool json = false;
+  bool json = false, quiet = false;
 };
 
 struct Estimate {
@@ -54,12 +55,18 @@ Estimate estimate(const WorldParts& parts) {
 int check(const CheckOptions& options) {
   constexpr std::size_t k_indent = 2;
   const Scene scene = read_flagged_scene(options.scene);
-  WarningCounts warnings(make_logger(options.json ? "off" : "warn", ""));
+  const auto logger = make_logger(options.json ? "off" : "warn", "");
+  WarningCounts warnings(logger);
+  PhaseProgress progress(std::cerr, phase_style(options.quiet, options.json), "building the scene");
+  progress.make_room_for(*logger);
   WorldParts parts = build_world(scene, 1, warnings);
   list_step_modules(scene, parts);
+  progress.next("finding the contacts at the start");
   const Estimate e = estimate(parts);
+  if (scene.vessel) progress.next("finding how the vessel floats");
   const auto equilibrium = vessel_equilibrium(scene, parts);
   const PeriodsReport periods = natural_periods_report(scene, parts);
+  progress.end();
   if (options.json) {
     auto modules = nlohmann::ordered_json::object();
     for (const auto& [name, why] : parts.info.modules) modules[name] = why;
@@ -102,6 +109,7 @@ void add_check(CLI::App& app, Action& action) {
   auto options = std::make_shared<CheckOptions>();
   add_scene_flags(*command, options->scene);
   command->add_flag("--json", options->json, "the result as JSON on stdout");
+  command->add_flag("--quiet", options->quiet, "no progress");
   command->callback([&action, options] { action = [options] { return check(*options); }; });
 }
 

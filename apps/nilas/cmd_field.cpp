@@ -6,6 +6,7 @@
 #include "apps/nilas/field_report.h"
 #include "apps/nilas/scene_flags.h"
 #include "core/base/error.h"
+#include "core/output/phase_progress.h"
 #include "core/scene/read_scene.h"
 
 namespace nilas {
@@ -16,7 +17,7 @@ struct FieldOptions {
   SceneFlags scene;
   std::string out = "field.geojson", picture;
   int threads = 1;
-  bool no_picture = false, json = false;
+  bool no_picture = false, json = false, quiet = false;
 };
 
 /// All floes of a scene as one field. Its concentration is that of all water in which fields of free floes were laid
@@ -51,13 +52,19 @@ std::string picture_file(const FieldOptions& options) {
 int make_field(const FieldOptions& options) {
   const Scene scene = read_flagged_scene(options.scene);
   if (!scene.ice) throw InputError(options.scene.file + ": the scene has no <ice>");
-  WarningCounts warnings(make_logger("warn", ""));
+  const auto logger = make_logger("warn", "");
+  WarningCounts warnings(logger);
+  PhaseProgress progress(std::cerr, phase_style(options.quiet, options.json), "laying out the ice");
+  progress.make_room_for(*logger);
   const WorldParts parts = build_world(scene, options.threads, warnings);
+  progress.next("measuring the ice");
   const std::vector<FieldReport> reports = field_reports(scene, parts);
   const FieldResult all = as_one_field(parts, reports);
   write_field(all, options.out);
   const std::string picture = reports.empty() ? "" : picture_file(options);
+  if (!picture.empty()) progress.next("drawing " + picture);
   if (!picture.empty()) draw_field(picture, scene.name, parts.ice, reports);
+  progress.end();
   if (options.json) {
     nlohmann::ordered_json json{{"scene", scene.name}, {"file", options.out}, {"floes", all.floes.size()}};
     if (!picture.empty()) json["picture"] = picture;
@@ -98,6 +105,7 @@ void add_field(CLI::App& app, Action& action) {
       ->check(at_least(1))
       ->capture_default_str();
   command->add_flag("--json", options->json, "the statistics as JSON on stdout");
+  command->add_flag("--quiet", options->quiet, "no progress");
   command->callback([&action, options] { action = [options] { return make_field(*options); }; });
 }
 

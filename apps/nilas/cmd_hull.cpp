@@ -7,6 +7,7 @@
 #include "apps/nilas/prepare_hull.h"
 #include "core/base/error.h"
 #include "core/base/file_bytes.h"
+#include "core/output/phase_progress.h"
 
 namespace nilas {
 
@@ -17,7 +18,7 @@ struct HullOptions {
   std::map<std::string, double> parameters;
   HullPreparation preparation;
   std::vector<std::string> preparation_flags;  ///< as given
-  bool json = false, force = false;
+  bool json = false, force = false, quiet = false;
 };
 
 /// Flag and what it sets; the names are those of <hull generate=...> in a scene, with '-' for '_'.
@@ -66,14 +67,14 @@ void demand_used_flags(const HullOptions& options) {
   if (options.generate.empty() == options.mesh.empty())
     throw InputError("nilas hull: give either MESH or --generate icebreaker|wedge");
   if (options.mesh.empty()) {
-    std::string allowed = "--out, --force, --json";
+    std::string allowed = "--out, --force, --json, --quiet";
     for (const auto& flag : k_form_flags) allowed += ", " + dashed(flag.name);
     demand_no_preparation(options, "--generate", allowed);
     return;
   }
   demand_no_form(options);
   if (is_folder(options.mesh))
-    demand_no_preparation(options, "the hull folder " + options.mesh, "--draught, --out, --force, --json");
+    demand_no_preparation(options, "the hull folder " + options.mesh, "--draught, --out, --force, --json, --quiet");
 }
 
 void add_origin(nlohmann::ordered_json& description, const HullOptions& options) {
@@ -88,12 +89,13 @@ void add_origin(nlohmann::ordered_json& description, const HullOptions& options)
   for (const auto& [name, value] : options.parameters) description["parameters"][name] = value;
 }
 
-/// The folder is worth having without a picture.
-void try_to_draw(const Hull& hull, double level, const std::filesystem::path& folder) {
+/// The folder is worth having without a picture. Returns why there is none, else an empty text.
+std::string try_to_draw(const Hull& hull, double level, const std::filesystem::path& folder) {
   try {
     draw_hull(hull, level, folder);
+    return "";
   } catch (const FileError& e) {
-    std::cerr << "no picture: " << e.what() << "\n";
+    return e.what();
   }
 }
 
@@ -104,8 +106,14 @@ void demand_mesh_stays(const std::filesystem::path& mesh, const NewHullFolder& f
     throw InputError(mesh.string() + ": --out " + folder.path().string() + " would replace it; choose another folder");
 }
 
-HullPreparation preparation_of(const HullOptions& options) {
+/// Tells `progress` of the stages.
+HullPreparation preparation_of(const HullOptions& options, PhaseProgress& progress) {
   HullPreparation how = options.preparation;
+  how.stage_done = [&progress](const std::string& stage) {
+    progress.next(stage == "read"   ? "mending the mesh"
+                  : stage == "mend" ? "cutting the solid into convex parts"
+                                    : "measuring the hull");
+  };
   if (const auto given = options.parameters.find("draught"); given != options.parameters.end())
     how.draught = given->second;
   return how;
@@ -122,16 +130,24 @@ int hull(const HullOptions& options) {
   demand_used_flags(options);
   NewHullFolder folder(options.out, options.force);
   if (!options.mesh.empty()) demand_mesh_stays(options.mesh, folder);
-  const PreparedHull made = options.mesh.empty() ? generated(hull_form(options.generate, options.parameters))
-                                                 : prepare_hull(options.mesh, preparation_of(options), folder);
+  PhaseProgress progress(std::cerr, phase_style(options.quiet, options.json),
+                         options.mesh.empty() ? "generating the hull" : "reading the mesh");
+  const PreparedHull made = options.mesh.empty()
+                                ? generated(hull_form(options.generate, options.parameters))
+                                : prepare_hull(options.mesh, preparation_of(options, progress), folder);
+  progress.next("measuring the hull");
   const auto result = hull_report(made);
-  if (const std::string missed = missed_tolerance(made, options.preparation.most_parts); !missed.empty())
-    std::cerr << "warning: " << missed << "\n";
+  progress.next("writing the hull and its picture");
   nlohmann::ordered_json description = result;
   add_origin(description, options);
   write_hull(made.hull, folder.staging(), description.dump(2) + "\n");
-  try_to_draw(made.hull, waterline_level(made.hull.fluid, made.draught), folder.staging());
+  const std::string no_picture =
+      try_to_draw(made.hull, waterline_level(made.hull.fluid, made.draught), folder.staging());
   folder.publish();
+  progress.end();
+  if (!no_picture.empty()) std::cerr << "no picture: " << no_picture << "\n";
+  if (const std::string missed = missed_tolerance(made, options.preparation.most_parts); !missed.empty())
+    std::cerr << "warning: " << missed << "\n";
   std::cout << (options.json ? result.dump(2) + "\n" : report_text(result) + "written: " + options.out + "\n");
   return exit_done;
 }
@@ -189,6 +205,7 @@ void add_hull(CLI::App& app, Action& action) {
   add_form_flags(*command, options);
   const auto preparation = add_preparation_flags(*command, options->preparation);
   command->add_flag("--json", options->json, "the report as JSON on stdout");
+  command->add_flag("--quiet", options->quiet, "no progress");
   command->callback([&action, options, preparation] {
     for (const auto* flag : preparation)
       if (flag->count() > 0) options->preparation_flags.push_back(flag->get_name());

@@ -7,6 +7,7 @@
 #include "apps/report/contact_picture.h"
 #include "apps/report/floe_outlines.h"
 #include "core/base/error.h"
+#include "core/output/phase_progress.h"
 #include "core/output/plot.h"
 #include "core/scene/read_scene.h"
 #include "core/sim/simulation.h"
@@ -32,10 +33,12 @@ int report(const ReportOptions& options) {
   const std::filesystem::path run = options.run, out = options.out.empty() ? run : std::filesystem::path(options.out);
   const Scene scene = read_scene(run / "scene.xml");
   WarningCounts warnings(make_logger("off", ""));
+  PhaseProgress progress(std::cerr, phase_style(false, false), "building the scene again, for its shapes");
   const Simulation simulation(scene, 1, warnings);
   const int vessel = simulation.vessel_index();
   if (vessel < 0) throw InputError(run.string() + ": is a run without a vessel, so it has no contacts of a hull");
   const auto vessel_id = simulation.bodies().id[static_cast<std::size_t>(vessel)];
+  progress.next("reading the contacts");
   ContactPictureInput picture;
   picture.title = "Contacts of ice and hull: " + scene.name;
   picture.windows = contact_windows(run / "contacts.h5", vessel_id, scene.time, options.contacts, options.window);
@@ -47,7 +50,9 @@ int report(const ReportOptions& options) {
   std::error_code error;
   std::filesystem::create_directories(out, error);
   if (error) throw FileError(out.string() + ": " + error.message());
+  progress.next("drawing the contacts");
   plot(out, contact_picture_script(picture));
+  progress.end();
   for (const auto& window : picture.windows)
     std::cout << fmt::format("t = {:g} +- {:g} s: {} contacts in {} steps, mean force {:.3f} {:.3f} {:.3f} N\n",
                              window.t, window.half_width, window.marks.size(), window.steps, window.mean_force.x(),

@@ -18,6 +18,7 @@
 #include "core/output/claim_folder.h"
 #include "core/output/closing_account.h"
 #include "core/output/console.h"
+#include "core/output/phase_progress.h"
 #include "core/output/run_folder.h"
 #include "core/sim/simulation.h"
 
@@ -82,13 +83,16 @@ class Run {
     Simulation& simulation = *built;
     if (options_.open_water) open_water_ = tow_without_ice();
     say_what_was_built(simulation.info());
-    Console console(std::cout, console_style(options_.quiet || options_.json), scene_.time.start, scene_.time.end);
+    Console console(options_.json ? std::cerr : std::cout, run_style(), scene_.time.start, scene_.time.end);
     console.make_room_for(*logger_);
     if (checkpoint_)
       go_on(simulation, console);
     else
       begin(simulation);
-    if (options_.twins > 0) twins_.emplace(scene_, simulation, options_.twins, options_.threads);
+    if (options_.twins > 0) {
+      const PhaseProgress progress(std::cerr, before_run_style(), "building the twins");
+      twins_.emplace(scene_, simulation, options_.twins, options_.threads);
+    }
     const Ending ending = advance(simulation, console);
     const double wall = wall_seconds();
     if (!ending.early.empty())
@@ -114,9 +118,11 @@ class Run {
       ice = {simulation.info().floes, floes_of(simulation.bodies()), input.crushed_mass,
              input.brash_mass,        input.extruded_mass,           simulation.info().crushes};
     const auto summary = folder_.finish(std::move(input), simulation.bodies());
-    console.close(
-        closing_account(folder_.statistics(), wall, folder_.path(), ice, twins ? &*twins : nullptr, ice_load));
-    if (options_.json) std::cout << summary.dump(2) << "\n";
+    if (options_.json)
+      std::cout << summary.dump(2) << "\n";
+    else
+      console.close(
+          closing_account(folder_.statistics(), wall, folder_.path(), ice, twins ? &*twins : nullptr, ice_load));
     return ending.exit_code;
   }
 
@@ -124,11 +130,18 @@ class Run {
   static long floes_of(const Bodies& bodies) {
     return std::count(bodies.kind.begin(), bodies.kind.end(), BodyKind::floe);
   }
+  /// Standard output belongs to the results where they are asked for as JSON.
+  ConsoleStyle run_style() const {
+    return options_.json ? phase_style(options_.quiet, true) : console_style(options_.quiet);
+  }
+  ConsoleStyle before_run_style() const { return phase_style(options_.quiet, options_.json); }
   std::string console_level() const { return options_.quiet ? "warn" : options_.log_level; }
   /// Of all sessions of the run.
   double wall_seconds() const { return wall_before_ + steady_seconds() - started_; }
 
   std::unique_ptr<Simulation> build() {
+    PhaseProgress progress(std::cerr, before_run_style(), scene_.ice ? "laying out the ice" : "building the scene");
+    progress.make_room_for(*logger_);
     try {
       return std::make_unique<Simulation>(scene_, options_.threads, warnings_);
     } catch (...) {
@@ -138,8 +151,8 @@ class Run {
   }
 
   OpenWater tow_without_ice() {
+    const PhaseProgress progress(std::cerr, before_run_style(), "towing the vessel without ice first");
     try {
-      logger_->info("towing the vessel without ice first");
       return OpenWater::towed(scene_, options_.threads);
     } catch (...) {
       if (!goes_on_) folder_.abandon();

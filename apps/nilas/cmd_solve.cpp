@@ -11,6 +11,7 @@
 #include "contact/fclib_io.h"
 #include "contact/registry.h"
 #include "core/base/error.h"
+#include "core/output/phase_progress.h"
 
 namespace nilas {
 
@@ -22,7 +23,7 @@ struct SolveOptions {
   std::string problem, solver = "auto", law = "coulomb", write;
   double tolerance = 1e-8, max_seconds = 60;
   int max_iterations = 100000, threads = 1, repeat = 1;
-  bool json = false;
+  bool json = false, quiet = false;
 };
 
 /// Solves that take longer are not repeated: the clock is exact enough for them [s].
@@ -132,6 +133,7 @@ int solve_problem(const SolveOptions& options) {
   const ParsedLaw law = parse_law(options.law);
   demand_law(entry, law.law);
   if (!options.write.empty()) check_target(options.write);
+  PhaseProgress progress(std::cerr, phase_style(options.quiet, options.json), "reading the problem");
   FclibProblem problem = read_fclib(options.problem);
   set_law(law, problem);
   if (const auto* const global = std::get_if<ContactProblem>(&problem.problem); global && global->has_moments())
@@ -142,8 +144,10 @@ int solve_problem(const SolveOptions& options) {
   settings.max_seconds = options.max_seconds;
   settings.threads = options.threads;
   const auto solver = entry.make(settings);
+  progress.next(fmt::format("solving {} contacts with {}", problem.num_contacts(), options.solver));
   const Outcome outcome =
       std::visit([&](const auto& form) { return solve_form(form, *solver, options); }, problem.problem);
+  progress.end();
   print(report(options, problem, outcome), options.json);
   std::cout.flush();
   if (!options.write.empty()) {
@@ -181,6 +185,7 @@ void add_solve(CLI::App& app, Action& action) {
       ->capture_default_str();
   command->add_option("--write", options->write, "FCLIB file to write with the problem and the solution");
   command->add_flag("--json", options->json, "the result as JSON on stdout");
+  command->add_flag("--quiet", options->quiet, "no progress");
   command->callback([&action, options] { action = [options] { return solve_problem(*options); }; });
 }
 

@@ -15,6 +15,7 @@
 #include "core/base/error.h"
 #include "core/output/claim_folder.h"
 #include "core/output/console.h"
+#include "core/output/phase_progress.h"
 
 namespace nilas {
 
@@ -36,7 +37,7 @@ void write_text(const std::filesystem::path& file, const std::string& text) {
 
 /// Tells every tenth on standard error.
 std::function<void(double)> progress(const VerifyOptions& options) {
-  if (options.quiet || options.json) return {};
+  if (phase_style(options.quiet, options.json) == ConsoleStyle::silent) return {};
   return [last = -1](double share) mutable {
     constexpr int k_tenths = 10;
     const int tenth = static_cast<int>(share * k_tenths);

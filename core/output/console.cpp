@@ -1,13 +1,11 @@
 #include "core/output/console.h"
 
 #include <fmt/format.h>
-#include <spdlog/sinks/base_sink.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <mutex>
 #include <sstream>
 
 namespace nilas {
@@ -16,28 +14,8 @@ namespace {
 
 constexpr double k_redraw_interval = 0.1;  // [s]
 constexpr int k_marks = 20;                // plain lines per run: one every 5 %
-constexpr const char* k_erase = "\r\x1b[K";
 /// The sum of many steps may end a rounding error short of a whole percent.
 constexpr double k_rounding = 1e-9;
-
-void erase_line(std::ostream& out, bool& shown) {
-  if (!shown) return;
-  out << k_erase << std::flush;
-  shown = false;
-}
-
-/// Comes before the sinks that write, so the progress line is gone when they do.
-class LineEraser : public spdlog::sinks::base_sink<std::mutex> {
- public:
-  LineEraser(std::ostream& out, std::shared_ptr<bool> shown) : out_(out), shown_(std::move(shown)) {}
-
- private:
-  void sink_it_(const spdlog::details::log_msg&) override { erase_line(out_, *shown_); }
-  void flush_() override {}
-
-  std::ostream& out_;
-  std::shared_ptr<bool> shown_;
-};
 
 }  // namespace
 
@@ -107,15 +85,12 @@ Console::Console(std::ostream& out, ConsoleStyle style, double t_start, double t
       clock_(std::move(clock)),
       wall_start_(clock_()),
       last_drawn_(wall_start_ - k_redraw_interval),
-      line_shown_(std::make_shared<bool>(false)) {}
+      line_(std::make_shared<StatusLine>(out)) {}
 
-Console::~Console() { erase_line(out_, *line_shown_); }
+Console::~Console() { line_->erase(); }
 
 void Console::make_room_for(spdlog::logger& logger) {
-  if (style_ != ConsoleStyle::terminal) return;
-  auto eraser = std::make_shared<LineEraser>(out_, line_shown_);
-  if (!logger.sinks().empty()) eraser->set_level(logger.sinks().front()->level());
-  logger.sinks().insert(logger.sinks().begin(), std::move(eraser));
+  if (style_ == ConsoleStyle::terminal) make_room(logger, line_);
 }
 
 void Console::progress(double t, long steps) {
@@ -125,8 +100,7 @@ void Console::progress(double t, long steps) {
   if (style_ == ConsoleStyle::terminal) {
     if (now - last_drawn_ < k_redraw_interval) return;
     last_drawn_ = now;
-    out_ << k_erase << progress_text(state, k_console_columns - 1, true) << std::flush;
-    *line_shown_ = true;
+    line_->draw(progress_text(state, k_console_columns - 1, true));
     return;
   }
   const int mark = static_cast<int>(state.share() * k_marks + k_rounding);
@@ -137,7 +111,7 @@ void Console::progress(double t, long steps) {
 
 void Console::close(const std::string& text) {
   if (style_ == ConsoleStyle::silent) return;
-  erase_line(out_, *line_shown_);
+  line_->erase();
   out_ << text << std::flush;
 }
 

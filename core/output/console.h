@@ -7,6 +7,8 @@
 #include <ostream>
 #include <string>
 
+#include "core/output/status_line.h"
+
 namespace nilas {
 
 /// terminal: one line that redraws itself; plain: a line every 5 %; silent: nothing.
@@ -65,7 +67,7 @@ class Console {
   double wall_start_;
   double last_drawn_;
   int next_mark_ = 1;  ///< in units of 5 %
-  std::shared_ptr<bool> line_shown_;
+  std::shared_ptr<StatusLine> line_;
 };
 
 }  // namespace nilas

@@ -1,0 +1,60 @@
+#pragma once
+/// What a command is at while its results are not there yet.
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <ostream>
+#include <string>
+#include <thread>
+
+#include "core/output/console.h"
+#include "core/output/status_line.h"
+
+namespace nilas {
+
+/// For standard error. `json`: another program reads the results, so that only a terminal is told.
+ConsoleStyle phase_style(bool quiet, bool json);
+
+/// When it speaks [s].
+struct PhaseTimes {
+  double first = 2;     ///< after the start of the command; shorter ones stay silent
+  double settle = 0.5;  ///< after the start of a phase; shorter ones are passed over
+  double redraw = 1;    ///< on a terminal
+  double again = 10;    ///< else: the next line about a phase that goes on
+};
+
+/// Says which phase is at work and for how long, from a thread of its own, so that the phases may be single calls of a
+/// library. A terminal has one line that is erased at the end, anything else a line per phase and every ten seconds.
+class PhaseProgress {
+ public:
+  /// `out` must outlive it. `phase`: "reading the mesh".
+  PhaseProgress(std::ostream& out, ConsoleStyle style, std::string phase, PhaseTimes times = {});
+  /// Ends it.
+  ~PhaseProgress();
+  PhaseProgress(const PhaseProgress&) = delete;
+  PhaseProgress& operator=(const PhaseProgress&) = delete;
+
+  /// Makes `logger` erase the line before its messages.
+  void make_room_for(spdlog::logger& logger) const;
+  void next(std::string phase);
+  /// Nothing is said from here on; a line on a terminal is erased.
+  void end();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void watch(const std::stop_token& stop);
+  void tell();
+
+  std::ostream& out_;
+  ConsoleStyle style_;
+  PhaseTimes times_;
+  std::shared_ptr<StatusLine> line_;
+  std::mutex mutex_;
+  std::condition_variable_any changed_;
+  std::string phase_;
+  Clock::time_point since_ = Clock::now();
+  bool is_new_ = false;  ///< a phase that was not told yet, after the first seconds
+  std::jthread thread_;
+};
+
+}  // namespace nilas
