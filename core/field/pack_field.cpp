@@ -223,16 +223,32 @@ class Packing {
   void accept_or_refuse() {
     if (overlaps_are_tolerated()) return;
     const std::size_t wanted = floes_.size();
+    const std::string cure = cure_of_blocking();
     const double in_rows = in_rows_ * floes_.front().area / free_area_;
     do {
       for (LooseFloe& floe : floes_) floe = with_area(floe, k_shrink * floe.area);
       relaxation_.restart();
     } while (!exchange(k_shrink_rounds));
+    const double reached = std::max(in_rows, concentration());
+    if (wanted == 1)
+      throw InputError(
+          fmt::format("packed field: concentration: found {}, which makes one floe, and it does not fit; {}",
+                      spec_.concentration, cure));
     throw InputError(
         fmt::format("packed field: concentration: found {}, but {} {} block each other at about {:.2f} (after {} "
-                    "passes); lower it or "
-                    "spread the sizes wider",
-                    spec_.concentration, wanted, name_of(spec_.shape), std::max(in_rows, concentration()), passes_));
+                    "passes); {}",
+                    spec_.concentration, wanted, name_of(spec_.shape), reached, passes_, cure));
+  }
+
+  std::string cure_of_blocking() const {
+    double largest = 0;
+    for (const LooseFloe& floe : floes_) largest = std::max(largest, std::sqrt(floe.area));
+    const double breadth = (spec_.high - spec_.low).minCoeff();
+    if (floes_.size() > 1 && largest <= breadth) return "lower it or spread the sizes wider";
+    return fmt::format(
+        "the largest floe is {:.3g} m across (the root of its area), the region {:.3g} m broad: choose smaller floes "
+        "or a larger region",
+        largest, breadth);
   }
 
   const PackedSpec& spec_;

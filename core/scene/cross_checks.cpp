@@ -109,6 +109,7 @@ void cross_check(const SceneElement& root, std::vector<Fault>& faults) {
       check_ice(element, faults);
       check_vary(element, faults);
     }
+    if (element.name == "tank") check_tank(root, element, faults);
     if (element.name == "body") check_body(element, faults);
     if (element.name == "fracture") check_fracture(root, element, faults);
     if (element.name == "output") {

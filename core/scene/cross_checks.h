@@ -12,6 +12,8 @@ void cross_check(const SceneElement& root, std::vector<Fault>& faults);
 
 void check_vessel(const SceneElement& root, const SceneElement& vessel, std::vector<Fault>& faults);
 void check_ice(const SceneElement& ice, std::vector<Fault>& faults);
+/// Ice that moves is laid out between the tank's walls.
+void check_tank(const SceneElement& root, const SceneElement& tank, std::vector<Fault>& faults);
 /// Each property varies once, by a distribution it can have, correlated with others that vary; the correlations make a
 /// positive definite matrix.
 void check_vary(const SceneElement& ice, std::vector<Fault>& faults);

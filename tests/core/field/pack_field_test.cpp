@@ -229,6 +229,21 @@ TEST(PackField, ImpossibleConcentrationSaysWhatIsReached) {
   }
 }
 
+TEST(PackField, AFloeLargerThanTheRegionIsNamed) {
+  auto spec = spec_of(2, 1.5, 0.9, FloeShape::square);
+  spec.distribution = SizeDistribution::fixed;
+  spec.mean = 1.6;
+  try {
+    pack_field(spec);
+    FAIL() << "packed a floe that is too large";
+  } catch (const InputError& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("one floe, and it does not fit"), std::string::npos) << text;
+    EXPECT_NE(text.find("1.6 m across"), std::string::npos) << text;
+    EXPECT_NE(text.find("the region 1.5 m broad"), std::string::npos) << text;
+  }
+}
+
 template <class Change>
 std::string refusal(const Change& change) {
   auto spec = spec_of(6, 6, 0.5);

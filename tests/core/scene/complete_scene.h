@@ -39,7 +39,7 @@ inline const char* const k_complete_scene = R"(<?xml version="1.0" encoding="UTF
     <drag form="1.1" skin="0.006"/>
     <virtual_drag coefficient="0.2" velocity="0.389 0 0"/>
   </hydro>
-  <tank length="40" width="10" depth="2.5" wall_thickness="0.3" floor="false"/>
+  <tank length="40" width="20" depth="2.5" wall_thickness="0.3" floor="false"/>
   <vessel name="polaris" hull="hulls/icebreaker" position="1 2" heading_deg="20">
     <mass value="1500" cog="2.9 0 0.1" inertia="90 3200 3250 0 5 0"/>
     <carriage speed="0.3" heading_deg="10" ramp="2" joint="2.9 0 0.2" free="heave yaw">

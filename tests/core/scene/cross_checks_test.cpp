@@ -66,6 +66,20 @@ TEST(CrossChecks, Bodies) {
                {"<body name='a'/><ice><floe name='a' outline='0 0 1 0 0 1'/></ice>", "<ice><floe name>", "unique"}});
 }
 
+TEST(CrossChecks, IceThatMovesLiesWithinTheTank) {
+  const auto content = [](const std::string& region, const std::string& more = "") {
+    return "<tank length='40' width='10' depth='2'/><ice><field region='" + region + "'" + more + "/></ice>";
+  };
+  const std::string allowed = "x from 0 to 40 and y from -5 to 5 [m]";
+  for (const char* region : {"-0.1 -5 20 5", "0 -5.1 20 5", "0 -5 40.1 5", "0 -5 40 5.1", "50 6 60 8"})
+    expect_each({{content(region), "<ice><field region>", allowed},
+                 {content(region), "<ice><field region>", std::string("found ") + region}});
+  const SceneFolder folder;
+  EXPECT_TRUE(folder.faults(in_scene(content("0 -5 40 5"))).empty());
+  EXPECT_TRUE(folder.faults(in_scene(content("-1 -6 41 6", " kind='level' fixed='true'"))).empty());
+  EXPECT_TRUE(folder.faults(in_scene("<ice><field region='-1 -6 41 6'/></ice>")).empty()) << "there is no tank";
+}
+
 TEST(CrossChecks, Ice) {
   expect_each({{"<ice><field/></ice>", "<ice><field region>", "missing"},
                {"<ice><field region='1 0 0 1'/></ice>", "<ice><field region>", "x0 = 1, x1 = 0"},

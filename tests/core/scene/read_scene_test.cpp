@@ -77,7 +77,7 @@ TEST_F(CompleteScene, WaterAndTank) {
   EXPECT_EQ(scene_.hydro->virtual_drag->coefficient, 0.2);
   EXPECT_EQ(scene_.hydro->virtual_drag->velocity, Vec3(0.389, 0, 0));
   EXPECT_EQ(scene_.tank->length, 40);
-  EXPECT_EQ(scene_.tank->width, 10);
+  EXPECT_EQ(scene_.tank->width, 20);
   EXPECT_EQ(scene_.tank->depth, 2.5);
   EXPECT_EQ(scene_.tank->wall_thickness, 0.3);
   EXPECT_FALSE(scene_.tank->floor);
