@@ -62,7 +62,8 @@ class Run {
   explicit Run(const RunOptions& options)
       : options_(options),
         scene_(read_flagged_scene(options.scene)),
-        folder_(options.out.empty() ? default_folder(scene_) : std::filesystem::path(options.out), options.force),
+        folder_(options.out.empty() ? default_folder(scene_) : std::filesystem::path(options.out), options.force,
+                scene_.inputs),
         logger_(make_logger(console_level(), folder_.log_file().string())),
         warnings_(logger_) {}
 

@@ -14,6 +14,8 @@
 
 #include "core/base/error.h"
 #include "core/output/problem_files.h"
+#include "core/output/run_inputs.h"
+#include "core/scene/input_files.h"
 
 namespace nilas {
 
@@ -25,7 +27,7 @@ namespace fs = std::filesystem;
 constexpr const char* k_half_written = ".part";
 constexpr const char* k_log = "nilas.log";
 
-/// Everything that a run writes beside its trajectory folder.
+/// Everything that a run writes beside its folders.
 const std::vector<std::string>& own_files() {
   static const std::vector<std::string> names{
       "scene.xml",   "vessel.csv",  "structures.csv", "steps.csv",  "contacts.h5", "trajectory.pvd", "events.csv",
@@ -88,11 +90,12 @@ void remove_problems_after(const fs::path& folder, long step, long worst) {
   fs::remove(folder, error);  // fails, as it should, when the folder holds anything
 }
 
-/// What a run that was stopped before its first step leaves: its log, and files half written.
+/// What a run that was stopped before its first step leaves: its log, copies of its input files, and files half
+/// written.
 bool holds_no_outputs(const fs::path& folder, std::error_code& error) {
-  const auto left_over = [](const std::string& name) {
+  const auto left_over = [&](const std::string& name) {
     const auto& own = own_files();
-    return name == k_log ||
+    return name == k_log || (name == k_input_folder && holds_copies_only(folder)) ||
            std::any_of(own.begin(), own.end(), [&](const std::string& file) { return name == file + k_half_written; });
   };
   const fs::directory_iterator entries(folder, error);
@@ -111,7 +114,7 @@ std::filesystem::path dated_folder(const std::string& name) {
   return std::filesystem::path("runs") / (name + "-" + text);
 }
 
-RunLock claim_run_folder(const fs::path& folder, bool force) {
+RunLock claim_run_folder(const fs::path& folder, bool force, const std::vector<InputFile>& inputs) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) fail(folder, "create the output folder", error.message());
@@ -123,7 +126,9 @@ RunLock claim_run_folder(const fs::path& folder, bool force) {
                      ": the output folder is not empty; choose another by --out, or give --force to "
                      "replace the outputs of an earlier run in it");
   if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(folder, "write into the output folder", std::strerror(errno));
+  demand_room_for_inputs(folder, inputs);
   RunLock lock(folder);
+  remove_inputs(folder, inputs);
   for (const auto& name : own_files()) {
     if (name != k_log) remove_file(folder / name);
     remove_file(folder / (name + k_half_written));

@@ -8,6 +8,7 @@
 #include "core/output/contacts_h5.h"
 #include "core/output/events_csv.h"
 #include "core/output/problem_files.h"
+#include "core/output/run_inputs.h"
 #include "core/output/scene_xml.h"
 #include "core/output/structures_csv.h"
 
@@ -104,8 +105,8 @@ struct RunFolder::Outputs {
   std::vector<double> vessel_values;
 };
 
-RunFolder::RunFolder(const std::filesystem::path& path, bool force)
-    : path_(path), lock_(claim_run_folder(path, force)) {}
+RunFolder::RunFolder(const std::filesystem::path& path, bool force, const std::vector<InputFile>& inputs)
+    : path_(path), lock_(claim_run_folder(path, force, inputs)) {}
 RunFolder::RunFolder(std::filesystem::path path, RunLock lock) : path_(std::move(path)), lock_(std::move(lock)) {}
 RunFolder::~RunFolder() = default;
 
@@ -116,6 +117,7 @@ void RunFolder::abandon() const {
 }
 
 void RunFolder::open(const Scene& scene, const RunInfo& info, WarningCounts& warnings) {
+  copy_inputs(path_, scene.inputs);
   write_scene_xml(scene_file(), scene);
   outputs_ = std::make_unique<Outputs>(path_, scene, info, warnings, nullptr);
 }
@@ -123,6 +125,7 @@ void RunFolder::open(const Scene& scene, const RunInfo& info, WarningCounts& war
 void RunFolder::resume(const Scene& scene, const RunInfo& info, WarningCounts& warnings, const StateReader& in) {
   outputs_ = std::make_unique<Outputs>(path_, scene, info, warnings, &in);
   outputs_->open_bodies(path_, &in);
+  copy_inputs(path_, scene.inputs);
   write_scene_xml(scene_file(), scene);
   clear_after(path_, outputs_->statistics.steps(), outputs_->problems.worst_step());
 }

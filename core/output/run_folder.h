@@ -24,9 +24,9 @@ namespace nilas {
 class RunFolder {
  public:
   /// Creates the folder. One that holds anything is refused (InputError) unless `force`, which removes what an earlier
-  /// run of Nilas wrote there and nothing else. Throws FileError when the folder cannot be made or written, or another
-  /// program writes into it.
-  RunFolder(const std::filesystem::path& path, bool force);
+  /// run of Nilas wrote there and nothing else, copies that are among `inputs` excepted. Throws FileError when the
+  /// folder cannot be made or written, or another program writes into it.
+  RunFolder(const std::filesystem::path& path, bool force, const std::vector<InputFile>& inputs = {});
   /// The folder of a run that goes on.
   RunFolder(std::filesystem::path path, RunLock lock);
   ~RunFolder();
@@ -44,8 +44,8 @@ class RunFolder {
   /// For a run that could not begin: removes the log, and the folder when nothing else is in it.
   void abandon() const;
 
-  /// Writes scene.xml and opens the outputs that the scene asks for. `warnings` must outlive the folder. Throws
-  /// FileError.
+  /// Copies the scene's input files, writes scene.xml and opens the outputs that the scene asks for. `warnings` must
+  /// outlive the folder. Throws FileError, and InputError where an input file has changed since the scene was read.
   void open(const Scene& scene, const RunInfo& info, WarningCounts& warnings);
   /// The state at time t [s] before the first step. Throws FileError.
   void start(double t, const Ledger& ledger, const Bodies& bodies);

@@ -6,8 +6,9 @@
 #include <array>
 #include <cctype>
 #include <fstream>
-#include <functional>
+#include <map>
 #include <memory>
+#include <set>
 
 #include "core/scene/attribute_values.h"
 #include "core/scene/schema.h"
@@ -62,23 +63,24 @@ std::string text_sha256(std::string_view text) {
   return hash.digits();
 }
 
-/// Calls for every attribute of the tree that names a file.
-static void for_each_path(const SceneElement& element,
-                          const std::function<void(const SceneElement&, const SceneAttribute&, ValueType)>& call) {
+/// Calls for every attribute of the tree that names a file: with element, attribute and type.
+template <class Element, class Call>
+static void for_each_path(Element& element, const Call& call) {
   const ElementSpec& spec = *find_element(element.name);
-  for (const auto& attribute : element.attributes) {
+  for (auto& attribute : element.attributes) {
     const ValueType type = find_attribute(spec, attribute.name)->type;
     if (attribute.valid && (type == ValueType::path || type == ValueType::hull)) call(element, attribute, type);
   }
-  for (const auto& child : element.children) for_each_path(child, call);
+  for (auto& child : element.children) for_each_path(child, call);
 }
 
-static bool is_stl(const fs::path& path) {
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
+static std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending == ".stl";
+  return text;
 }
+
+static bool is_stl(const fs::path& path) { return lower(path.extension().string()) == ".stl"; }
 
 /// What is wrong with a file that a scene names; an empty message: nothing.
 struct FileProblem {
@@ -131,7 +133,6 @@ void check_files(const SceneElement& root, std::vector<Fault>& faults) {
 
 /// Files of a hull folder that a run reads: fluid.stl, part-*.stl, hull.json, by name.
 static std::vector<fs::path> hull_files(const fs::path& path) {
-  if (!fs::is_directory(path)) return {path};
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(path)) {
     const std::string name = entry.path().filename().string();
@@ -142,17 +143,59 @@ static std::vector<fs::path> hull_files(const fs::path& path) {
   return files;
 }
 
-std::vector<InputFile> input_files(const SceneElement& root) {
+namespace {
+
+/// Names for copies of files and folders, each its own, also where case does not count.
+class CopyNames {
+ public:
+  /// The same for the same path, with or without a slash behind it.
+  std::string of(const fs::path& written) {
+    const fs::path path = written.has_filename() ? written : written.parent_path();
+    const auto known = names_.find(path);
+    return known != names_.end() ? known->second : names_.emplace(path, free_name(path.filename())).first->second;
+  }
+
+ private:
+  std::string free_name(const fs::path& last) {
+    const std::string stem = portable(last.stem().string()), ending = portable(last.extension().string());
+    std::string name = stem + ending;
+    for (int k = 2; !taken_.insert(lower(name)).second; ++k) name = stem + "-" + std::to_string(k) + ending;
+    return name;
+  }
+
+  /// With a '_' for what some file system does not take.
+  static std::string portable(std::string name) {
+    const std::string refused = "<>:\"/\\|?*";
+    std::replace_if(
+        name.begin(), name.end(),
+        [&](unsigned char c) {
+          return std::iscntrl(c) != 0 || refused.find(static_cast<char>(c)) != std::string::npos;
+        },
+        '_');
+    return name;
+  }
+
+  std::map<fs::path, std::string> names_;
+  std::set<std::string> taken_{lower(k_input_sums)};
+};
+
+}  // namespace
+
+std::vector<InputFile> name_by_copies(SceneElement& root) {
   std::vector<InputFile> inputs;
-  const auto add = [&](const fs::path& file) {
-    const auto same = [&](const InputFile& input) { return input.path == file.string(); };
-    if (std::none_of(inputs.begin(), inputs.end(), same)) inputs.push_back({file.string(), file_sha256(file)});
+  CopyNames names;
+  const auto add = [&](const fs::path& file, const std::string& copy) {
+    const auto same = [&](const InputFile& input) { return input.copy == copy; };
+    if (std::none_of(inputs.begin(), inputs.end(), same)) inputs.push_back({file.string(), copy, file_sha256(file)});
   };
-  for_each_path(root, [&](const SceneElement& element, const SceneAttribute& attribute, ValueType type) {
+  for_each_path(root, [&](const SceneElement& element, SceneAttribute& attribute, ValueType type) {
     if (element.name == "input") return;
-    for (const auto& file :
-         type == ValueType::hull ? hull_files(attribute.value) : std::vector<fs::path>{attribute.value})
-      add(file);
+    const std::string copy = k_input_folder + ("/" + names.of(attribute.value));
+    if (type == ValueType::hull && fs::is_directory(attribute.value))
+      for (const auto& file : hull_files(attribute.value)) add(file, copy + "/" + file.filename().string());
+    else
+      add(attribute.value, copy);
+    attribute.value = copy;
   });
   return inputs;
 }

@@ -10,6 +10,10 @@
 
 namespace nilas {
 
+/// In a run folder: where its input files are copied to, and the list of them there, as sha256sum writes it.
+constexpr const char* k_input_folder = "inputs";
+constexpr const char* k_input_sums = "SHA256SUMS";
+
 /// SHA-256 of a file's content in hexadecimal digits. Throws FileError when it cannot be read.
 std::string file_sha256(const std::filesystem::path& file);
 /// The same of a text.
@@ -19,7 +23,8 @@ std::string text_sha256(std::string_view text);
 void check_files(const SceneElement& root, std::vector<Fault>& faults);
 
 /// The files that a resolved tree without faults refers to, in its order, each once; of a hull folder those that
-/// matter.
-std::vector<InputFile> input_files(const SceneElement& root);
+/// matter. In the tree they are then named by their copies: relative paths that depend on the files' own names alone,
+/// so that a tree that is read from a run folder comes out the same.
+std::vector<InputFile> name_by_copies(SceneElement& root);
 
 }  // namespace nilas

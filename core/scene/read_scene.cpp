@@ -43,15 +43,16 @@ static void check_root_name(SceneElement& root, std::vector<Fault>& faults) {
   throw SceneError(std::move(faults));
 }
 
-/// The tree as it ran: resolved, with the input files and their hashes in place of those it may have recorded.
-static SceneElement as_run_tree(SceneElement root) {
-  const auto inputs = input_files(root);
+/// Makes a resolved tree that of the scene as run: with the input files and their hashes in place of those it may have
+/// recorded. Returns them.
+static std::vector<InputFile> record_inputs(SceneElement& root) {
+  auto inputs = name_by_copies(root);
   std::erase_if(root.children, [](const SceneElement& child) { return child.name == "input"; });
   for (const auto& input : inputs) {
     SceneElement& element = root.children.emplace_back(make_element("input", &root, root.place));
-    element.attributes = {{.name = "file", .value = input.path}, {.name = "sha256", .value = input.sha256}};
+    element.attributes = {{.name = "file", .value = input.copy}, {.name = "sha256", .value = input.sha256}};
   }
-  return root;
+  return inputs;
 }
 
 static std::string fingerprint(SceneElement root) {
@@ -82,7 +83,7 @@ Scene read_scene(const std::filesystem::path& file, const Overrides& overrides) 
   scene.derived = std::move(notes.derived);
   scene.warnings = implausible_values(root);
   scene.places = places_of(root);
-  root = as_run_tree(std::move(root));
+  scene.inputs = record_inputs(root);
   scene.as_run = write_document(root);
   scene.fingerprint = fingerprint(std::move(root));
   return scene;

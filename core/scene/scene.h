@@ -249,9 +249,11 @@ struct OutputScene {
   std::optional<double> peak_filter;                ///< averaging time of filtered peaks [s]; default: by the length
 };
 
-/// An input file that the scene refers to, for the scene as run.
+/// An input file that the scene refers to.
 struct InputFile {
-  std::string path, sha256;
+  std::string source;  ///< absolute path
+  std::string copy;    ///< what the scene as run calls it, relative to the run folder: inputs/ship/fluid.stl
+  std::string sha256;  ///< in hexadecimal digits
 };
 
 struct Scene {
@@ -276,7 +278,8 @@ struct Scene {
   /// Where the first element of each path and its given attributes stand: "vessel/carriage", "vessel/carriage/@speed".
   /// A place is a fault without a message.
   std::map<std::string, Fault> places;
-  std::string as_run;       ///< the XML with every default and override written out
+  std::vector<InputFile> inputs;  ///< in the order of the scene, each once
+  std::string as_run;             ///< the XML with every default and override written out, and input files by `copy`
   std::string fingerprint;  ///< SHA-256 of it but for time/@end and what of <output> only concerns checkpoints and
                             ///< statistics: what a run's states depend on
 };

@@ -363,14 +363,15 @@ TEST_F(Resume, AChangedInputFileIsRefused) {
 </scene>
 )");
   ASSERT_EQ(nilas("run ship.xml --quiet --checkpoint-every 0.05 --out run").exit_code, 0);
+  fs::remove_all(in("ship"));
   fs::remove(in("run/summary.json"));
   ASSERT_EQ(nilas("run --quiet --resume run").exit_code, 0);
   fs::remove(in("run/summary.json"));
-  std::ofstream(in("ship/fluid.stl"), std::ios::app) << " ";
+  std::ofstream(in("run/inputs/ship/fluid.stl"), std::ios::app) << " ";
   const auto changed = nilas("run --resume run");
   EXPECT_EQ(changed.exit_code, 2);
   EXPECT_TRUE(mentions(changed.err, "fluid.stl") || mentions(changed.err, "SHA-256")) << changed.err;
-  fs::remove(in("ship/fluid.stl"));
+  fs::remove(in("run/inputs/ship/fluid.stl"));
   EXPECT_EQ(nilas("run --resume run").exit_code, 4);
 }
 

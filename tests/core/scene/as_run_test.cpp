@@ -13,10 +13,21 @@ using testing::SceneFolder;
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
+/// As a run folder holds them.
+void copy_inputs(const Scene& scene, const SceneFolder& folder) {
+  for (const auto& input : scene.inputs) {
+    const auto copy = folder.path() / input.copy;
+    std::filesystem::create_directories(copy.parent_path());
+    std::filesystem::copy_file(input.source, copy);
+  }
+}
+
 void expect_round_trip(const SceneFolder& folder, const Scene& scene) {
   const SceneFolder elsewhere;
+  copy_inputs(scene, elsewhere);
   const Scene again = elsewhere.read(scene.as_run);
   EXPECT_EQ(again.as_run, scene.as_run);
+  EXPECT_EQ(again.fingerprint, scene.fingerprint);
   EXPECT_EQ(again.name, scene.name);
   EXPECT_TRUE(std::filesystem::exists(folder.path()));
 }
@@ -38,11 +49,12 @@ TEST(AsRun, TheCompleteSceneReadsBackFromAnotherFolder) {
   const Scene scene = folder.read(testing::k_complete_scene);
   expect_round_trip(folder, scene);
   const SceneFolder elsewhere;
+  copy_inputs(scene, elsewhere);
   const Scene again = elsewhere.read(scene.as_run);
-  EXPECT_EQ(again.vessel->hull, scene.vessel->hull);
+  EXPECT_EQ(again.vessel->hull, elsewhere.path() / "inputs/icebreaker");
   EXPECT_EQ(again.vessel->position_has_z, scene.vessel->position_has_z);
   EXPECT_EQ(again.contact.friction[1].kinetic, scene.contact.friction[1].kinetic);
-  EXPECT_EQ(again.ice->fields[2].file, scene.ice->fields[2].file);
+  EXPECT_EQ(again.ice->fields[2].file, elsewhere.path() / "inputs/floes.geojson");
   EXPECT_EQ(again.bodies[3].fixed, true);
 }
 
@@ -91,24 +103,43 @@ TEST(AsRun, InputFilesAreNamedWithTheirHashes) {
   for (auto at = text.find("<input "); at != std::string::npos; at = text.find("<input ", at + 1)) ++inputs;
   EXPECT_EQ(inputs, 8u) << "four of the hull folder, cells, field, library and mesh:\n" << text;
   EXPECT_FALSE(contains(text, "notes.txt"));
-  EXPECT_TRUE(contains(text, "<input file=\"" + (folder.path() / "hulls/icebreaker/part-02.stl").string() +
-                                 "\" sha256=\"" + file_sha256(folder.path() / "hulls/icebreaker/part-02.stl") +
-                                 "\"/>"));
+  EXPECT_TRUE(contains(text, "<input file=\"inputs/icebreaker/part-02.stl\" sha256=\"" +
+                                 file_sha256(folder.path() / "hulls/icebreaker/part-02.stl") + "\"/>"));
 }
 
 TEST(AsRun, AChangedInputFileIsRefusedWithBothHashes) {
   const SceneFolder folder;
   testing::write_inputs(folder);
-  const std::string text = folder.read(testing::k_complete_scene).as_run;
-  const std::string before = file_sha256(folder.path() / "quay.stl");
-  folder.write("quay.stl", "solid other");
-  const std::string after = file_sha256(folder.path() / "quay.stl");
+  const Scene scene = folder.read(testing::k_complete_scene);
+  const std::string text = scene.as_run;
+  copy_inputs(scene, folder);
+  const std::string before = file_sha256(folder.path() / "inputs/quay.stl");
+  folder.write("inputs/quay.stl", "solid other");
+  const std::string after = file_sha256(folder.path() / "inputs/quay.stl");
   const auto faults = folder.faults(text);
   ASSERT_EQ(faults.size(), 1u) << testing::text_of(faults);
   EXPECT_EQ(faults[0].where, "<input sha256>");
   EXPECT_TRUE(contains(faults[0].message, before) && contains(faults[0].message, after)) << faults[0].message;
-  std::filesystem::remove(folder.path() / "quay.stl");
+  std::filesystem::remove(folder.path() / "inputs/quay.stl");
   EXPECT_EQ(folder.faults(text).size(), 2u) << "named as the mesh and as an input";
+}
+
+/// Files of one name from several folders, and names that other systems do not take.
+TEST(AsRun, CopiesHaveNamesOfTheirOwnThatStay) {
+  const SceneFolder folder;
+  for (const char* file : {"a/quay.stl", "b/Quay.stl", "c/quay-2.stl", "d/no: name?.stl", "e/SHA256SUMS"})
+    folder.write(file, file);
+  folder.write("hull/fluid.stl", "fluid");
+  const Scene scene =
+      folder.read(in_scene("<body shape='mesh' mesh='a/quay.stl'/><body shape='mesh' mesh='b/Quay.stl'/>"
+                           "<body shape='mesh' mesh='c/quay-2.stl'/><body shape='mesh' mesh='d/no: name?.stl'/>"
+                           "<body shape='mesh' mesh='./a/quay.stl'/><body shape='mesh' mesh='hull/'/>"
+                           "<ice><field kind='file' file='e/SHA256SUMS'/></ice>"));
+  std::vector<std::string> copies;
+  for (const auto& input : scene.inputs) copies.push_back(input.copy);
+  EXPECT_EQ(copies, (std::vector<std::string>{"inputs/quay.stl", "inputs/Quay-2.stl", "inputs/quay-2-2.stl",
+                                              "inputs/no_ name_.stl", "inputs/hull/fluid.stl", "inputs/SHA256SUMS-2"}));
+  expect_round_trip(folder, scene);
 }
 
 /// FIPS 180-2, appendix B.1, and the digest of nothing.
