@@ -101,7 +101,6 @@ class Run {
     if (!ending.message.empty())
       logger_->log(ending.exit_code == exit_interrupted ? spdlog::level::warn : spdlog::level::err, "{}",
                    ending.message);
->>>>>>> 49d5b6b (Take several values of --set, and name the nearest command and flag)
     warnings_.summarise();
     SummaryInput input = summary_input(ending, wall);
     input.brash_mass = simulation.brash_mass();

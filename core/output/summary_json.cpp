@@ -59,6 +59,13 @@ Json modules_json(const RunInfo& info, const RunStatistics& statistics) {
 
 }  // namespace
 
+/// With their elements but without file and line: the folder's own scene.xml has other lines.
+static Json warnings_json(const RunInfo& info) {
+  Json warnings = Json::array();
+  for (const Fault& warning : info.warnings) warnings.push_back(warning.where + ": " + warning.message);
+  return warnings;
+}
+
 Json summary_json(const RunInfo& info, const RunStatistics& statistics, const SummaryInput& input) {
   Json summary;
   summary["scene"] = info.scene_name;
@@ -90,7 +97,7 @@ Json summary_json(const RunInfo& info, const RunStatistics& statistics, const Su
   if (!info.structures.empty()) summary["structures"] = structures_json(statistics.structure_loads());
   if (const auto error = statistics.load_error(twins)) summary["load_error"] = load_error_json(*error, twins);
   if (twins != nullptr) summary["twins"] = twins_json(*twins);
-  summary["warnings"] = warning_texts(info);
+  summary["warnings"] = warnings_json(info);
   if (const std::string slower = statistics.slowdown(); !slower.empty()) summary["slowdown"] = slower;
   summary["modules"] = modules_json(info, statistics);
   summary["not_built"] = info.not_built;

@@ -7,6 +7,7 @@
 
 #include "core/sim/course.h"
 #include "core/sim/natural_periods.h"
+#include "core/sim/vessel_doubts.h"
 
 namespace nilas {
 
@@ -24,6 +25,7 @@ class Doubts {
     course();
     periods();
     structures();
+    hull();
   }
 
  private:
@@ -132,13 +134,15 @@ class Doubts {
       constexpr double k_overshoot = 0.05, k_percent = 100;
       const bool along = mode.motion == "surge" || mode.motion == "sway";
       if (mode.on_cells && along && carriage && carriage->path.empty() && carriage->speed != 0) {
-        const double overshoot = carriage->ramp > 0 ? mode.period / (k_pi * carriage->ramp) : 1;
+        const double drift = (carriage->heading_deg - scene_.vessel->heading_deg) * k_deg;
+        const double share = std::abs(mode.motion == "surge" ? std::cos(drift) : std::sin(drift));
+        const double overshoot = share * (carriage->ramp > 0 ? mode.period / (k_pi * carriage->ramp) : 1);
         if (overshoot > k_overshoot)
           doubt("vessel/carriage/@ramp",
                 fmt::format("the ramp of {:g} s sets the vessel swinging on its load cells in {} ({:.3g} s): its speed "
                             "overshoots by up to {:.0f} %; take stiffer cells or a ramp of {:.2g} s",
                             carriage->ramp, mode.motion, mode.period, k_percent * overshoot,
-                            mode.period / (k_pi * k_overshoot)));
+                            share * mode.period / (k_pi * k_overshoot)));
       }
       constexpr double k_steps_on_cells = 4, k_steps_on_water = 10;
       // faster turns on the cells die out unseen, but surge and sway are what the tow force shows
@@ -150,6 +154,11 @@ class Doubts {
                           "take at most {:.2g} s to resolve it",
                           h, mode.motion, mode.on_cells ? "the load cells" : "the water", mode.period, longest));
     }
+  }
+
+  void hull() {
+    const std::string place = scene_.vessel && scene_.vessel->generate ? "vessel/hull" : "vessel/@hull";
+    for (const std::string& message : vessel_doubts(scene_, parts_)) doubt(place, message);
   }
 
   void structures() {
