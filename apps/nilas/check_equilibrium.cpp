@@ -31,6 +31,11 @@ static std::string describe(const FloatingEquilibrium& found, const Water& water
       found.gm_transverse, found.gm_longitudinal,
       found.stable() ? "" : ": UNSTABLE, it would capsize or loll from here", found.volume,
       water.density * found.volume);
+  constexpr double k_across = 2;  // a ship's transverse GM is a small part of its longitudinal one
+  if (found.gm_longitudinal > 0 && found.gm_transverse > k_across * found.gm_longitudinal)
+    text +=
+        "  GM transverse is far above longitudinal: does the hull lie across?\n"
+        "  x of its frame must point forward (nilas hull --forward).\n";
   if (vessel.fixed || vessel.carriage)
     text += fmt::format("  ({}: this is where it would rest if let go, not where it is held)\n",
                         vessel.fixed ? "the vessel is fixed" : "the vessel is on a carriage");

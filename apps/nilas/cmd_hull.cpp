@@ -7,6 +7,7 @@
 #include "apps/nilas/prepare_hull.h"
 #include "core/base/error.h"
 #include "core/base/file_bytes.h"
+#include "core/output/console.h"
 #include "core/output/phase_progress.h"
 
 namespace nilas {
@@ -15,6 +16,7 @@ namespace {
 
 struct HullOptions {
   std::string mesh, generate, out = "hull";
+  std::string forward = "x", up = "z";  ///< axes of the mesh file
   std::map<std::string, double> parameters;
   HullPreparation preparation;
   std::vector<std::string> preparation_flags;  ///< as given
@@ -82,7 +84,8 @@ void add_origin(nlohmann::ordered_json& description, const HullOptions& options)
     description["mesh"] = options.mesh;
     if (is_folder(options.mesh)) return;
     description["scale"] = options.preparation.scale;
-    description["up"] = options.preparation.up;
+    description["forward"] = options.forward;
+    description["up"] = options.up;
     return;
   }
   description["generate"] = options.generate;
@@ -114,6 +117,10 @@ HullPreparation preparation_of(const HullOptions& options, PhaseProgress& progre
                   : stage == "mend" ? "cutting the solid into convex parts"
                                     : "measuring the hull");
   };
+  how.axes = {mesh_axis(options.forward), mesh_axis(options.up)};
+  if (!how.axes.across())
+    throw InputError("nilas hull: found --forward " + options.forward + " beside --up " + options.up +
+                     "; allowed: axes across each other");
   if (const auto given = options.parameters.find("draught"); given != options.parameters.end())
     how.draught = given->second;
   return how;
@@ -126,17 +133,34 @@ PreparedHull generated(const HullForm& form) {
   return made;
 }
 
+/// What advice on the hull says where it is from.
+HullUse use_of(const HullOptions& options, const PreparedHull& made) {
+  HullUse use;
+  use.generated = !options.generate.empty();
+  if (options.parameters.contains("draught")) use.draught = made.draught;
+  if (use.generated) return use;
+  const std::filesystem::path mesh = options.mesh;
+  use.file = (is_folder(mesh) ? mesh / "fluid.stl" : mesh).string();
+  use.drawn = {mesh_axis(options.forward), mesh_axis(options.up)};
+  use.scale = options.preparation.scale;
+  return use;
+}
+
+void warn(const std::string& text) { std::cerr << "warning: " << wrapped(text, 2) << "\n"; }
+
 int hull(const HullOptions& options) {
   demand_used_flags(options);
   NewHullFolder folder(options.out, options.force);
   if (!options.mesh.empty()) demand_mesh_stays(options.mesh, folder);
   PhaseProgress progress(std::cerr, phase_style(options.quiet, options.json),
                          options.mesh.empty() ? "generating the hull" : "reading the mesh");
-  const PreparedHull made = options.mesh.empty()
-                                ? generated(hull_form(options.generate, options.parameters))
-                                : prepare_hull(options.mesh, preparation_of(options, progress), folder);
+  PreparedHull made = options.mesh.empty() ? generated(hull_form(options.generate, options.parameters))
+                                           : prepare_hull(options.mesh, preparation_of(options, progress), folder);
   progress.next("measuring the hull");
-  const auto result = hull_report(made);
+  made.use = use_of(options, made);
+  auto result = hull_report(made);
+  if (const std::string missed = missed_tolerance(made, options.preparation.most_parts); !missed.empty())
+    result["warnings"].push_back(missed);
   progress.next("writing the hull and its picture");
   nlohmann::ordered_json description = result;
   add_origin(description, options);
@@ -146,8 +170,7 @@ int hull(const HullOptions& options) {
   folder.publish();
   progress.end();
   if (!no_picture.empty()) std::cerr << "no picture: " << no_picture << "\n";
-  if (const std::string missed = missed_tolerance(made, options.preparation.most_parts); !missed.empty())
-    std::cerr << "warning: " << missed << "\n";
+  for (const auto& warning : result["warnings"]) warn(warning.get<std::string>());
   std::cout << (options.json ? result.dump(2) + "\n" : report_text(result) + "written: " + options.out + "\n");
   return exit_done;
 }
@@ -171,13 +194,19 @@ CLI::Validator positive() {
           ""};
 }
 
-std::vector<CLI::Option*> add_preparation_flags(CLI::App& command, HullPreparation& how) {
+std::vector<CLI::Option*> add_preparation_flags(CLI::App& command, HullOptions& options) {
+  HullPreparation& how = options.preparation;
+  const std::vector<std::string> axes{"x", "-x", "y", "-y", "z", "-z"};
   return {
       command.add_option("--scale", how.scale, "metres per unit of the mesh file: 0.001 for mm")
           ->check(positive())
           ->capture_default_str(),
-      command.add_option("--up", how.up, "the mesh file's axis that points up: z or y")
-          ->check(CLI::IsMember({"z", "y"}))
+      command
+          .add_option("--forward", options.forward, "the mesh file's axis that points to the bow: x, -x, y, -y, z, -z")
+          ->check(CLI::IsMember(axes))
+          ->capture_default_str(),
+      command.add_option("--up", options.up, "the mesh file's axis that points up, likewise")
+          ->check(CLI::IsMember(axes))
           ->capture_default_str(),
       command.add_option("--gap", how.gap, "points this close are one [m]; default 1e-5 of the length")
           ->check(positive()),
@@ -203,7 +232,7 @@ void add_hull(CLI::App& app, Action& action) {
   command->add_option("--out", options->out, "folder to write")->capture_default_str();
   command->add_flag("--force", options->force, "write into a folder that is not empty; replaces an earlier hull in it");
   add_form_flags(*command, options);
-  const auto preparation = add_preparation_flags(*command, options->preparation);
+  const auto preparation = add_preparation_flags(*command, *options);
   command->add_flag("--json", options->json, "the report as JSON on stdout");
   command->add_flag("--quiet", options->quiet, "no progress");
   command->callback([&action, options, preparation] {

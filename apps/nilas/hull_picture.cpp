@@ -178,15 +178,29 @@ double zoom(const Eigen::AlignedBox3d& box, const View& view) {
   return k_at * size.maxCoeff() / k_pixels * std::min(k_room_across / across, k_room_up / up);
 }
 
+/// What is drawn over the faces.
+struct Marks {
+  std::string plots;        ///< of a splot command
+  std::string labels = {};  ///< whole commands
+};
+
+/// The end that a scene takes as the bow, beside the hull's middle at deck height.
+std::string bow_label(const TriangleMesh& mesh) {
+  const auto box = box_of(mesh);
+  return fmt::format(
+      "set label 'bow (+x)' at {:.6g},{:.6g},{:.6g} left offset 1,0.8 font ',13' textcolor rgb '#c00000'\n",
+      box.max().x(), box.center().y(), box.max().z());
+}
+
 /// The faces in order of depth, then the marks over them in the same place.
 std::string panel(const View& view, const Eigen::AlignedBox3d& box, std::size_t row, std::size_t rows,
-                  const std::string& marks) {
+                  const Marks& marks) {
   const double high = 1.0 / static_cast<double>(rows), low = 1 - high * static_cast<double>(row + 1);
   std::string text = fmt::format("set origin 0,{}\nset size 1,{}\nset view {},{},{:.4g}\nset view equal xyz\n", low,
                                  high, view.tilt, view.turn, zoom(box, view));
   text += fmt::format("set title '{}'\nsplot '{}' using 1:2:3:4 with pm3d lc rgb variable notitle\n", view.title,
                       view.data);
-  return text + fmt::format("set title ' '\nsplot {}\n", marks);
+  return text + fmt::format("set title ' '\n{}splot {}\nunset label\n", marks.labels, marks.plots);
 }
 
 /// About two steps to a short side, of 1, 2 or 5 times a power of ten [m].
@@ -198,7 +212,7 @@ double tics(double side) {
 
 /// gnuplot leaves the title of the y axis out of such views: its tics name it.
 std::string script(const std::string& picture, const TriangleMesh& mesh, const std::vector<View>& views,
-                   const std::string& marks) {
+                   const Marks& marks) {
   Eigen::AlignedBox3d box = box_of(mesh);
   constexpr double k_spare = 1e-3;      // rounded coordinates stay within
   constexpr double k_thinnest = 0.025;  // of the longest side: gnuplot refuses a range without extent
@@ -225,7 +239,9 @@ void draw_hull(const Hull& hull, double level, const fs::path& folder) {
   const TriangleMesh drawn = drawable(hull.fluid);
   const std::string parts_title =
       fmt::format("{} convex part{}, from below", hull.parts.size(), hull.parts.size() == 1 ? "" : "s");
-  const std::vector<View> views{{"mesh from above; waterline in blue", ".above.dat", 60, 30},
+  const std::string water_title =
+      fmt::format("mesh from above; waterline at a draught of {:.4g} m in blue", level - box_of(hull.fluid).min().z());
+  const std::vector<View> views{{water_title.c_str(), ".above.dat", 60, 30},
                                 {"mesh from below", ".below.dat", 115, 30},
                                 {parts_title.c_str(), ".parts.dat", 115, 30}};
   {
@@ -237,7 +253,8 @@ void draw_hull(const Hull& hull, double level, const fs::path& folder) {
     if (!above || !below || !parts) throw FileError((folder / "hull.png").string() + ": cannot be written");
   }
   write_waterline(folder / ".water.dat", hull.fluid, level);
-  plot(folder, script("hull.png", hull.fluid, views, "'.water.dat' with lines lw 2 lc rgb '#0040ff' notitle"));
+  plot(folder, script("hull.png", hull.fluid, views,
+                      {"'.water.dat' with lines lw 2 lc rgb '#0040ff' notitle", bow_label(hull.fluid)}));
 }
 
 void draw_faults(const MendedMesh& mesh, const fs::path& folder) {
@@ -255,9 +272,8 @@ void draw_faults(const MendedMesh& mesh, const fs::path& folder) {
                       {{"from above; faults in red", ".faces.dat", 60, 30},
                        {"from below", ".faces.dat", 115, 30},
                        {"from the other side", ".faces.dat", 60, 210}},
-                      "'.edges.dat' with lines lw 2 lc rgb '#e00000' notitle, '.marks.dat' with points pt 6 ps 2 lw 2 "
-                      "lc rgb '#e00000' "
-                      "notitle"));
+                      {"'.edges.dat' with lines lw 2 lc rgb '#e00000' notitle, '.marks.dat' with points pt 6 ps 2 lw 2 "
+                       "lc rgb '#e00000' notitle"}));
 }
 
 }  // namespace nilas

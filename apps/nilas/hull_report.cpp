@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/base/error.h"
 #include "core/bodies/mass_properties.h"
 #include "core/bodies/mesh_box.h"
+#include "core/output/console.h"
+#include "core/vessel/hull_attitude.h"
 #include "hydro/wetted.h"
 
 namespace nilas {
@@ -39,6 +43,19 @@ Json table_json(const std::vector<PartCount>& table) {
   return rows;
 }
 
+/// Displaced volume over the box around what is below the water.
+double block_coefficient(const TriangleMesh& mesh, double volume, double level) {
+  Eigen::AlignedBox3d wet;
+  for (const auto& t : mesh.triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 &a = mesh.vertices[static_cast<std::size_t>(t[k])],
+                 &b = mesh.vertices[static_cast<std::size_t>(t[(k + 1) % 3])];
+      if (a.z() <= level) wet.extend(a);
+      if ((a.z() < level) != (b.z() < level)) wet.extend(a + (b - a) * ((level - a.z()) / (b.z() - a.z())));
+    }
+  return volume / wet.volume();
+}
+
 void add_hydrostatics(Json& report, const TriangleMesh& mesh, double draught, double centre_z) {
   const double keel = box_of(mesh).min().z(), level = waterline_level(mesh, draught);
   const Submerged wet = submerged_mesh(mesh, Mat3::Identity(), Vec3::Zero(), level);
@@ -46,11 +63,58 @@ void add_hydrostatics(Json& report, const TriangleMesh& mesh, double draught, do
   const double kb = wet.centre.z() - keel, bm = plane.yy / wet.volume;
   report["draught_m"] = draught;
   report["displaced_m3"] = wet.volume;
+  report["block_coefficient"] = block_coefficient(mesh, wet.volume, level);
   report["kb_m"] = kb;
   report["bm_m"] = bm;
   report["gm_m"] = kb + bm - (centre_z - keel);
   report["wetted_area_m2"] = wetted_area(mesh, level);
   report["waterplane_area_m2"] = plane.area;
+}
+
+/// Axis to the bow, as far as the shape tells; null where the ends are too alike.
+Json bow_of(const PreparedHull& prepared) {
+  const TriangleMesh& mesh = prepared.hull.fluid;
+  if (!prepared.use.generated)
+    if (const MeshAxis forward = probable_attitude(mesh, false).axes.forward; forward != MeshAxes{}.forward)
+      return forward.name();
+  return bow_direction(measure_hull(mesh)) > 0 ? Json("x") : Json();
+}
+
+/// Whether every corner has its image in y = 0 among the corners, within the tolerance along each axis [m].
+bool mirrored_points(const TriangleMesh& mesh, double tolerance) {
+  std::vector<Vec3> points = mesh.vertices;
+  std::sort(points.begin(), points.end(), [](const Vec3& a, const Vec3& b) { return a.x() < b.x(); });
+  return std::all_of(points.begin(), points.end(), [&](const Vec3& p) {
+    const Vec3 image(p.x(), -p.y(), p.z());
+    auto near = std::lower_bound(points.begin(), points.end(), p.x() - tolerance,
+                                 [](const Vec3& a, double x) { return a.x() < x; });
+    for (; near != points.end() && near->x() <= p.x() + tolerance; ++near)
+      if ((*near - image).cwiseAbs().maxCoeff() <= tolerance) return true;
+    return false;
+  });
+}
+
+std::string symmetry_text(const Json& report) {
+  if (report["symmetric"] || !report["mirrored_points"]) return "";
+  return fmt::format(
+      " Its corners are mirror images, but the faces between them are split along other diagonals on either "
+      "side, and stand up to {:.3g} m off their images.",
+      report["asymmetry_m"].get<double>());
+}
+
+/// The hull in words.
+std::string summary(const Json& report) {
+  const auto number = [&](const char* key) { return report[key].get<double>(); };
+  const Json& bow = report["bow"];
+  const std::string ends = bow.is_null() ? "The ends are too alike to tell the bow from the stern."
+                           : bow == "x"  ? fmt::format("The bow is at x = {:.4g} m.", report["high_m"][0].get<double>())
+                                         : fmt::format("The bow seems to point along {}.", bow.get<std::string>());
+  return wrapped(fmt::format("The hull is {:.4g} m long, {:.4g} m wide and {:.4g} m deep. At a draught of {:.4g} m it "
+                             "displaces {:.4g} m^3 with a block coefficient of {:.3f}. {}{}",
+                             number("length_m"), number("beam_m"), number("depth_m"), number("draught_m"),
+                             number("displaced_m3"), number("block_coefficient"), ends, symmetry_text(report)),
+                 0) +
+         "\n";
 }
 
 /// Six digits: hull.json has them all.
@@ -115,7 +179,12 @@ Json hull_report(const PreparedHull& prepared) {
   const Mat3& i = unit.inertia;
   const auto box = box_of(mesh);
   const double off = asymmetry(mesh), symmetric_within = k_symmetric_share * box.sizes().maxCoeff();
-  Json report{{"volume_m3", unit.mass},
+  const Vec3 size = box.sizes();
+  Json report{{"length_m", size.x()},
+              {"beam_m", size.y()},
+              {"depth_m", size.z()},
+              {"bow", bow_of(prepared)},
+              {"volume_m3", unit.mass},
               {"centre_m", point(unit.com)},
               {"inertia_per_density_m5", {i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2)}},
               {"low_m", point(box.min())},
@@ -134,17 +203,20 @@ Json hull_report(const PreparedHull& prepared) {
   report["symmetric"] = off <= symmetric_within;
   report["asymmetry_m"] = off;
   report["symmetry_tolerance_m"] = symmetric_within;
+  report["mirrored_points"] = mirrored_points(mesh, symmetric_within);
   report["closed"] = find_defects(mesh).closed();
   report["triangles"] = mesh.triangles.size();
   report["mended"] = mended_json(prepared.mended);
   report["part_counts"] = table_json(prepared.table);
+  report["warnings"] = hull_doubts(mesh, prepared.use);
   return report;
 }
 
 std::string report_text(const Json& report) {
-  std::string text;
+  std::string text = summary(report);
   for (const auto& [name, value] : report.items())
-    if (name != "mended" && name != "part_counts") text += fmt::format("  {:<24} {}\n", name, short_text(value));
+    if (name != "mended" && name != "part_counts" && name != "warnings")
+      text += fmt::format("  {:<24} {}\n", name, short_text(value));
   text +=
       report["mended"].empty() ? "  mended                   nothing\n" : "  mended\n" + list_text(report["mended"]);
   if (report["part_counts"].empty()) return text;

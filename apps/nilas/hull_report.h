@@ -6,6 +6,7 @@
 #include "core/mesh/decompose.h"
 #include "core/mesh/mend.h"
 #include "core/vessel/hull.h"
+#include "core/vessel/hull_doubts.h"
 
 namespace nilas {
 
@@ -17,6 +18,7 @@ struct PreparedHull {
   std::vector<PartCount> table;        ///< empty where nothing was decomposed
   std::optional<double> tolerance;     ///< that was asked of the parts, where a mesh was decomposed [m]
   double draught = 0;                  ///< of the waterline that the report takes [m]
+  HullUse use;                         ///< where it comes from, for advice
 };
 
 /// z of the waterline in frame V. Throws InputError unless the draught lies between a thousandth of the height, below
@@ -26,11 +28,11 @@ double waterline_level(const TriangleMesh& mesh, double draught);
 /// Why the parts stand further off than they should, and what helps; empty where they do not. `most` parts are allowed.
 std::string missed_tolerance(const PreparedHull& prepared, std::size_t most);
 
-/// The keys of the report: volume, centre, hydrostatics, symmetry, what was mended, parts; docs/output_reference.md has
-/// them. GM takes the centre of a uniform solid.
+/// The keys of the report: size, volume, centre, hydrostatics, bow, symmetry, what was mended, parts, doubts;
+/// docs/output_reference.md has them. GM takes the centre of a uniform solid.
 nlohmann::ordered_json hull_report(const PreparedHull& prepared);
 
-/// The same for readers; places at most three of each kind.
+/// The same for readers, but for the warnings; places at most three of each kind.
 std::string report_text(const nlohmann::ordered_json& report);
 
 }  // namespace nilas

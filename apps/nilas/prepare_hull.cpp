@@ -15,9 +15,10 @@ namespace fs = std::filesystem;
 
 constexpr double k_gap_share = 1e-5, k_hole_share = 0.05, k_tolerance_share = 1e-3;  // of the longest side
 
-/// In metres, z up.
+/// In metres, x forward, z up.
 PolygonSoup in_vessel_frame(PolygonSoup soup, const HullPreparation& how) {
-  for (auto& p : soup.points) p = how.scale * (how.up == "y" ? Vec3(p.x(), -p.z(), p.y()) : p);
+  const Mat3 R = how.axes.to_vessel();
+  for (auto& p : soup.points) p = how.scale * (R * p);
   return soup;
 }
 
@@ -36,7 +37,7 @@ Reach demand_sensible_size(const PolygonSoup& soup, const fs::path& file) {
   constexpr double k_shortest = 1e-2, k_longest = 2e3, k_far = 1e5;  // [m]
   if (!(longest >= k_shortest && longest <= k_longest && furthest <= k_far))
     throw InputError(
-        fmt::format("{}: the mesh is {:.4g} m long and reaches {:.4g} m from the origin; allowed: {} m to "
+        fmt::format("{}: the mesh is {:.6g} m long and reaches {:.6g} m from the origin; allowed: {} m to "
                     "{} m long, within {} m (--scale 0.001 takes a file in millimetres)",
                     file.string(), longest, furthest, k_shortest, k_longest, k_far));
   return {longest, furthest};

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "apps/nilas/hull_report.h"
+#include "core/vessel/hull_axes.h"
 #include "core/vessel/new_hull_folder.h"
 
 namespace nilas {
@@ -13,7 +14,7 @@ namespace nilas {
 /// How `nilas hull` reads and treats a mesh file; what is not given follows from the size of the mesh.
 struct HullPreparation {
   double scale = 1;                    ///< metres per unit of the file
-  std::string up = "z";                ///< the file's axis that points up: z or y
+  MeshAxes axes;                       ///< of the file, that point forward and up
   std::optional<double> gap;           ///< points this close are one; default 1e-5 of the longest side [m]
   std::optional<double> largest_hole;  ///< filled; default a twentieth of the longest side [m]
   std::optional<double> tolerance;     ///< of the parts; default a thousandth of the longest side [m]

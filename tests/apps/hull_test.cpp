@@ -276,7 +276,7 @@ TEST(HullCommand, FlagsThatWouldDoNothingAreRefused) {
   ASSERT_EQ(prepared(folder, "box.obj --out hb")["deviation_m"], 0);
   for (const std::string beside : {"hb", "--generate wedge"})
     for (const std::string flag :
-         {"--scale 0.001", "--up y", "--gap 1e-3", "--fill-holes 1", "--tolerance 0.1", "--parts 3"}) {
+         {"--scale 0.001", "--forward y", "--up y", "--gap 1e-3", "--fill-holes 1", "--tolerance 0.1", "--parts 3"}) {
       const auto refused = run_nilas("hull " + beside + " " + flag + " --out made", folder.path());
       EXPECT_EQ(refused.exit_code, 2) << beside << ' ' << flag;
       for (const std::string& word : {"found " + flag.substr(0, flag.find(' ')) + " beside", std::string("allowed: ")})
