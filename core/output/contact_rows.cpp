@@ -29,18 +29,35 @@ ContactStatus contact_status(const SolvedProblem& solved, std::size_t c) {
                                                                             : ContactStatus::stick;
 }
 
-std::vector<ContactRow> contact_rows(const SolvedProblem& solved, int vessel, const Vec3& com_V, bool of_all_bodies) {
+LoadedBodies loaded_bodies(const Bodies& bodies, const RunInfo& info) {
+  LoadedBodies loaded{.vessel = -1, .com_V = info.vessel_mass.com, .structures = {}};
+  for (std::size_t b = 0; b < bodies.id.size(); ++b) {
+    if (bodies.kind[b] == BodyKind::vessel) loaded.vessel = static_cast<int>(b);
+    if (!info.structures.empty() && bodies.kind[b] == BodyKind::rigid && bodies.motion[b] == Motion::fixed &&
+        bodies.shape[b]->kind != ShapeKind::plane)
+      loaded.structures.push_back(bodies.id[b]);
+  }
+  return loaded;
+}
+
+std::vector<ContactRow> contact_rows(const SolvedProblem& solved, const LoadedBodies& loaded, bool of_all_bodies) {
+  const int vessel = loaded.vessel;
+  const auto is_structure = [&](std::int64_t id) {
+    return std::binary_search(loaded.structures.begin(), loaded.structures.end(), id);
+  };
   std::vector<ContactRow> rows;
   for (std::size_t i = 0; i < solved.points.size(); ++i) {
     const ContactPoint& c = solved.points[i];
-    if (!of_all_bodies && c.a != vessel && c.b != vessel) continue;
-    const bool on_b = c.a != vessel;
+    const bool of_vessel = vessel >= 0 && (c.a == vessel || c.b == vessel);
+    const bool on_structure_a = !of_vessel && is_structure(solved.touching[i][0].id);
+    if (!of_all_bodies && !of_vessel && !on_structure_a && !is_structure(solved.touching[i][1].id)) continue;
+    const bool on_b = of_vessel ? c.b == vessel : !on_structure_a;
     const double sign = on_b ? 1 : -1;
     ContactRow row;
     row.body = solved.touching[i][on_b ? 1 : 0].id;
     row.other = solved.touching[i][on_b ? 0 : 1].id;
     row.p_G = c.p;
-    if (vessel >= 0) row.p_V = solved.vessel_R.transpose() * (c.p - solved.vessel_p) + com_V;
+    if (vessel >= 0) row.p_V = solved.vessel_R.transpose() * (c.p - solved.vessel_p) + loaded.com_V;
     row.n = sign * c.n;
     row.gap = c.gap;
     row.impulse = sign * solved.impulses[i];

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/bodies/bodies.h"
 #include "core/sim/step_record.h"
 
 namespace nilas {
@@ -11,7 +12,7 @@ namespace nilas {
 /// hard as the ice bears.
 enum class ContactStatus { open, stick, slip, crush };
 
-/// Impulse and couple act on `body`: the vessel where it takes part, else the one with the higher id.
+/// Impulse and couple act on `body`: the vessel where it takes part, else a structure, else the one with the higher id.
 struct ContactRow {
   std::int64_t body = 0, other = 0;  ///< ids
   Vec3 p_G = Vec3::Zero();           ///< midway between the two surfaces, where the contact was found [m]
@@ -30,8 +31,16 @@ struct ContactRow {
 /// can.
 ContactStatus contact_status(const SolvedProblem& solved, std::size_t c);
 
-/// Rows of the contacts of the vessel (index `vessel`, -1: none), or of all bodies; `com_V` is the vessel's centre of
-/// mass in V [m].
-std::vector<ContactRow> contact_rows(const SolvedProblem& solved, int vessel, const Vec3& com_V, bool of_all_bodies);
+/// The bodies whose contacts are stored by default, and whose side a row then takes.
+struct LoadedBodies {
+  int vessel = -1;                       ///< index, -1: none
+  Vec3 com_V = Vec3::Zero();             ///< the vessel's centre of mass in V [m]
+  std::vector<std::int64_t> structures;  ///< ids of the bodies that the scene holds fixed, but planes; ascending
+};
+/// Those of a run; without structures where `info` names none.
+LoadedBodies loaded_bodies(const Bodies& bodies, const RunInfo& info);
+
+/// Rows of the contacts of the vessel and of structures, or of all bodies.
+std::vector<ContactRow> contact_rows(const SolvedProblem& solved, const LoadedBodies& loaded, bool of_all_bodies);
 
 }  // namespace nilas

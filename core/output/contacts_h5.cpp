@@ -19,6 +19,13 @@ bool has_couples(const Scene& scene) {
                      [](const FrictionScene& pair) { return pair.rolling > 0 || pair.spinning > 0; });
 }
 
+/// As of loaded_bodies().
+bool has_structures(const Scene& scene, const RunInfo& info) {
+  return !info.structures.empty() && std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const BodyScene& body) {
+    return body.fixed && body.shape != "plane";
+  });
+}
+
 class LayoutList {
  public:
   void number(const std::string& name, const std::string& unit, const std::string& meaning) {
@@ -41,7 +48,9 @@ Hdf5Columns::Layout layout(bool has_vessel, bool with_couples) {
   LayoutList list;
   list.number("time_s", "s", "end of the step, as in vessel.csv");
   list.integer("step", "from 1");
-  list.integer("body", "id of the body that the force acts on: the vessel where it takes part, else the higher id");
+  list.integer(
+      "body",
+      "id of the body that the force acts on: the vessel where it takes part, else a structure, else the higher id");
   list.integer("other", "id of the body that touches it: the floe");
   list.vector("", "_m", "m", "point in G where the contact was found, midway between the surfaces");
   if (has_vessel) list.vector("hull_", "_m", "m", "the same point in V, the frame of the hull's mesh");
@@ -71,7 +80,8 @@ std::optional<Hdf5Columns::Length> kept(const StateReader* from) {
 }  // namespace
 
 bool ContactsH5::asked(const Scene& scene, const RunInfo& info) {
-  return scene.output.contacts == "all" || (scene.output.contacts == "hull" && info.has_vessel);
+  return scene.output.contacts == "all" ||
+         (scene.output.contacts == "hull" && (info.has_vessel || has_structures(scene, info)));
 }
 
 ContactsH5::ContactsH5(const std::filesystem::path& path, const Scene& scene, const RunInfo& info,
@@ -79,7 +89,6 @@ ContactsH5::ContactsH5(const std::filesystem::path& path, const Scene& scene, co
     : of_all_bodies_(scene.output.contacts == "all"),
       has_vessel_(info.has_vessel),
       has_couples_(has_couples(scene)),
-      com_V_(info.vessel_mass.com),
       columns_(path, layout(has_vessel_, has_couples_), kept(from)),
       written_(std::chrono::steady_clock::now()) {}
 
@@ -90,11 +99,9 @@ ContactsH5::~ContactsH5() {
   }
 }
 
-void ContactsH5::step(const StepRecord& record, const std::vector<SolvedProblem>& parts, const Bodies& bodies) {
-  const auto found = std::find(bodies.kind.begin(), bodies.kind.end(), BodyKind::vessel);
-  const int vessel = found == bodies.kind.end() ? -1 : static_cast<int>(found - bodies.kind.begin());
+void ContactsH5::step(const StepRecord& record, const std::vector<SolvedProblem>& parts, const LoadedBodies& loaded) {
   for (const SolvedProblem& solved : parts)
-    for (const ContactRow& row : contact_rows(solved, vessel, com_V_, of_all_bodies_)) add(row, record);
+    for (const ContactRow& row : contact_rows(solved, loaded, of_all_bodies_)) add(row, record);
   columns_.end_block();
   if (columns_.pending_rows() >= k_rows_together || std::chrono::steady_clock::now() - written_ >= k_longest_wait)
     write();

@@ -6,7 +6,6 @@
 
 #include "contact/hdf5_columns.h"
 #include "core/base/state.h"
-#include "core/bodies/bodies.h"
 #include "core/output/contact_rows.h"
 #include "core/scene/scene.h"
 
@@ -15,7 +14,8 @@ namespace nilas {
 /// Steps reach the file at the latest a second after they were made, and when many rows have come together.
 class ContactsH5 {
  public:
-  /// True when the scene asks for the file: contacts of the hull where there is one, or of all bodies.
+  /// True when the scene asks for the file: contacts of the vessel and of structures where there are any, or of all
+  /// bodies.
   static bool asked(const Scene& scene, const RunInfo& info);
 
   /// `from`: what save() wrote; the file is cut to that. Throws FileError, InputError.
@@ -26,7 +26,7 @@ class ContactsH5 {
   ContactsH5& operator=(const ContactsH5&) = delete;
 
   /// Throws FileError.
-  void step(const StepRecord& record, const std::vector<SolvedProblem>& parts, const Bodies& bodies);
+  void step(const StepRecord& record, const std::vector<SolvedProblem>& parts, const LoadedBodies& loaded);
   /// Returns when all steps are on the disk. Throws FileError.
   void sync();
   /// Throws FileError.
@@ -38,7 +38,6 @@ class ContactsH5 {
   void write();
 
   bool of_all_bodies_, has_vessel_, has_couples_;
-  Vec3 com_V_;
   Hdf5Columns columns_;
   std::chrono::steady_clock::time_point written_;
 };

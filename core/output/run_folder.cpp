@@ -162,7 +162,7 @@ void RunFolder::record(StepRecord record, const std::vector<SolvedProblem>& part
     out.vessel->row(record.t, out.vessel_values);
   }
   if (out.structures) out.structures->row(record);
-  if (out.contacts) out.contacts->step(record, parts, bodies);
+  if (out.contacts) out.contacts->step(record, parts, loaded_bodies(bodies, out.info));
   if (out.events) out.events->rows(record.broken);
   if (out.snapshot_due(record.t, record.h)) write_snapshot(record.t, record.step, bodies);
   record.ms[static_cast<std::size_t>(Phase::output)] +=

@@ -20,8 +20,9 @@ static ElementSpec output() {
                           .type = ValueType::choice,
                           .choices = {"hull", "all", "none"},
                           .default_value = "hull",
-                          .doc = "Which contacts are stored in contacts.h5: those of the vessel, of all bodies (whole "
-                                 "steps only, so not with integrator reference), or none."},
+                          .doc = "Which contacts are stored in contacts.h5: those of the vessel and of fixed bodies, of "
+                                 "all bodies (not with integrator reference, which then stores those of the vessel "
+                                 "alone), or none."},
                          {.name = "problems",
                           .type = ValueType::choice,
                           .choices = {"never", "worst", "failed", "every"},

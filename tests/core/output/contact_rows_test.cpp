@@ -37,10 +37,17 @@ SolvedProblem touching(const std::vector<std::pair<int, int>>& pairs) {
   return solved;
 }
 
+LoadedBodies vessel_only(const Vec3& com_V = Vec3::Zero()) {
+  LoadedBodies loaded;
+  loaded.vessel = 2;
+  loaded.com_V = com_V;
+  return loaded;
+}
+
 TEST(ContactRows, ForceAndNormalPointIntoTheVesselWhicheverSideItIs) {
   SolvedProblem solved = touching({{0, 2}, {2, 3}, {0, 1}});
   solved.couples.assign(3, Vec3(1, 0, 0));
-  const auto rows = contact_rows(solved, 2, Vec3::Zero(), false);
+  const auto rows = contact_rows(solved, vessel_only(), false);
   ASSERT_EQ(rows.size(), 2u) << "two floes touching are no contact of the hull";
   EXPECT_EQ(rows[0].body, 3);
   EXPECT_EQ(rows[0].other, 1);
@@ -56,8 +63,8 @@ TEST(ContactRows, ForceAndNormalPointIntoTheVesselWhicheverSideItIs) {
   EXPECT_EQ(rows[1].couple, -Vec3(1, 0, 0));
   EXPECT_EQ(rows[1].part, 5);
   EXPECT_EQ(rows[1].key, 0xffff000000000001);
-  EXPECT_EQ(contact_rows(solved, 2, Vec3::Zero(), true).size(), 3u);
-  const auto ice_only = contact_rows(solved, -1, Vec3::Zero(), true);
+  EXPECT_EQ(contact_rows(solved, vessel_only(), true).size(), 3u);
+  const auto ice_only = contact_rows(solved, {}, true);
   EXPECT_EQ(ice_only[2].body, 2) << "without a vessel the force acts on the higher id";
 }
 
@@ -65,9 +72,40 @@ TEST(ContactRows, PointsStandInTheFrameOfTheHull) {
   SolvedProblem solved = touching({{0, 2}});
   solved.vessel_p = Vec3(1, 0, 3);
   solved.vessel_R = Eigen::AngleAxisd(0.5 * k_pi, Vec3::UnitZ()).toRotationMatrix();
-  const auto rows = contact_rows(solved, 2, Vec3(2.5, 0, 0.25), false);
+  const auto rows = contact_rows(solved, vessel_only(Vec3(2.5, 0, 0.25)), false);
   EXPECT_LT((rows.at(0).p_V - Vec3(4.5, 0, 0.25)).norm(), 1e-15);
   EXPECT_EQ(rows.at(0).p_G, Vec3(1, 2, 3));
+}
+
+/// A fixed body among floes, and one of a plane; a floe that came later has the higher id.
+TEST(ContactRows, StructuresAreTheSideOnWhichTheForceActs) {
+  Bodies bodies = test::sample_bodies();
+  test::add_body(bodies, "pier", BodyKind::rigid, Motion::fixed, test::tetrahedron(), 1, Vec3::Zero());
+  Shape plane;
+  plane.kind = ShapeKind::plane;
+  test::add_body(bodies, "ground", BodyKind::rigid, Motion::fixed, plane, 1, Vec3::Zero());
+  test::add_body(bodies, "buoy", BodyKind::rigid, Motion::free, test::tetrahedron(), 1, Vec3::Zero());
+  RunInfo info;
+  EXPECT_TRUE(loaded_bodies(bodies, info).structures.empty()) << "the run keeps no account of structures";
+  info.structures = {{"pier", 4, 1}, {"ground", 5, 0}};
+  info.vessel_mass.com = Vec3(2, 0, 0);
+  const LoadedBodies loaded = loaded_bodies(bodies, info);
+  EXPECT_EQ(loaded.vessel, 2);
+  EXPECT_EQ(loaded.com_V, Vec3(2, 0, 0));
+  EXPECT_EQ(loaded.structures, std::vector<std::int64_t>{5});
+
+  SolvedProblem solved = touching({{0, 1}, {0, 2}, {0, 3}});
+  solved.touching[0][0].id = 5;  // the pier and a floe of a higher id
+  solved.touching[0][1].id = 9;
+  solved.touching[2][1].id = 5;
+  const auto rows = contact_rows(solved, loaded, false);
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[0].body, 5);
+  EXPECT_EQ(rows[0].other, 9);
+  EXPECT_EQ(rows[0].impulse, -Vec3(0.1, 0.2, 0.3));
+  EXPECT_EQ(rows[1].body, 3) << "the vessel";
+  EXPECT_EQ(rows[2].body, 5);
+  EXPECT_EQ(rows[2].impulse, Vec3(0.1, 0.2, 0.3));
 }
 
 /// Impulses of the floe of 10 kg on the vessel: 1 N s is worth 0.1 m/s.
