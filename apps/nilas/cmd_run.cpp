@@ -208,7 +208,8 @@ class Run {
         if (!ending.early.empty()) break;
         const StepRecord record = twins_ ? twins_->step(simulation) : simulation.step();
         folder_.store(record, simulation.last_problem());
-        folder_.record(record, simulation.solved_parts(), simulation.bodies());
+        folder_.record(record, simulation.solved_parts(), simulation.bodies(),
+                       [&](std::int64_t floe) { return simulation.damage(floe); });
         console.progress(simulation.time(), k + 1 - done);
         if (checkpoint_steps > 0 && (k + 1) % checkpoint_steps == 0) write_checkpoint(simulation);
       }

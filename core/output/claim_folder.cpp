@@ -35,9 +35,12 @@ const std::vector<std::string>& own_files() {
   return names;
 }
 
-/// Step of a trajectory frame, or of one half written; nothing for other files.
+/// Step of a trajectory frame, or of one half written; 0 for what is written at the start alone; nothing for other
+/// files.
 std::optional<long> step_of_frame(const std::string& name) {
-  static const std::regex pattern(R"(step-(\d{6,18})\.vtp(\.part)?)");
+  static const std::regex pattern(R"(step-(\d{6,18})(-(ice|vessel|bodies|forces))?\.vtp(\.part)?)"),
+      standing(R"((water|walls)\.vtp(\.part)?)");
+  if (std::regex_match(name, standing)) return 0;
   std::smatch match;
   if (!std::regex_match(name, match, pattern)) return std::nullopt;
   return std::stol(match[1]);

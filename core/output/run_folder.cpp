@@ -32,7 +32,8 @@ struct RunFolder::Outputs {
         steps(folder / "steps.csv", info, kept_bytes(from, "steps.csv")),
         problems(folder, scene.output.problems),
         snapshot_every(scene.output.trajectory_every),
-        bodies_asked(scene.output.bodies) {
+        bodies_asked(scene.output.bodies),
+        contacts_of_all(scene.output.contacts == "all") {
     if (info.has_vessel) vessel.emplace(folder / "vessel.csv", channels, kept_bytes(from, "vessel.csv"));
     if (!info.structures.empty())
       structures.emplace(folder / "structures.csv", info, kept_bytes(from, "structures.csv"));
@@ -43,7 +44,7 @@ struct RunFolder::Outputs {
     }
     if (scene.fracture && scene.fracture->cuts_floes())
       events.emplace(folder / "events.csv", kept_bytes(from, "events.csv"));
-    if (snapshot_every > 0) trajectory.emplace(folder, kept_bytes(from, "trajectory.pvd"));
+    if (snapshot_every > 0) trajectory.emplace(folder, scene, contacts.has_value(), kept_bytes(from, "trajectory.pvd"));
     if (from != nullptr) restore(*from);
   }
 
@@ -81,6 +82,18 @@ struct RunFolder::Outputs {
     problems.restore(in.group("problems"));
   }
 
+  /// Contacts of a step that trajectory frames show: those that contacts.h5 holds.
+  std::vector<ContactRow> shown_contacts(const std::vector<SolvedProblem>& parts, const Bodies& now) const {
+    std::vector<ContactRow> rows;
+    if (!contacts || !trajectory) return rows;
+    const LoadedBodies loaded = loaded_bodies(now, info);
+    for (const SolvedProblem& solved : parts) {
+      const auto more = contact_rows(solved, loaded, contacts_of_all);
+      rows.insert(rows.end(), more.begin(), more.end());
+    }
+    return rows;
+  }
+
   /// Snapshots fall on the step nearest to each multiple of the interval.
   bool snapshot_due(double t, double h) const {
     return snapshot_every > 0 && t - t_start >= static_cast<double>(snapshots) * snapshot_every - 0.5 * h;
@@ -100,6 +113,7 @@ struct RunFolder::Outputs {
   ProblemFiles problems;
   double snapshot_every;  ///< [s]; 0: none
   std::optional<bool> bodies_asked;
+  bool contacts_of_all;
   double t_start = 0;
   long snapshots = 0;
   std::vector<double> vessel_values;
@@ -145,10 +159,11 @@ void RunFolder::start(double t, const Ledger& ledger, const Bodies& bodies) {
   out.t_start = t;
   out.statistics.start(t, ledger);
   out.open_bodies(path_, nullptr);
-  if (out.snapshot_due(t, 0)) write_snapshot(t, 0, bodies);
+  if (out.snapshot_due(t, 0)) write_snapshot(t, 0, bodies, {});
 }
 
-void RunFolder::record(StepRecord record, const std::vector<SolvedProblem>& parts, const Bodies& bodies) {
+void RunFolder::record(StepRecord record, const std::vector<SolvedProblem>& parts, const Bodies& bodies,
+                       const FloeDamage& damage) {
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   NILAS_DEMAND(outputs_ != nullptr);
@@ -164,7 +179,8 @@ void RunFolder::record(StepRecord record, const std::vector<SolvedProblem>& part
   if (out.structures) out.structures->row(record);
   if (out.contacts) out.contacts->step(record, parts, loaded_bodies(bodies, out.info));
   if (out.events) out.events->rows(record.broken);
-  if (out.snapshot_due(record.t, record.h)) write_snapshot(record.t, record.step, bodies);
+  if (out.snapshot_due(record.t, record.h))
+    write_snapshot(record.t, record.step, bodies, {out.shown_contacts(parts, bodies), record.h, damage});
   record.ms[static_cast<std::size_t>(Phase::output)] +=
       std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
   out.steps.row(record);
@@ -181,11 +197,11 @@ void RunFolder::store_last(const SolvedProblem& solved) {
   outputs_->problems.last(solved);
 }
 
-void RunFolder::write_snapshot(double t, long step, const Bodies& bodies) {
+void RunFolder::write_snapshot(double t, long step, const Bodies& bodies, const ShownStep& shown) {
   Outputs& out = *outputs_;
   ++out.snapshots;
   if (out.bodies) out.bodies->rows(t, bodies);
-  if (out.trajectory) out.trajectory->frame(t, step, bodies);
+  if (out.trajectory) out.trajectory->frame(t, step, bodies, shown);
 }
 
 nlohmann::ordered_json RunFolder::finish(SummaryInput input, const Bodies& bodies) {

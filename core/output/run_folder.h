@@ -52,8 +52,10 @@ class RunFolder {
   /// In place of open() and start(): goes on with the outputs as they were when `in` was written to checkpoint.h5; rows
   /// and frames of later steps are removed. Throws FileError, and InputError where an output holds less.
   void resume(const Scene& scene, const RunInfo& info, WarningCounts& warnings, const StateReader& in);
-  /// One step, its contact problem; `bodies` at its end. Time spent here is counted to Phase::output. Throws FileError.
-  void record(StepRecord record, const std::vector<SolvedProblem>& parts, const Bodies& bodies);
+  /// One step, its contact problem; `bodies` at its end, `damage` of the floes among them. Time spent here is counted
+  /// to Phase::output. Throws FileError.
+  void record(StepRecord record, const std::vector<SolvedProblem>& parts, const Bodies& bodies,
+              const FloeDamage& damage = {});
   /// The step's contact problem, where the scene asks for it. Throws FileError.
   void store(const StepRecord& record, const SolvedProblem& solved);
   /// The problem at which the numerics failed. Throws FileError.
@@ -66,7 +68,7 @@ class RunFolder {
 
  private:
   struct Outputs;
-  void write_snapshot(double t, long step, const Bodies& bodies);
+  void write_snapshot(double t, long step, const Bodies& bodies, const ShownStep& shown);
 
   std::filesystem::path path_;
   RunLock lock_;

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace nilas {
@@ -10,15 +11,23 @@ namespace nilas {
 /// LZ4 block that stores repeats of a value of `width` bytes, coming one after another, as one match and all else as
 /// literals: the thousands of facets of one body carry the same velocity. Format: LZ4 block format 1.6.
 std::string compress_repeats(std::span<const std::byte> bytes, std::size_t width);
+/// What an LZ4 block of `size` plain bytes holds. Throws InputError where it is no such block.
+std::string expand_block(std::string_view block, std::size_t size);
 
 /// Name, VTK's name of the number type, numbers per value.
 struct ArrayType {
   const char* name;
   const char* number;
   std::size_t components;
+  bool of_field = false;  ///< field data tell how many values they have
 };
 /// Appends a <DataArray> element to `text`. `width`: bytes of one value with all its components.
 void add_data_array(const ArrayType& type, std::span<const std::byte> bytes, std::size_t width, std::string& text);
+
+/// Appends an <Array> of texts for a document's field data.
+void add_text_array(const char* name, const std::vector<std::string>& texts, std::string& text);
+/// The bytes of an array that add_data_array() wrote, from the text of its element. Throws InputError where it is none.
+std::string array_bytes(std::string_view text);
 
 template <class Number>
 void add_data_array(const ArrayType& type, const std::vector<Number>& x, std::string& text) {

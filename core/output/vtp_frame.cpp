@@ -1,8 +1,7 @@
 #include "core/output/vtp_frame.h"
 
-#include <fmt/format.h>
-
 #include "core/output/vtp_array.h"
+#include "core/output/vtp_document.h"
 
 namespace nilas {
 
@@ -28,17 +27,22 @@ void append(const Vec3& x, std::vector<float>& out) {
 
 }  // namespace
 
-void VtpFrame::clear() {
+void VtpFrame::clear(bool with_damage) {
+  with_damage_ = with_damage;
   points_.clear();
+  thickness_.clear();
+  damage_.clear();
   speed_.clear();
   velocity_.clear();
   corners_.clear();
   ends_.clear();
   id_.clear();
   kind_.clear();
+  body_id_.clear();
+  body_name_.clear();
 }
 
-void VtpFrame::add(const Bodies& bodies, std::size_t b, const PolygonSurface& surface) {
+void VtpFrame::add(const Bodies& bodies, std::size_t b, const PolygonSurface& surface, double damage) {
   const auto first_point = static_cast<std::int32_t>(points_.size() / 3);
   const auto first_corner = static_cast<std::int32_t>(corners_.size());
   for (const Vec3& x : surface.points) append(bodies.p_GB[b] + bodies.R_GB[b] * x, points_);
@@ -48,22 +52,25 @@ void VtpFrame::add(const Bodies& bodies, std::size_t b, const PolygonSurface& su
     append(bodies.v_GB[b], velocity_);
   }
   const std::size_t facets = ends_.size();
+  thickness_.resize(facets, static_cast<float>(bodies.shape[b]->thickness));
+  damage_.resize(facets, static_cast<float>(damage));
   speed_.resize(facets, static_cast<float>(bodies.v_GB[b].norm()));
   id_.resize(facets, bodies.id[b]);
   kind_.resize(facets, kind_number(bodies.kind[b]));
+  body_id_.push_back(bodies.id[b]);
+  body_name_.push_back(bodies.name[b]);
 }
 
 const std::string& VtpFrame::document() {
-  text_ = fmt::format(
-      "<?xml version=\"1.0\"?>\n"
-      "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt32\" "
-      "compressor=\"vtkLZ4DataCompressor\">\n<PolyData>\n"
-      "<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" "
-      "NumberOfPolys=\"{}\">\n",
-      points_.size() / 3, ends_.size());
+  std::string field_data;
+  add_data_array({"body_id", "Int64", 1, true}, body_id_, field_data);
+  add_text_array("body_name", body_name_, field_data);
+  text_ = polydata_head(field_data, {.points = points_.size() / 3, .vertices = 0, .polygons = ends_.size()});
   text_ += "<CellData Scalars=\"speed_m_s\" Vectors=\"velocity_m_s\">\n";
   add_data_array({"id", "Int64", 1}, id_, text_);
   add_data_array({"kind", "UInt8", 1}, kind_, text_);
+  add_data_array({"thickness_m", "Float32", 1}, thickness_, text_);
+  if (with_damage_) add_data_array({"damage", "Float32", 1}, damage_, text_);
   add_data_array({"speed_m_s", "Float32", 1}, speed_, text_);
   add_data_array({"velocity_m_s", "Float32", 3}, velocity_, text_);
   text_ += "</CellData>\n<Points>\n";
@@ -71,7 +78,8 @@ const std::string& VtpFrame::document() {
   text_ += "</Points>\n<Polys>\n";
   add_data_array({"connectivity", "Int32", 1}, corners_, text_);
   add_data_array({"offsets", "Int32", 1}, ends_, text_);
-  return text_ += "</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n";
+  text_ += "</Polys>\n";
+  return text_ += k_polydata_tail;
 }
 
 }  // namespace nilas

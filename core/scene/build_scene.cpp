@@ -141,6 +141,7 @@ static OutputScene build_output(const SceneElement& element) {
   OutputScene output;
   assign(output.folder, element, "folder");
   assign(output.trajectory_every, element, "trajectory_every");
+  assign(output.tank_walls, element, "tank_walls");
   assign(output.contacts, element, "contacts");
   assign(output.problems, element, "problems");
   assign(output.checkpoint_every, element, "checkpoint_every");

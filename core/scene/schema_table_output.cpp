@@ -16,13 +16,18 @@ static ElementSpec output() {
                           .range = at_least(0),
                           .default_value = "0.1",
                           .doc = "Between stored states of all bodies; 0: none."},
+                         {.name = "tank_walls",
+                          .type = ValueType::boolean,
+                          .default_value = "false",
+                          .doc = "Whether trajectory.pvd shows the walls and floor of the tank, which hide what is "
+                                 "behind them."},
                          {.name = "contacts",
                           .type = ValueType::choice,
                           .choices = {"hull", "all", "none"},
                           .default_value = "hull",
-                          .doc = "Which contacts are stored in contacts.h5: those of the vessel and of fixed bodies, of "
-                                 "all bodies (not with integrator reference, which then stores those of the vessel "
-                                 "alone), or none."},
+                          .doc = "Which contacts are stored in contacts.h5 and shown in trajectory.pvd: those of the "
+                                 "vessel and of fixed bodies, of all bodies (not with integrator reference, which "
+                                 "then stores those of the vessel alone), or none."},
                          {.name = "problems",
                           .type = ValueType::choice,
                           .choices = {"never", "worst", "failed", "every"},

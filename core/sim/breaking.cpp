@@ -1,6 +1,7 @@
 #include "core/sim/breaking.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/base/error.h"
 #include "core/sim/breaking_settings.h"
@@ -94,6 +95,10 @@ void Breaking::follow(const Bodies& bodies, const std::vector<NewPiece>& pieces)
   for (const NewPiece& piece : pieces)
     damage_->hand_on(piece.floe, piece.id, piece.place, bodies.shape[bodies.index_of(piece.id)]->bounding_radius);
   for (const NewPiece& piece : pieces) damage_->forget(piece.floe);
+}
+
+double Breaking::damage(std::int64_t floe) const {
+  return damage_ ? damage_->at(floe, Vec2::Zero(), std::numeric_limits<double>::infinity()) : 0;
 }
 
 void Breaking::save(StateWriter out) const {

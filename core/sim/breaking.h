@@ -32,6 +32,9 @@ class Breaking {
   /// Pieces, all of whose floes are gone, inherit what loads below the strength did to these.
   void follow(const Bodies& bodies, const std::vector<NewPiece>& pieces);
 
+  /// Largest damage D of the places of a floe, 0 without <damage>.
+  double damage(std::int64_t floe) const;
+
   void save(StateWriter out) const;
   void restore(const StateReader& in);
 

@@ -229,6 +229,7 @@ int Simulation::vessel_index() const { return world_->parts.vessel_index; }
 long Simulation::steps() const { return world_->steps; }
 double Simulation::brash_mass() const { return world_->pieces ? world_->pieces->brash_mass() : 0; }
 double Simulation::extruded_mass() const { return world_->pieces ? world_->pieces->extruded_mass() : 0; }
+double Simulation::damage(std::int64_t floe) const { return world_->breaking ? world_->breaking->damage(floe) : 0; }
 double Simulation::crushed_mass() const { return world_->crushing ? world_->crushing->crushed_mass() : 0; }
 void Simulation::save(StateWriter out) const { world_->save(out); }
 void Simulation::restore(const StateReader& in) { world_->restore(in); }

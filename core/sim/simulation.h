@@ -39,7 +39,8 @@ class Simulation {
   double brash_mass() const;  ///< of pieces too small to be bodies, since the start [kg]
   /// Of crushed ice that was cut out of its floes since the start [kg].
   double extruded_mass() const;
-  double crushed_mass() const;  ///< of ice that the vessel and bodies crushed since the start [kg]
+  double damage(std::int64_t floe) const;  ///< largest of the floe's places, 0 without <damage>
+  double crushed_mass() const;             ///< of ice that the vessel and bodies crushed since the start [kg]
 
   /// All that the next steps depend on, between two steps. What follows from the scene alone is not in it.
   void save(StateWriter out) const;

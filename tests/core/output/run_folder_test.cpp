@@ -23,6 +23,9 @@ class SampleRun {
  public:
   explicit SampleRun(const fs::path& path) : folder(path, false) {
     scene.as_run = "<nilas version=\"1\"/>\n";
+    scene.ice.emplace();
+    scene.vessel.emplace();
+    scene.water.emplace();
     record.ledger.works = {0, 0};
   }
   void begin() {
@@ -59,8 +62,8 @@ TEST(RunFolder, HoldsEveryCompleteStepAtAnyMoment) {
   EXPECT_EQ(lines(folder / "vessel.csv").size(), 1u + 25);
   EXPECT_EQ(lines(folder / "steps.csv").size(), 1u + 25);
   EXPECT_EQ(lines(folder / "bodies.csv").size(), 1u + 4 * 3) << "snapshots at 0, 0.1 and 0.2 s";
-  EXPECT_TRUE(fs::exists(folder / "trajectory/step-000020.vtp"));
-  EXPECT_FALSE(fs::exists(folder / "trajectory/step-000021.vtp"));
+  EXPECT_TRUE(fs::exists(folder / "trajectory/step-000020-ice.vtp"));
+  EXPECT_FALSE(fs::exists(folder / "trajectory/step-000021-ice.vtp"));
   tinyxml2::XMLDocument list;
   EXPECT_EQ(list.LoadFile((folder / "trajectory.pvd").c_str()), tinyxml2::XML_SUCCESS);
   EXPECT_FALSE(fs::exists(folder / "summary.json"));
@@ -188,6 +191,7 @@ TEST(RunFolder, GoesOnFromItsCheckpoint) {
   }
   std::ofstream(scratch / "cut/steps.csv", std::ios::app) << "0.5";
   std::ofstream(scratch / "cut/trajectory/step-000099.vtp") << "later";
+  std::ofstream(scratch / "cut/trajectory/step-000099-forces.vtp") << "later";
 
   SampleRun rest(scratch / "elsewhere");
   RunFolder folder(scratch / "cut", RunLock(scratch / "cut"));
@@ -205,7 +209,9 @@ TEST(RunFolder, GoesOnFromItsCheckpoint) {
     EXPECT_EQ(content(scratch.path() / "cut" / file), content(scratch.path() / "whole" / file)) << file;
   EXPECT_EQ(lines(scratch / "cut/steps.csv").size(), 1u + 55);
   EXPECT_FALSE(fs::exists(scratch / "cut/trajectory/step-000099.vtp"));
-  EXPECT_TRUE(fs::exists(scratch / "cut/trajectory/step-000050.vtp"));
+  EXPECT_FALSE(fs::exists(scratch / "cut/trajectory/step-000099-forces.vtp"));
+  EXPECT_TRUE(fs::exists(scratch / "cut/trajectory/water.vtp"));
+  EXPECT_TRUE(fs::exists(scratch / "cut/trajectory/step-000050-ice.vtp"));
 }
 
 TEST(RunFolder, RefusesAFolderThatHoldsSomething) {
@@ -247,6 +253,7 @@ TEST(RunFolder, ForceRemovesWhatARunWroteAndNothingElse) {
                                          "problems/best.hdf5",
                                          "problems/step-3.hdf5",
                                          "trajectory/picture.png",
+                                         "trajectory/step-000001-mine.vtp",
                                          "trajectory/step-1.vtp"};
   for (const auto& name : foreign) std::ofstream(path / name) << "mine";
   EXPECT_THROW(RunFolder(path, false), InputError);
@@ -257,7 +264,8 @@ TEST(RunFolder, ForceRemovesWhatARunWroteAndNothingElse) {
     if (entry.is_regular_file()) left.push_back(fs::relative(entry.path(), path));
   std::sort(left.begin(), left.end());
   EXPECT_EQ(left, (std::vector<std::string>{"nilas.log", "notes.txt", "problems/best.hdf5", "problems/step-3.hdf5",
-                                            "trajectory/picture.png", "trajectory/step-1.vtp", "vessel_old.csv"}));
+                                            "trajectory/picture.png", "trajectory/step-000001-mine.vtp",
+                                            "trajectory/step-1.vtp", "vessel_old.csv"}));
 }
 
 TEST(RunFolder, HasOneWriterAtATime) {
