@@ -123,10 +123,14 @@ void Simulation::World::note_vessel(const StepMotion& motion, const std::vector<
 /// Adds the share of the part of the step at work.
 void Simulation::World::note_structures(const StepMotion& motion, StepRecord& record) const {
   const auto& structures = parts.info.structures;
+  // floes that broke have moved the bodies behind them; their order stays
+  std::vector<int> places;
+  for (std::size_t b = 0; b < parts.bodies.id.size(); ++b)
+    if (parts.bodies.kind[b] == BodyKind::rigid && parts.bodies.motion[b] == Motion::fixed)
+      places.push_back(static_cast<int>(b));
   const auto structure_of = [&](int body) {
-    const auto found = std::lower_bound(structures.begin(), structures.end(), body,
-                                        [](const StructureInfo& s, int b) { return s.body < b; });
-    return found != structures.end() && found->body == body ? found - structures.begin() : -1;
+    const auto found = std::lower_bound(places.begin(), places.end(), body);
+    return found != places.end() && *found == body ? found - places.begin() : -1;
   };
   struct Sums {
     OrderFreeVectorSum force, torque;

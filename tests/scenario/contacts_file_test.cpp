@@ -117,6 +117,41 @@ TEST(ContactsFile, SumsToTheLoadsOfVesselCsv) {
   for (std::size_t i = 0; i < status.size(); ++i) EXPECT_GE(n[i].dot(f[i]), 0) << "the ice pushes the hull away";
 }
 
+/// A floe that breaks at two piers: bodies change their places while the loads must stay with their structures.
+TEST(ContactsFile, SumsToTheLoadsOfStructuresCsvAlsoAfterABreak) {
+  const ScratchFolder folder;
+  folder.write("piers.xml", R"(<scene version="1" name="piers">
+  <time step="0.01" end="1.6"/>
+  <contact tolerance="1e-6"><friction between="* ice" static="0.1" kinetic="0.1"/></contact>
+  <water density="1025"><current velocity="0.5 0 0"/></water>
+  <hydro><buoyancy/><drag form="1" skin="0.005"/></hydro>
+  <body name="west" shape="cylinder" radius="0.5" height="6" position="0 0.3 0" fixed="true"/>
+  <body name="east" shape="cylinder" radius="0.5" height="6" position="0.5 -2 0" fixed="true"/>
+  <ice thickness="0.05"><floe outline="-3.6 -3 -0.6 -3 -0.6 1 -3.6 1" velocity="0.5 0 0" breakable="true"/></ice>
+  <fracture flexural_strength="1e3" fracture_toughness="1e3"><bending model="nevel"/></fracture>
+</scene>)");
+  const auto result = run_nilas("run piers.xml --quiet --out run", folder.path());
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  ASSERT_GT(Table(folder / "run/events.csv").rows(), 0u);
+  const double broke = Table(folder / "run/events.csv")["time_s"][0];
+  const Table loads(folder / "run/structures.csv");
+  const nilas::Hdf5Reader file(folder / "run/contacts.h5");
+  const auto index = file.wide_integers("steps"), body = file.wide_integers("contacts/body");
+  const auto fx = file.exact_numbers("contacts/fx_N");
+  ASSERT_EQ(index.size(), 2 * loads.rows());
+  const std::int64_t east = *std::max_element(body.begin(), body.end());  // the later body of the scene
+  double pressed = 0;
+  for (std::size_t k = 0; k < loads.rows(); ++k) {
+    double on_west = 0, on_east = 0;
+    for (auto i = static_cast<std::size_t>(index[2 * k]); i < static_cast<std::size_t>(index[2 * k + 1]); ++i)
+      (body[i] == east ? on_east : on_west) += fx[i];
+    EXPECT_NEAR(loads["west_contact_fx_N"][k], on_west, 1e-9 * std::abs(on_west)) << "row " << k;
+    EXPECT_NEAR(loads["east_contact_fx_N"][k], on_east, 1e-9 * std::abs(on_east)) << "row " << k;
+    if (loads["time_s"][k] > broke) pressed += on_west + on_east;
+  }
+  EXPECT_GT(pressed, 0) << "the ice goes on pressing after the break";
+}
+
 TEST(ContactsFile, IsWrittenWhereTheSceneAsksForIt) {
   const ScratchFolder folder;
   folder.write("towed.xml", ice_scene(k_towed));
