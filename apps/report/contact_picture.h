@@ -1,23 +1,32 @@
 #pragma once
-/// A picture of where ice met the hull and with what force.
+/// A picture of where ice met a hull or structures and with what force.
 #include <string>
 #include <vector>
 
 #include "apps/report/contact_windows.h"
+#include "apps/report/picture_frame.h"
 #include "core/bodies/mesh.h"
 
 namespace nilas {
 
-struct ContactPictureInput {
-  std::string title;
-  TriangleMesh hull;  ///< in V
-  std::vector<ContactWindow> windows;
-  std::vector<std::vector<std::vector<Vec3>>> floes;  ///< per window outlines in V; may be empty
-  double water_level = 0;                             ///< in G [m]
+/// A row of the picture.
+struct PictureRow {
+  ContactWindow window;
+  std::string loads;                     ///< mean load in words
+  std::vector<std::vector<Vec3>> floes;  ///< outlines in the frame of the drawing; may be empty
 };
 
-/// Script for gnuplot that draws contacts.svg and contacts.png: a row per window with port side, plan and starboard
-/// side. Marks are coloured by the force of one step, on a logarithmic scale that all rows share.
+struct ContactPictureInput {
+  std::string title;
+  std::vector<TriangleMesh> bodies;  ///< in the frame of the drawing
+  std::array<View, 3> views;
+  PictureFrame frame;
+  std::vector<PictureRow> rows;
+  double water_level = 0;  ///< in G [m]
+};
+
+/// Script for gnuplot that draws contacts.svg and contacts.png: a row per window with the three views. Marks are
+/// coloured by the force of one step, on a logarithmic scale that all rows share.
 std::string contact_picture_script(const ContactPictureInput& input);
 
 }  // namespace nilas

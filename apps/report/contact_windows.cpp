@@ -13,34 +13,41 @@ namespace {
 
 /// Rows of complete steps.
 struct ContactColumns {
-  std::vector<double> time, x, y, z, z_G, fx, fy, fz;
+  std::vector<double> time, x, y, z, z_G, nx, ny, nz, fx, fy, fz;  ///< x, y, z in the frame of the drawing
   std::vector<std::int64_t> body;
   long steps = 0;
 };
 
-ContactColumns read_contacts(const std::filesystem::path& path) {
+ContactColumns read_contacts(const std::filesystem::path& path, bool of_vessel) {
   const Hdf5Reader file(path);
-  if (!file.has("contacts/hull_x_m") || !file.has("steps"))
-    throw InputError(path.string() + ": holds no contacts of a hull");
+  if (!file.has(of_vessel ? "contacts/hull_x_m" : "contacts/x_m") || !file.has("steps"))
+    throw InputError(path.string() + ": holds no contacts of " + (of_vessel ? "a hull" : "bodies"));
   const auto index = whole_blocks(file.wide_integers("steps"));
   const std::size_t rows = index.empty() ? 0 : static_cast<std::size_t>(index.back());
   const auto numbers = [&](const std::string& name) { return file.first_numbers("contacts/" + name, rows); };
-  ContactColumns c{numbers("time_s"),
-                   numbers("hull_x_m"),
-                   numbers("hull_y_m"),
-                   numbers("hull_z_m"),
-                   numbers("z_m"),
-                   numbers("fx_N"),
-                   numbers("fy_N"),
-                   numbers("fz_N"),
-                   {},
-                   static_cast<long>(index.size() / 2)};
+  const std::string frame = of_vessel ? "hull_" : "";
+  ContactColumns c;
+  c.time = numbers("time_s");
+  c.x = numbers(frame + "x_m");
+  c.y = numbers(frame + "y_m");
+  c.z = numbers(frame + "z_m");
+  c.z_G = numbers("z_m");
+  c.nx = numbers("nx");
+  c.ny = numbers("ny");
+  c.nz = numbers("nz");
+  c.fx = numbers("fx_N");
+  c.fy = numbers("fy_N");
+  c.fz = numbers("fz_N");
+  c.steps = static_cast<long>(index.size() / 2);
   c.body = file.first_integers("contacts/body", rows);
   return c;
 }
 
-ContactWindow window_of(const ContactColumns& c, std::int64_t vessel_id, const TimeScene& run, double t,
+ContactWindow window_of(const ContactColumns& c, const DrawnBodies& drawn, const TimeScene& run, double t,
                         double half_width) {
+  const auto is_drawn = [&](std::int64_t id) {
+    return std::find(drawn.ids.begin(), drawn.ids.end(), id) != drawn.ids.end();
+  };
   const double low = t - half_width - 0.5 * run.step, high = t + half_width + 0.5 * run.step;
   ContactWindow window{.t = t, .half_width = half_width, .steps = 0, .marks = {}};
   for (long k = 1; k <= c.steps; ++k) {
@@ -52,12 +59,15 @@ ContactWindow window_of(const ContactColumns& c, std::int64_t vessel_id, const T
                                  run.start, run.start + static_cast<double>(c.steps) * run.step));
   long rows = 0;
   for (std::size_t i = 0; i < c.time.size(); ++i) {
-    if (c.time[i] < low || c.time[i] > high || c.body[i] != vessel_id) continue;
+    if (c.time[i] < low || c.time[i] > high || !is_drawn(c.body[i])) continue;
     ++rows;
     window.floating_level += c.z_G[i] - c.z[i];
     const Vec3 force(c.fx[i], c.fy[i], c.fz[i]);
     window.mean_force += force;
-    if (!force.isZero(0)) window.marks.push_back({{c.x[i], c.y[i], c.z[i]}, force});
+    if (force.isZero(0)) continue;
+    const Vec3 p(c.x[i], c.y[i], c.z[i]), outward(-c.nx[i], -c.ny[i], -c.nz[i]);
+    // a hull turns, and has its centre plane in y = 0
+    window.marks.push_back({p, drawn.is_vessel ? p : outward, force});
   }
   if (rows > 0) window.floating_level /= static_cast<double>(rows);
   window.mean_force /= static_cast<double>(window.steps);
@@ -69,11 +79,11 @@ ContactWindow window_of(const ContactColumns& c, std::int64_t vessel_id, const T
 
 }  // namespace
 
-std::vector<ContactWindow> contact_windows(const std::filesystem::path& file, std::int64_t vessel_id,
+std::vector<ContactWindow> contact_windows(const std::filesystem::path& file, const DrawnBodies& drawn,
                                            const TimeScene& run, const std::vector<double>& times, double half_width) {
-  const ContactColumns columns = read_contacts(file);
+  const ContactColumns columns = read_contacts(file, drawn.is_vessel);
   std::vector<ContactWindow> windows;
-  for (const double t : times) windows.push_back(window_of(columns, vessel_id, run, t, half_width));
+  for (const double t : times) windows.push_back(window_of(columns, drawn, run, t, half_width));
   return windows;
 }
 

@@ -1,94 +1,100 @@
 #include "apps/report/floe_outlines.h"
 
-#include <charconv>
+#include <tinyxml2.h>
+
 #include <cmath>
-#include <fstream>
+#include <cstdint>
+#include <cstring>
 #include <limits>
-#include <map>
 #include <string>
 
 #include "core/base/error.h"
+#include "core/output/vtp_array.h"
 
 namespace nilas {
 
 namespace {
 
-struct StoredPose {
-  std::int64_t id = 0;
-  Pose pose;
-};
+using Element = tinyxml2::XMLElement;
 
-/// A row of bodies.csv; the name, which may hold commas, lies between what is read from the left and from the right.
-struct StoredRow {
-  double t = 0;
-  StoredPose body;
-};
-
-StoredRow read_row(const std::string& line, const std::string& place) {
-  constexpr int k_after_name = 13;
-  std::size_t from = line.size();
-  for (int k = 0; k < k_after_name && from != std::string::npos && from > 0; ++k) from = line.rfind(',', from - 1);
-  double left[2] = {}, right[7] = {};  // time and id; position and quaternion
-  const auto read = [&](std::size_t begin, double* values, int count) {
-    for (int k = 0; k < count; ++k) {
-      const auto [end, fault] = std::from_chars(line.data() + begin, line.data() + line.size(), values[k]);
-      if (fault != std::errc{}) throw InputError(place + ": is no row of bodies.csv");
-      begin = static_cast<std::size_t>(end - line.data()) + 1;
-    }
-  };
-  if (from == std::string::npos) throw InputError(place + ": is no row of bodies.csv");
-  read(0, left, 2);
-  read(from + 1, right, 7);
-  StoredRow row;
-  row.t = left[0];
-  row.body.id = static_cast<std::int64_t>(left[1]);
-  row.body.pose.p = Vec3(right[0], right[1], right[2]);
-  row.body.pose.q = Quat(right[3], right[4], right[5], right[6]);
-  return row;
+const Element* child_at(const Element* element, std::initializer_list<const char*> path) {
+  for (const char* name : path)
+    if (element != nullptr) element = element->FirstChildElement(name);
+  return element;
 }
 
-/// Poses at the stored instant nearest to t.
-std::map<std::int64_t, Pose> poses_near(const std::filesystem::path& bodies_csv, double t) {
-  std::map<std::int64_t, Pose> poses;
-  std::ifstream in(bodies_csv);
-  std::string line;
-  std::getline(in, line);
-  double best = std::numeric_limits<double>::infinity(), instant = 0;
-  while (std::getline(in, line)) {
-    const StoredRow row = read_row(line, bodies_csv.string());
-    if (const double distance = std::abs(row.t - t); distance < best) {
-      best = distance;
-      instant = row.t;
-      poses.clear();
+void load(const std::filesystem::path& path, tinyxml2::XMLDocument& document) {
+  const auto error = document.LoadFile(path.c_str());
+  if (error == tinyxml2::XML_SUCCESS) return;
+  const std::string message = path.string() + ": cannot be read: " + document.ErrorStr();
+  if (error == tinyxml2::XML_ERROR_FILE_NOT_FOUND || error == tinyxml2::XML_ERROR_FILE_COULD_NOT_BE_OPENED)
+    throw FileError(message);
+  throw InputError(message);
+}
+
+/// Values of the array of this name and number type among the children of `parent`.
+template <class Number>
+std::vector<Number> values_of(const Element* parent, const char* name, const char* type) {
+  const Element* array = parent == nullptr ? nullptr : parent->FirstChildElement("DataArray");
+  while (array != nullptr && !array->Attribute("Name", name)) array = array->NextSiblingElement("DataArray");
+  if (array == nullptr || !array->Attribute("type", type) || array->GetText() == nullptr)
+    throw InputError(std::string("holds no ") + type + " array " + name);
+  const std::string bytes = array_bytes(array->GetText());
+  std::vector<Number> values(bytes.size() / sizeof(Number));
+  std::memcpy(values.data(), bytes.data(), values.size() * sizeof(Number));
+  return values;
+}
+
+/// The second polygon of each floe is its upper face.
+std::vector<std::vector<Vec3>> upper_faces(const Element* piece) {
+  const auto points = values_of<float>(child_at(piece, {"Points"}), "Points", "Float32");
+  const Element* polygons = child_at(piece, {"Polys"});
+  const auto corners = values_of<std::int32_t>(polygons, "connectivity", "Int32");
+  const auto ends = values_of<std::int32_t>(polygons, "offsets", "Int32");
+  const auto ids = values_of<std::int64_t>(child_at(piece, {"CellData"}), "id", "Int64");
+  if (ids.size() != ends.size()) throw InputError("has not one id per polygon");
+  std::vector<std::vector<Vec3>> faces;
+  std::int64_t count = 0;
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    count = k > 0 && ids[k] == ids[k - 1] ? count + 1 : 1;
+    if (count != 2) continue;
+    std::vector<Vec3>& face = faces.emplace_back();
+    for (auto c = static_cast<std::size_t>(ends[k - 1]); c < static_cast<std::size_t>(ends[k]); ++c) {
+      const std::size_t p = 3 * static_cast<std::size_t>(corners.at(c));
+      face.emplace_back(points.at(p), points.at(p + 1), points.at(p + 2));
     }
-    if (row.t == instant) poses[row.body.id] = row.body.pose;
   }
-  return poses;
+  return faces;
 }
 
 }  // namespace
 
-std::vector<std::vector<Vec3>> floe_outlines(const std::filesystem::path& bodies_csv, const Bodies& bodies, int vessel,
-                                             const Vec3& com_V, double t) {
-  std::vector<std::vector<Vec3>> outlines;
-  const auto poses = poses_near(bodies_csv, t);
-  if (poses.empty()) return outlines;
-  const auto hull_pose = poses.find(bodies.id[static_cast<std::size_t>(vessel)]);
-  if (hull_pose == poses.end()) throw InputError(bodies_csv.string() + ": lacks the vessel");
-  const Pose& hull = hull_pose->second;
-  for (std::size_t b = 0; b < bodies.id.size(); ++b) {
-    const auto found = poses.find(bodies.id[b]);
-    // a floe that broke has no pose any more
-    if (bodies.kind[b] != BodyKind::floe || found == poses.end()) continue;
-    const Pose& pose = found->second;
-    std::vector<Vec3> outline;
-    for (const Vec2& corner : bodies.shape[b]->outline) {
-      const Vec3 p = pose.p + pose.q * Vec3(corner.x(), corner.y(), 0.5 * bodies.shape[b]->thickness);
-      outline.push_back(hull.q.inverse() * (p - hull.p) + com_V);
-    }
-    outlines.push_back(std::move(outline));
+std::optional<IceFrame> ice_near(const std::filesystem::path& run_folder, double t) {
+  const auto list = run_folder / "trajectory.pvd";
+  if (!std::filesystem::exists(list)) return std::nullopt;
+  tinyxml2::XMLDocument document;
+  load(list, document);
+  std::string file;
+  double best = std::numeric_limits<double>::infinity();
+  IceFrame frame;
+  const Element* set = child_at(document.RootElement(), {"Collection", "DataSet"});
+  for (; set != nullptr; set = set->NextSiblingElement("DataSet")) {
+    const double at = set->DoubleAttribute("timestep");
+    if (!set->Attribute("name", "ice floes") || std::abs(at - t) >= best) continue;
+    best = std::abs(at - t);
+    frame.t = at;
+    file = set->Attribute("file") == nullptr ? "" : set->Attribute("file");
   }
-  return outlines;
+  if (file.empty()) return std::nullopt;
+  load(run_folder / file, document);
+  try {
+    frame.outlines = upper_faces(child_at(document.RootElement(), {"PolyData", "Piece"}));
+  } catch (const InputError& error) {
+    throw InputError((run_folder / file).string() + ": " + error.what());
+  } catch (const std::out_of_range&) {
+    throw InputError((run_folder / file).string() + ": a polygon has a corner that is no point");
+  }
+  return frame;
 }
 
 }  // namespace nilas

@@ -1,16 +1,20 @@
 #pragma once
-/// Where a run's floes lay, for drawings.
+/// Where a run's ice lay, for drawings.
 #include <filesystem>
+#include <optional>
 #include <vector>
 
-#include "core/bodies/bodies.h"
+#include "core/base/math.h"
 
 namespace nilas {
 
-/// Upper outlines of the floes in frame V at the stored instant nearest to t [s], from a bodies.csv of these bodies;
-/// `com_V` is the vessel's centre of mass in V. Empty where the file is not there. Throws InputError for rows of other
-/// bodies.
-std::vector<std::vector<Vec3>> floe_outlines(const std::filesystem::path& bodies_csv, const Bodies& bodies, int vessel,
-                                             const Vec3& com_V, double t);
+struct IceFrame {
+  double t = 0;                             ///< [s]
+  std::vector<std::vector<Vec3>> outlines;  ///< upper outlines of floes and of pieces of broken ones, in G [m]
+};
+
+/// The ice in the stored frame of a run's trajectory that is nearest to t [s]; nothing where the run stores none.
+/// Throws FileError and InputError for a file that cannot be read.
+std::optional<IceFrame> ice_near(const std::filesystem::path& run_folder, double t);
 
 }  // namespace nilas

@@ -17,21 +17,9 @@ std::string line(const std::string& label, const std::string& text) {
   return fmt::format("{:<22}{}\n", label, wrapped(text, k_label_width));
 }
 
-struct Unit {
-  const char* name;
-  double size;
-};
-
-Unit unit_of(double newton) {
-  constexpr double k_kilo = 1e3, k_mega = 1e6, k_from = 10;
-  if (std::abs(newton) >= k_from * k_mega) return {"MN", k_mega};
-  if (std::abs(newton) >= k_from * k_kilo) return {"kN", k_kilo};
-  return {"N", 1};
-}
-
 /// "16.9 N +- 2.1 N", both in the unit of the larger.
 std::string with_error(double mean, const std::optional<double>& half_width) {
-  const Unit unit = unit_of(std::max(std::abs(mean), half_width.value_or(0)));
+  const ForceUnit unit = force_unit(std::max(std::abs(mean), half_width.value_or(0)));
   if (!half_width) return fmt::format("{:.4g} {}", mean / unit.size, unit.name);
   return fmt::format("{:.4g} {} +- {:.2g} {}", mean / unit.size, unit.name, *half_width / unit.size, unit.name);
 }
@@ -78,8 +66,15 @@ std::string tow_lines(const TowForce& tow) {
 
 }  // namespace
 
+ForceUnit force_unit(double newton) {
+  constexpr double k_kilo = 1e3, k_mega = 1e6, k_from = 10;
+  if (std::abs(newton) >= k_from * k_mega) return {"MN", k_mega};
+  if (std::abs(newton) >= k_from * k_kilo) return {"kN", k_kilo};
+  return {"N", 1};
+}
+
 std::string force_text(double newton) {
-  const Unit unit = unit_of(newton);
+  const ForceUnit unit = force_unit(newton);
   return fmt::format("{:.4g} {}", newton / unit.size, unit.name);
 }
 

@@ -6,6 +6,12 @@
 
 namespace nilas {
 
+struct ForceUnit {
+  const char* name;
+  double size;  ///< [N]
+};
+/// N, kN or MN: that in which a force of this size has a readable number.
+ForceUnit force_unit(double newton);
 /// A force in N, kN or MN with four digits.
 std::string force_text(double newton);
 
