@@ -54,7 +54,7 @@ PooledVariance pooled_variance(const std::vector<double>& twin_differences,
   const boost::math::chi_squared spread(degrees);
   constexpr double k_worth = 0.37;  // of a degree of freedom, in a median of squares (Hampel 1974)
   const PooledVariance of_settings{median_of(variances) * degrees / boost::math::quantile(spread, 0.5),
-                                   std::max(degrees, k_worth * degrees * (count - 1))};
+                                   std::max(degrees, k_worth * degrees * (count - 1)), true};
   return of_settings.value >= pooled.value ? of_settings : pooled;
 }
 

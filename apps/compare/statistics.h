@@ -17,7 +17,8 @@ double median_of(std::vector<double> values);
 /// tenths for few settings. Of one setting alone plainly what its differences scatter.
 struct PooledVariance {
   double value = 0;
-  double degrees = 0;  ///< of freedom behind it, of the one that is larger
+  double degrees = 0;        ///< of freedom behind it, of the one that is larger
+  bool by_settings = false;  ///< which is larger; else the twins' is
 };
 PooledVariance pooled_variance(const std::vector<double>& twin_differences,
                                const std::vector<std::vector<double>>& settings);

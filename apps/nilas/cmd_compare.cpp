@@ -52,6 +52,9 @@ int compare(CompareOptions options) {
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);
   const bool goes_on = !options.study.resume.empty() && holds_problem_study(options.study.resume);
+  if (goes_on && options.study.realisations)
+    throw InputError("--seeds: the comparison in " + options.study.resume +
+                     " is of stored problems, without realisations");
   if (!options.problems.empty() || goes_on) return compare_problems(options, goes_on);
   options.study.scene = options.scene.file;
   for (const auto& text : options.scene.set) options.study.overrides.push_back(split_override(text));
@@ -90,7 +93,8 @@ void add_compare(CLI::App& app, Action& action) {
       command->add_flag("--ablate", study.grid.ablate,
                         "in place of a grid: each simplification of older tools on, singly and all together");
   command
-      ->add_option("--seeds", study.realisations, "realisations of each setting (default: 3, 2 where the budget asks)")
+      ->add_option("--seeds", study.realisations,
+                   "realisations of each setting (default: 3, 2 where the budget asks); with --resume: as many in all")
       ->check(at_least(1));
   command->add_option("--reference", study.reference, "auto, or a run folder to judge by")->capture_default_str();
   auto* tolerance = command
@@ -120,8 +124,8 @@ void add_compare(CLI::App& app, Action& action) {
   problems->excludes(scene);
   ablate->excludes("--reference");
   for (const char* flag : {"scene", "--problems", "--solvers", "--laws", "--dt", "--tolerance", "--integrators",
-                           "--stabilisations", "--ablate", "--seeds", "--reference", "--reference-tolerance", "--out",
-                           "--until", "--seed", "--set", "--keep-runs", "--force"})
+                           "--stabilisations", "--ablate", "--reference", "--reference-tolerance", "--out", "--until",
+                           "--seed", "--set", "--keep-runs", "--force"})
     resume->excludes(flag);
   command->callback([&action, options, scene, tolerance] {
     if (options->study.resume.empty() && options->problems.empty() && scene->count() == 0)

@@ -394,8 +394,74 @@ TEST(Compare, WithoutItsReferenceIsJudgedByTheMostAccurateThatIsDoneAndSaysSo) {
     fs::remove(folder.path() / "out/results" / (std::string(id) + ".json"));
   const auto result = run_nilas("compare --resume out --budget 0.01", folder.path());
   EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
-  EXPECT_EQ(json_of(folder.path() / "out/compare.json")["judged_in_its_place_by"], "\"0.005 s\"");
+  EXPECT_EQ(json_of(folder.path() / "out/compare.json")["judged_in_its_place_by"], "\"step 0.005 s\"");
   expect_page(folder.path() / "out", "in its place");
+}
+
+TEST(Compare, SaysWhatMoreTimeWouldTellAndItsCommandDoesIt) {
+  const ScratchFolder folder;
+  folder.write("ship.xml", k_ship);
+  ASSERT_EQ(run_nilas("compare ship.xml --solvers auto,nsgs --dt 0.01,0.005 --seeds 2 --out out --quiet", folder.path())
+                .exit_code,
+            0);
+  // as where the budget ended in the second realisation
+  for (const char* id : {"s01-r1", "s02-r1", "s03-r1"})
+    fs::remove(folder.path() / "out/results" / (std::string(id) + ".json"));
+  const auto cut = run_nilas("compare --resume out --budget 0.01", folder.path());
+  EXPECT_EQ(cut.exit_code, 0) << cut.out << cut.err;
+  auto json = json_of(folder.path() / "out/compare.json");
+  EXPECT_EQ(json["shared_realisations"], nlohmann::json({0}));
+  for (const auto& setting : json["settings"]) EXPECT_EQ(setting["load_N"]["runs"], 1) << setting;
+  ASSERT_TRUE(json["with_more_time"]["next"].is_object());
+  EXPECT_EQ(json["with_more_time"]["next"]["missing_runs"], 3);
+  const std::string command = json["with_more_time"]["next"]["command"];
+  EXPECT_EQ(command.rfind("nilas compare --resume out --budget ", 0), 0U) << command;
+  EXPECT_NE(cut.out.find("all 4 settings would have 2 realisations"), std::string::npos) << cut.out;
+  EXPECT_NE(cut.out.find("\n  " + command + "\n"), std::string::npos) << cut.out;
+  expect_page(folder.path() / "out", command);
+  EXPECT_EQ(run_nilas(command.substr(std::string("nilas ").size()), folder.path()).exit_code, 0);
+  json = json_of(folder.path() / "out/compare.json");
+  EXPECT_TRUE(json["complete"]);
+  EXPECT_EQ(json["shared_realisations"], nlohmann::json({0, 1}));
+  for (const auto& setting : json["settings"]) EXPECT_EQ(setting["load_N"]["runs"], 2) << setting;
+}
+
+TEST(Compare, GrowsByRealisations) {
+  const ScratchFolder folder;
+  folder.write("ship.xml", k_ship);
+  ASSERT_EQ(run_nilas("compare ship.xml --solvers auto,nsgs --seeds 1 --out out --quiet", folder.path()).exit_code, 0);
+  EXPECT_EQ(run_nilas("compare --resume out --seeds 3 --quiet", folder.path()).exit_code, 0);
+  const auto json = json_of(folder.path() / "out/compare.json");
+  EXPECT_TRUE(json["complete"]);
+  EXPECT_EQ(json["realisations"], 3);
+  for (const auto& setting : json["settings"]) EXPECT_EQ(setting["done"], 3);
+  EXPECT_EQ(json["settings"][1]["from_own"]["realisations"], nlohmann::json({0, 1, 2}));
+  const auto fewer = run_nilas("compare --resume out --seeds 2", folder.path());
+  EXPECT_EQ(fewer.exit_code, 2);
+  EXPECT_NE(fewer.err.find("has 3 realisations"), std::string::npos) << fewer.err;
+}
+
+TEST(Compare, JudgesByTheIceLoadOverOneWindowForAll) {
+  const ScratchFolder folder;
+  folder.write("ship.xml", k_ship);
+  ASSERT_EQ(run_nilas("compare ship.xml --dt 0.02,0.01,0.005 --seeds 1 --keep-runs --out out --quiet", folder.path())
+                .exit_code,
+            0);
+  const fs::path out = folder.path() / "out";
+  const auto json = json_of(out / "compare.json");
+  EXPECT_EQ(json["channel"], "ice_resistance_N");
+  const double from = json["windows"][0]["from_s"], to = json["windows"][0]["to_s"];
+  EXPECT_GT(from, 0.05) << "after the ramp";
+  EXPECT_NEAR(std::remainder(from, 0.02), 0, 1e-9) << "where all steps end";
+  const Table runs(out / "compare.csv");
+  for (std::size_t k = 0; k < runs.rows(); ++k) {
+    const Table vessel(out / "runs" / runs.text("id")[k] / "vessel.csv");
+    double impulse = 0;
+    for (std::size_t row = 0; row < vessel.rows(); ++row)
+      if (vessel["time_s"][row] > from + 1e-9) impulse += vessel["ice_resistance_N"][row] * runs["step_s"][k];
+    EXPECT_NEAR(runs["ice_resistance_mean_N"][k], impulse / (to - from), 1e-9) << runs.text("id")[k];
+    EXPECT_GT(runs["ice_resistance_mean_N"][k], 0) << "positive astern";
+  }
 }
 
 TEST(Compare, LeavesAloneARunsFolderThatItDidNotWrite) {
@@ -417,7 +483,7 @@ TEST(Compare, CanBeJudgedByARunFolder) {
   const Table settings(folder.path() / "out/settings.csv");
   auto row = rows_by(settings, "label");
   EXPECT_EQ(settings["load_difference_N"][row["own setting"]], 0);
-  EXPECT_NE(settings["load_difference_N"][row["0.005 s"]], 0);
+  EXPECT_NE(settings["load_difference_N"][row["step 0.005 s"]], 0);
 }
 
 TEST(Compare, IsNotJudgedByARunOfOtherIce) {

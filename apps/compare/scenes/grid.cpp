@@ -201,6 +201,24 @@ Grid make_grid(const Scene& scene, const Overrides& overrides, const GridRequest
   return grid;
 }
 
+std::size_t core_of(const Grid& grid, const GridRequest& request) {
+  if (request.ablate) return grid.settings.size();
+  const CompareSetting& own = grid.settings.front();
+  std::size_t core = 0;
+  while (core < grid.settings.size()) {
+    auto axes = differences(grid.settings[core], own);
+    // solver and law come together in the default grid
+    if (!request.names_axes()) {
+      std::erase(axes, "law");
+      // nor does a solver that goes by sweeps say what another aims at
+      if (own.tolerance == 0 && grid.settings[core].solver != own.solver) std::erase(axes, "tolerance");
+    }
+    if (axes.size() > 1) break;
+    ++core;
+  }
+  return core;
+}
+
 CompareSetting reference_setting(const Scene& scene, const Overrides& overrides, const Grid& grid, double tolerance) {
   CompareSetting reference = setting_of(scene);
   reference.law = scene.contact.law == "frictionless" ? "frictionless" : "coulomb";

@@ -34,6 +34,9 @@ struct Grid {
 /// nothing is left beside the scene's own setting. `overrides`: the user's own, under which the scene was read.
 Grid make_grid(const Scene& scene, const Overrides& overrides, const GridRequest& request);
 
+/// How many settings differ from the first in one thing, which come first; all of an ablation.
+std::size_t core_of(const Grid& grid, const GridRequest& request);
+
 /// The setting by which errors are judged. Few free bodies without a vessel: the event-driven integrator `reference`,
 /// which `nilas verify` holds against closed forms. Else half the finest step of the grid, exact Coulomb friction (no
 /// friction where the scene has none), projection, moreau where the scene takes it, the reference solver at

@@ -9,7 +9,10 @@
 
 #include "apps/compare/scenes/load_errors.h"
 #include "apps/compare/scenes/motion.h"
+#include "apps/compare/scenes/pairing.h"
 #include "apps/compare/scenes/ranking.h"
+#include "apps/compare/scenes/row_loads.h"
+#include "apps/compare/scenes/shared_realisations.h"
 #include "apps/compare/statistics.h"
 
 namespace nilas {
@@ -36,14 +39,18 @@ class Judge {
   }
 
   Findings judged() {
+    found_.one_reference = one_reference_;
     if (!against_first_) find_stand_in();
     for (auto& row : found_.rows) row.judges = row.result.done() && is_reference(row);
     choose_headline();
+    find_shared();
+    if (!found_.headline.empty()) measure_row_loads(plan_, folder_, found_);
     measure_motions();
     measure_loads();
     choose_measure();
     for (std::size_t s = 0; s < plan_.settings.size(); ++s) add_merit(s);
     set_floors();
+    if (found_.measure == "load") pair_up(plan_, found_);
     check_reference();
     if (found_.measure == "load" && !against_first_) judge_load_errors(plan_, chaos_of_difference_, found_);
     spread_of_times();
@@ -87,20 +94,10 @@ class Judge {
     found_.stand_in = '"' + label_of(plan_.settings[*finest], plan_.settings.front()) + '"';
   }
 
-  template <class Wanted>
-  const RunRow* row_of(int realisation, const Wanted& wanted) const {
-    for (const auto& row : found_.rows)
-      if (row.run.realisation == realisation && row.result.done() && wanted(row)) return &row;
-    return nullptr;
-  }
-  const RunRow* first_of(int realisation) const {
-    return row_of(realisation, [](const RunRow& row) { return row.run.kind == RunKind::grid && row.run.setting == 0; });
-  }
-  const RunRow* twin_of(int realisation) const {
-    return row_of(realisation, [](const RunRow& row) { return row.run.kind == RunKind::twin; });
-  }
+  const RunRow* first_of(int realisation) const { return done_run(found_, RunKind::grid, 0, realisation); }
+  const RunRow* twin_of(int realisation) const { return done_run(found_, RunKind::twin, 0, realisation); }
   double load_of(const RunRow& row, const char* statistic = "mean") const {
-    return row.result.number("/loads/" + found_.headline + "/" + statistic);
+    return load_statistic(row, found_.headline, statistic);
   }
   /// Empty where the run stored none, as a run folder of the user's may.
   Motion motion_of(const RunRow& row) const {
@@ -108,23 +105,49 @@ class Judge {
     return std::filesystem::exists(file) && std::filesystem::file_size(file) > 0 ? read_motion(file) : Motion();
   }
 
-  /// The horizontal force of the ice with the larger mean: what holds a carriage back has the inertia of the start in
-  /// it, by which no error is small or large.
+  /// As `nilas run` announces it.
   void choose_headline() {
-    double largest = -1;
+    const std::string channel = k_course_channels.front();
+    for (const auto& row : found_.rows)
+      if (row.result.done() && !std::isnan(row.result.number("/loads/" + channel + "/mean"))) found_.headline = channel;
+  }
+
+  void find_shared() {
+    std::vector<DoneRuns> settings(plan_.settings.size());
+    const auto count = static_cast<std::size_t>(plan_.realisations);
+    std::vector<bool> judged(count, false);
+    for (auto& setting : settings) setting.done.resize(count, false);
     for (const auto& row : found_.rows) {
-      if (!row.result.done()) continue;
-      for (const char* channel : {"contact_fx_N", "contact_fy_N"}) {
-        const double mean = row.result.number(std::string("/loads/") + channel + "/mean");
-        if (!(std::abs(mean) > largest)) continue;
-        largest = std::abs(mean);
-        found_.headline = channel;
-      }
-      if (largest >= 0) return;
+      const auto r = static_cast<std::size_t>(row.run.realisation);
+      if (row.judges) judged[r] = true;
+      if (row.run.kind != RunKind::grid) continue;
+      DoneRuns& runs = settings[row.run.setting];
+      if (row.result.done()) runs.done[r] = true;
+      runs.failed = runs.failed || row.result.failed();
     }
+    found_.shared = shared_realisations(settings, judged);
+  }
+  bool shares(int realisation) const {
+    return std::find(found_.shared.begin(), found_.shared.end(), realisation) != found_.shared.end();
+  }
+
+  void find_same_ice() {
+    constexpr double k_same = 1e-9;  // a thousand times what realisations are set apart by [m]
+    Motion begin;
+    for (const int r : found_.shared) {
+      const RunRow* row = done_run(found_, RunKind::grid, 0, r);
+      Motion motion = row == nullptr ? Motion() : motion_of(*row);
+      if (motion.empty()) return;
+      motion.resize(1);
+      if (begin.empty()) begin = motion;
+      const auto apart = distances(begin, motion);
+      if (apart.empty() || apart.front().largest > k_same || !apart.front().same_bodies) return;
+    }
+    found_.same_ice = found_.shared.size() > 1;
   }
 
   void measure_motions() {
+    find_same_ice();
     found_.horizon_s = plan_.end;
     for (int r = 0; r < plan_.realisations; ++r) find_horizon(r);
     for (int r = 0; r < plan_.realisations; ++r) {
@@ -180,18 +203,22 @@ class Judge {
     if (found_.headline.empty()) return;
     std::vector<double> loads;
     for (int r = 0; r < plan_.realisations; ++r) {
+      if (const RunRow* first = first_of(r))
+        for (auto& row : found_.rows)
+          if (row.run.realisation == r && row.result.done() && &row != first)
+            row.own_difference = load_of(row) - load_of(*first);
       const RunRow* reference = reference_of(found_, r);
       if (reference == nullptr) continue;
-      loads.push_back(load_of(*reference));
+      const double load = load_of(*reference);
+      if (shares(r)) loads.push_back(load);
       for (auto& row : found_.rows)
-        if (row.run.realisation == r && row.result.done() && !row.judges)
-          row.load_difference = load_of(row) - loads.back();
+        if (row.run.realisation == r && row.result.done() && !row.judges) row.load_difference = load_of(row) - load;
     }
     found_.reference_load = loads.empty() ? k_nan : mean_of(loads);
     const auto of_judges = [&](const char* statistic) {
       std::vector<double> values;
       for (const auto& row : found_.rows)
-        if (row.judges) values.push_back(load_of(row, statistic));
+        if (row.judges && shares(row.run.realisation)) values.push_back(load_of(row, statistic));
       return estimate_of(values);
     };
     found_.reference_mean = of_judges("mean");
@@ -231,7 +258,8 @@ class Judge {
   std::vector<double> over_runs(std::size_t setting, const Value& value) const {
     std::vector<double> values;
     for (const auto& row : found_.rows)
-      if (row.run.kind == RunKind::grid && row.run.setting == setting && row.result.done())
+      if (row.run.kind == RunKind::grid && row.run.setting == setting && row.result.done() &&
+          shares(row.run.realisation))
         if (const std::optional<double> v = value(row); v && !std::isnan(*v)) values.push_back(*v);
     return values;
   }
@@ -251,10 +279,12 @@ class Judge {
       ++m.planned;
       m.done += row.result.done() ? 1 : 0;
       m.failed += row.result.failed() ? 1 : 0;
+      if (row.result.done() && shares(row.run.realisation)) m.realisations.push_back(row.run.realisation);
       if (row.result.failed() && m.trouble.empty())
         m.trouble = row.result.status + (row.result.cause.empty() ? "" : ": " + row.result.cause);
     }
     if (m.done == 0 && m.trouble.empty()) m.trouble = "not run";
+    m.partial = m.done > 0 && m.realisations.size() < found_.shared.size();
     const auto load = [&](const char* statistic) {
       return estimate_of(over_runs(setting, [&](const RunRow& row) { return std::optional(load_of(row, statistic)); }));
     };
@@ -316,23 +346,21 @@ class Judge {
       if (m.load_difference.count == most && !m.judges)
         settings.push_back(over_runs(m.setting, [](const RunRow& row) { return row.load_difference; }));
     if (one_reference_ && settings.size() == 1) settings.clear();  // which scatters as one run, not as a difference
-    const PooledVariance pooled = pooled_variance(twins, settings);
+    const PooledVariance pooled = found_.chance = pooled_variance(twins, settings);
     const bool measured = pooled.degrees > 0;
     found_.chaos = measured ? std::sqrt(0.5 * pooled.value) : k_nan;
     chaos_of_difference_ = measured ? student_95(pooled.degrees) * std::sqrt(pooled.value) : k_nan;
     // one run that all are judged by does not average out, and differences from it scatter as single runs do
     const double reference = one_reference_ ? 0.5 * pooled.value : 0, runs = pooled.value - reference;
-    const auto floor_of = [&](double variance, double degrees, int count) {
-      return degrees > 0 ? student_95(degrees) * std::sqrt(variance / std::max(1, count) + reference) +
-                               k_rounding_share * found_.scale
-                         : std::numeric_limits<double>::infinity();
+    const auto limit = [&](double variance, double degrees, int count) {
+      return floor_of(variance, degrees, count, reference) + k_rounding_share * found_.scale;
     };
-    found_.common_floor = floor_of(runs, pooled.degrees, most);
+    found_.common_floor = limit(runs, pooled.degrees, most);
     for (auto& m : found_.merits) {
       const int count = m.load_difference.count;
       const double own = variance_of_difference(m);
       const bool wild = !std::isnan(own) && own > scatter_95(count - 1, pooled.degrees) * runs;
-      m.floor = wild ? floor_of(own, count - 1, count) : floor_of(runs, pooled.degrees, count);
+      m.floor = wild ? limit(own, count - 1, count) : limit(runs, pooled.degrees, count);
       if (m.done == 0) m.floor = k_nan;
       m.told = m.error > m.floor;
     }
@@ -346,7 +374,10 @@ class Judge {
   void spread_of_times() {
     std::vector<double> relative;
     for (std::size_t s = 0; s < plan_.settings.size(); ++s) {
-      const auto times = over_runs(s, [](const RunRow& row) { return std::optional(row.result.compute_per_second()); });
+      std::vector<double> times;
+      for (const auto& row : found_.rows)
+        if (row.run.kind == RunKind::grid && row.run.setting == s && row.result.done())
+          if (const double time = row.result.compute_per_second(); !std::isnan(time)) times.push_back(time);
       if (times.size() > 1) relative.push_back(std::sqrt(variance_of(times)) / mean_of(times));
     }
     double squares = 0;
@@ -392,6 +423,18 @@ const RunRow* reference_of(const Findings& found, int realisation) {
   for (const auto& row : found.rows)
     if (row.judges && row.run.realisation == realisation) return &row;
   return nullptr;
+}
+
+const RunRow* done_run(const Findings& found, RunKind kind, std::size_t setting, int realisation) {
+  for (const auto& row : found.rows)
+    if (row.run.kind == kind && row.run.setting == setting && row.run.realisation == realisation && row.result.done())
+      return &row;
+  return nullptr;
+}
+
+double floor_of(double variance, double degrees, int realisations, double reference) {
+  if (!(degrees > 0)) return std::numeric_limits<double>::infinity();
+  return student_95(degrees) * std::sqrt(variance / std::max(1, realisations) + reference);
 }
 
 Findings find(const Plan& plan, const std::map<std::string, RunResult>& results, const std::filesystem::path& folder,

@@ -5,8 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "apps/compare/scenes/load_series.h"
+#include "apps/compare/scenes/paired.h"
 #include "apps/compare/scenes/plan.h"
 #include "apps/compare/scenes/run_result.h"
+#include "apps/compare/statistics.h"
 
 namespace nilas {
 
@@ -42,6 +45,15 @@ struct RunRow {
   std::optional<MotionError> motion{};
   std::optional<LoadErrorParts> load_error{};
   std::optional<double> load_difference{};  ///< of the headline channel's mean from the reference's [N]
+  std::optional<double> own_difference{};   ///< from the first setting's in the same realisation [N]
+  /// Of k_course_channels over the window of its realisation; nothing where the run left no course of its load.
+  std::optional<std::array<LoadStatistics, k_course_channels.size()>> loads{};
+};
+
+/// Over which all runs of a realisation are summed up.
+struct LoadSpan {
+  double from = 0, to = 0;  ///< [s]
+  std::string reason;       ///< why it begins where it does, as the end of a sentence
 };
 
 /// A mean over realisations.
@@ -53,13 +65,16 @@ struct Estimate {
 
 struct Merit {
   std::size_t setting = 0;
-  int planned = 0, done = 0, failed = 0;  ///< runs; what did not begin or was ended by the budget is neither
-  bool judges = false;                    ///< the others are judged by it
-  std::string trouble;                    ///< the first cause why a run is not done
-  Estimate load;                          ///< mean of the headline channel [N]
-  Estimate load_difference;               ///< from the reference, realisation by realisation [N]
-  Estimate load_std, load_max, load_p99;  ///< of the same channel [N]
-  Estimate motion, turn;                  ///< largest rms distance [m] and turn [rad] from the reference
+  int planned = 0, done = 0, failed = 0;      ///< runs; what did not begin or was ended by the budget is neither
+  bool judges = false;                        ///< the others are judged by it
+  std::string trouble;                        ///< the first cause why a run is not done
+  std::vector<int> realisations;              ///< that its figures are means over: done, and shared with others
+  bool partial = false;                       ///< it has some of the shared realisations, not all: not to be ranked
+  Estimate load;                              ///< mean of the headline channel [N]
+  Estimate load_difference;                   ///< from the reference, realisation by realisation [N]
+  PairedDifference from_reference, from_own;  ///< of the headline channel's mean
+  Estimate load_std, load_max, load_p99;      ///< of the same channel [N]
+  Estimate motion, turn;                      ///< largest rms distance [m] and turn [rad] from the reference
   double penetration_max_m = 0, penetration_mean_m = 0, law_map_m_s = 0, natural_map_m_s = 0;
   double energy_error = 0, momentum_error = 0;  ///< relative, the worst of all steps and runs
   double unconverged_share = 0;                 ///< of steps
@@ -78,13 +93,18 @@ struct Order {
 };
 
 struct Findings {
-  std::string headline;       ///< channel; empty without a vessel
-  std::string measure, unit;  ///< of the primary error: load, distance or turn
-  double scale = 0;           ///< that errors in percent are shares of
-  double reference_load = 0;  ///< [N]
+  std::string headline;     ///< channel; empty without a vessel
+  std::vector<int> shared;  ///< realisations that figures of settings are means over
+  bool same_ice = false;    ///< all of them begin with bodies in the same places: the scene draws nothing
+  std::vector<std::optional<LoadSpan>> windows;  ///< one per realisation; nothing where no run of it is done
+  std::string measure, unit;                     ///< of the primary error: load, distance or turn
+  double scale = 0;                              ///< that errors in percent are shares of
+  double reference_load = 0;                     ///< [N]
   Estimate reference_mean, reference_std, reference_max, reference_p99;  ///< of the runs that judge [N]
   int references_done = 0;                                               ///< realisations that can be judged
   double chaos = 0;            ///< standard deviation of a run's mean load by chance; NaN: not measured [N]
+  PooledVariance chance;       ///< of the difference of two runs of one realisation [N^2]
+  bool one_reference = false;  ///< all realisations are judged by one run, whose chance does not average out
   double horizon_s = 0;        ///< until which every realisation can be predicted
   bool horizon_known = false;  ///< a twin is done; else nothing is told from chaos
   bool horizon_ends = false;   ///< before the runs do
@@ -110,6 +130,17 @@ Estimate estimate_of(const std::vector<double>& values);
 
 /// The run that a realisation is judged by; null where none is done.
 const RunRow* reference_of(const Findings& found, int realisation);
+
+/// A run that is done, by what it is; null where it is not.
+const RunRow* done_run(const Findings& found, RunKind kind, std::size_t setting, int realisation);
+
+/// mean, std, max or p99 of a load channel: of a course channel over the window of the realisation, of others over that
+/// of the run itself; NaN where it is not known [N or N m].
+double load_statistic(const RunRow& row, const std::string& channel, const std::string& statistic);
+
+/// Limit below which a difference from the reference over so many realisations is not told, with 95 % [N]; infinite
+/// without degrees of freedom. `reference`: the part of the variance that does not average out [N^2].
+double floor_of(double variance, double degrees, int realisations, double reference);
 
 /// What is called close enough, of the scale.
 constexpr double k_target = 0.02;

@@ -32,7 +32,15 @@ double tolerance_weight(double tolerance) {
   return tolerance > 0 ? std::pow(k_per_decade, std::log10(k_usual / tolerance)) : 1;
 }
 
-double weight(const CompareSetting& setting) { return time_of(setting.solver) * tolerance_weight(setting.tolerance); }
+/// What `auto` falls back on for this law, measured in presawn-a.xml and towing.xml.
+double law_weight(const CompareSetting& setting) {
+  constexpr double k_convex = 8;
+  return setting.solver == "auto" && setting.law == "ccp" ? k_convex : 1;
+}
+
+double weight(const CompareSetting& setting) {
+  return time_of(setting.solver) * law_weight(setting) * tolerance_weight(setting.tolerance);
+}
 
 /// The plan's parts while it is cut to size.
 struct Draft {
@@ -45,16 +53,21 @@ struct Draft {
 
 class Planner {
  public:
-  Planner(const std::vector<CompareSetting>& settings, std::size_t core, const CompareSetting& reference,
-          const CostModel& cost, const PlanRequest& request)
-      : settings_(settings), core_(core), reference_(reference), cost_(cost), request_(request) {
-    for (std::size_t k = 0; k < settings.size(); ++k) draft_.kept.push_back(k);
+  explicit Planner(const PlanInput& input)
+      : settings_(input.settings),
+        core_(input.core),
+        reference_(input.reference),
+        cost_(input.cost),
+        request_(input.request) {
+    const PlanRequest& request = request_;
+    for (std::size_t k = 0; k < settings_.size(); ++k) draft_.kept.push_back(k);
     draft_.candidates = draft_.kept;
     draft_.realisations = request.realisations;
     draft_.length = request.end - request.start;
-    draft_.reference_tolerance = reference.tolerance;
+    draft_.reference_tolerance = reference_.tolerance;
     room_ = request.budget_s > 0 ? std::max(0.0, k_share * request.budget_s - k_closing_s) * request.jobs
                                  : std::numeric_limits<double>::infinity();
+    whole_s_ = (wall_seconds() + k_closing_s) / k_share;
   }
 
   Plan plan() {
@@ -96,6 +109,9 @@ class Planner {
     double sum = setting_seconds(0) * draft_.realisations;  // its twins
     for (const std::size_t k : draft_.kept) sum += setting_seconds(k) * draft_.realisations;
     return sum + references_seconds();
+  }
+  double wall_seconds() const {
+    return std::max(total() / request_.jobs, request_.reference ? reference_seconds(reference_step()) : 0);
   }
   /// With so many jobs the longest run may be what is waited for.
   bool fits() const {
@@ -189,8 +205,8 @@ class Planner {
     plan.sample_every = step * std::max(1.0, std::floor(draft_.length / k_samples / step));
     list_omissions(plan);
     list_runs(plan);
-    plan.estimate_s =
-        std::max(total() / request_.jobs, request_.reference ? reference_seconds(reference_step()) : 0) + k_closing_s;
+    plan.estimate_s = wall_seconds() + k_closing_s;
+    plan.whole_s = whole_s_;
     return plan;
   }
 
@@ -225,12 +241,24 @@ class Planner {
       for (std::size_t k = 1; k < draft_.kept.size(); ++k)
         plan.runs.push_back({fmt::format("s{:02d}-r{}", k, r), RunKind::grid, k, r, setting_seconds(draft_.kept[k])});
     }
-    // realisation by realisation keeps what is done balanced; what settings are judged by comes first, then what tells
-    // most, so that a budget that is used up early takes the least
-    const auto place = [](const PlannedRun& run) {
-      const bool judges = run.kind == RunKind::reference || run.kind == RunKind::check;
-      return std::tuple(run.realisation, !judges, judges ? -run.estimate_s : 0.0, run.setting);
+    // realisation by realisation keeps what is done balanced, and what tells most comes first, so that a budget that is
+    // used up early takes the least: what the others are judged by; the first setting and its twin, which tell what
+    // chance does even where the budget has no room for the rest of their realisation; then the settings
+    const auto rank = [](const PlannedRun& run) {
+      const bool first = run.realisation == 0;
+      switch (run.kind) {
+        case RunKind::reference:
+          return first ? 0 : 3;
+        case RunKind::twin:
+          return 2;
+        case RunKind::check:
+          return 3;
+        case RunKind::grid:
+          break;
+      }
+      return run.setting == 0 ? 1 : 4;
     };
+    const auto place = [&](const PlannedRun& run) { return std::tuple(run.realisation, rank(run), run.setting); };
     std::stable_sort(plan.runs.begin(), plan.runs.end(),
                      [&](const PlannedRun& a, const PlannedRun& b) { return place(a) < place(b); });
   }
@@ -241,7 +269,8 @@ class Planner {
   const CostModel& cost_;
   const PlanRequest& request_;
   Draft draft_;
-  double room_ = 0;  ///< processor time [s]
+  double room_ = 0;     ///< processor time [s]
+  double whole_s_ = 0;  ///< budget for all that was asked [s]
 };
 
 }  // namespace
@@ -312,9 +341,20 @@ const char* name_of(RunKind kind) {
   return "";
 }
 
-Plan make_plan(const std::vector<CompareSetting>& settings, std::size_t core, const CompareSetting& reference,
-               const CostModel& cost, const PlanRequest& request) {
-  return Planner(settings, core, reference, cost, request).plan();
+Plan make_plan(const PlanInput& input) { return Planner(input).plan(); }
+
+void extend_realisations(Plan& plan, int realisations) {
+  const std::vector<PlannedRun> known = plan.runs;
+  for (int r = plan.realisations; r < realisations; ++r)
+    for (const auto& run : known) {
+      if (run.realisation != 0 || run.kind == RunKind::check) continue;
+      PlannedRun more = run;
+      more.realisation = r;
+      const std::string first = "-r0";
+      more.id.replace(more.id.find(first), first.size(), fmt::format("-r{}", r));
+      plan.runs.push_back(more);
+    }
+  plan.realisations = std::max(plan.realisations, realisations);
 }
 
 Overrides realisation_overrides(std::uint64_t seed, const PlannedRun& run, bool vary_seed) {

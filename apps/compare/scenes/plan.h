@@ -83,9 +83,19 @@ struct Plan {
   double sample_every = 0;    ///< between stored states [s]
   int realisations = 0;
   double estimate_s = 0;  ///< wall time
+  double whole_s = 0;     ///< budget that would leave nothing out
   bool vary_seed = true;  ///< realisations differ in the seed, not only as twins do
 
   const CompareSetting& setting_of(const PlannedRun& run) const;
+};
+
+/// What a plan is made of.
+struct PlanInput {
+  std::vector<CompareSetting> settings;
+  std::size_t core = 0;  ///< settings that come before all others
+  CompareSetting reference;
+  CostModel cost;
+  PlanRequest request;
 };
 
 /// The longest simulated time, most realisations and most settings that fit. Settings beyond `core` (those that differ
@@ -93,8 +103,10 @@ struct Plan {
 /// tolerance that is compared, and where it still takes three tenths of the time those that solve tighter than the
 /// first go and it is loosened on; then the third realisation goes, the simulated time is cut, and in the end whole
 /// settings.
-Plan make_plan(const std::vector<CompareSetting>& settings, std::size_t core, const CompareSetting& reference,
-               const CostModel& cost, const PlanRequest& request);
+Plan make_plan(const PlanInput& input);
+
+/// Adds realisations up to `realisations`, the runs of each in the order of the first's, without a check.
+void extend_realisations(Plan& plan, int realisations);
 
 /// What the runs of one setting share beside it: seed and twin number.
 Overrides realisation_overrides(std::uint64_t seed, const PlannedRun& run, bool vary_seed);

@@ -16,10 +16,21 @@ double Probe::solver_ms_until(double t) const {
   return sum;
 }
 
-Probe probe(const SceneRun& run, double start, double limit_s, const std::function<bool()>& stop) {
-  ChildTask task = task_of(run);
-  task.limit_s = limit_s;
-  const ChildResult ended = run_child(task, stop);
+Probe probe(const SceneRun& run, double start, double limit_s, int beside, const std::function<bool()>& stop) {
+  std::vector<SceneRun> runs(static_cast<std::size_t>(beside) + 1, run);
+  std::vector<ChildTask> tasks;
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    if (k > 0) {
+      runs[k].folder += "-beside-" + std::to_string(k);
+      runs[k].log += "-beside-" + std::to_string(k);
+    }
+    tasks.push_back(task_of(runs[k]));
+    tasks.back().limit_s = limit_s;
+  }
+  ChildResult ended;
+  ended.stopped = true;
+  run_children(tasks, beside + 1,
+               {{}, [&](std::size_t k, const ChildResult& result) { ended = k == 0 ? result : ended; }, stop});
   Probe found;
   found.exit_code = ended.exit_code;
   const RunResult result = read_run(run.folder, run.log, ended);
@@ -30,9 +41,10 @@ Probe probe(const SceneRun& run, double start, double limit_s, const std::functi
   found.solver_ms = std::move(times.solver_ms);
   found.steps = found.ms.size();
   found.length = found.steps > 0 ? found.time_s.back() - start : 0;
-  found.setup_s = std::max(0.0, ended.cpu_s - 1e-3 * found.total_ms());
+  found.setup_s = std::max(0.0, std::max(ended.cpu_s, ended.wall_s) - 1e-3 * found.total_ms());
   std::error_code ignored;
-  std::filesystem::remove_all(run.folder, ignored);
+  for (const auto& one : runs) std::filesystem::remove_all(one.folder, ignored);
+  for (std::size_t k = 1; k < runs.size(); ++k) std::filesystem::remove(runs[k].log, ignored);
   return found;
 }
 

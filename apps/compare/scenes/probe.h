@@ -10,7 +10,7 @@ namespace nilas {
 struct Probe {
   std::size_t steps = 0;                      ///< that it made
   double length = 0;                          ///< simulated [s]
-  double setup_s = 0;                         ///< processor time beside the steps
+  double setup_s = 0;                         ///< wall time beside the steps: reading, packing ice, writing, starting
   std::vector<double> time_s, ms, solver_ms;  ///< per step
   std::string trouble;                        ///< why it made none, or ended by itself before its end
   int exit_code = 0;
@@ -20,8 +20,9 @@ struct Probe {
   double solver_ms_until(double t) const;
 };
 
-/// Runs until `limit_s` of wall time have gone. `start`: of the scene [s].
-Probe probe(const SceneRun& run, double start, double limit_s, const std::function<bool()>& stop);
+/// Runs until `limit_s` of wall time have gone, with `beside` more of the same at once, each on a core of its own.
+/// `start`: of the scene [s].
+Probe probe(const SceneRun& run, double start, double limit_s, int beside, const std::function<bool()>& stop);
 
 /// From the probe of the first setting.
 CostModel cost_model(const Probe& first, double start);

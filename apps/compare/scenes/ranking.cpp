@@ -14,7 +14,8 @@ namespace {
 
 double shown_error(const Merit& m) { return m.told ? m.error : m.floor; }
 
-bool complete(const Merit& m) { return m.done > 0 && m.failed == 0 && !std::isnan(m.error); }
+/// One over fewer realisations than the others is not held against them.
+bool complete(const Merit& m) { return m.done > 0 && m.failed == 0 && !m.partial && !std::isnan(m.error); }
 
 /// Whether errors rise, or fall, from step to step throughout; else they have no order.
 bool one_way(const std::vector<double>& steps, const std::vector<double>& errors) {
@@ -90,7 +91,7 @@ void find_orders(const Plan& plan, Findings& found) {
       taken.insert(other);
       const Merit& m = found.merits[other];
       // what the reference itself moves by is no error of another integrator
-      if (!m.told || m.done < m.planned || (!alike && m.error < found.reference_moves.value_or(0))) continue;
+      if (!m.told || m.failed > 0 || m.partial || (!alike && m.error < found.reference_moves.value_or(0))) continue;
       if (alike && plan.settings[other].step <= reference.step) continue;
       steps.push_back(plan.settings[other].step);
       errors.push_back(m.error);

@@ -121,7 +121,7 @@ RunResult read_run(const std::filesystem::path& folder, const std::filesystem::p
 }
 
 void thin_out(const std::filesystem::path& folder) {
-  constexpr std::array k_kept{"scene.xml", "inputs", "nilas.log", "summary.json", "bodies.csv"};
+  constexpr std::array k_kept{"scene.xml", "inputs", "nilas.log", "summary.json", "bodies.csv", "ice_load.csv"};
   std::error_code error;
   std::vector<std::filesystem::path> gone;
   for (const auto& entry : std::filesystem::directory_iterator(folder, error))

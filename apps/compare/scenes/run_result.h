@@ -38,7 +38,8 @@ RunResult run_result_from(const nlohmann::ordered_json& json);
 /// Reads what a run left in its folder, with its exit code and processor time.
 RunResult read_run(const std::filesystem::path& folder, const std::filesystem::path& log, const ChildResult& ended);
 
-/// Removes from a run folder what is large and no longer needed: all but the scene, log, summary and bodies.csv.
+/// Removes from a run folder what is large and no longer needed: all but the scene, log, summary, bodies.csv
+/// and ice_load.csv.
 void thin_out(const std::filesystem::path& folder);
 
 /// When each step ended and what it took but for output; empty where the run made none.

@@ -163,9 +163,9 @@ static std::string simplifications_label(const CompareSetting& setting) {
 static std::string axis_text(const CompareSetting& setting, const std::string& axis) {
   if (axis == "solver") return setting.solver;
   if (axis == "law") return setting.law;
-  if (axis == "step") return fmt::format("{:g} s", setting.step);
+  if (axis == "step") return fmt::format("step {:g} s", setting.step);
   if (axis == "tolerance")
-    return setting.tolerance > 0 ? fmt::format("to {:g} m/s", setting.tolerance) : std::string("fixed sweeps");
+    return setting.tolerance > 0 ? fmt::format("tolerance {:g} m/s", setting.tolerance) : std::string("fixed sweeps");
   return axis == "stabilisation" ? setting.stabilisation : setting.integrator;
 }
 

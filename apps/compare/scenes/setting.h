@@ -36,10 +36,10 @@ CompareSetting without_simplifications(const Scene& scene);
 /// With some turned on, singly or together.
 CompareSetting with_simplifications(const Scene& scene, const std::vector<Simplification>& on);
 
-/// By what it differs from the first setting of its comparison: "nsgs + 0.02 s"; "own setting" where in nothing. Of an
-/// ablation the names of the simplifications.
+/// By what it differs from the first setting of its comparison: "nsgs + step 0.02 s"; "own setting" where in nothing.
+/// Of an ablation the names of the simplifications.
 std::string label_of(const CompareSetting& setting, const CompareSetting& first);
-/// "auto, coulomb, 0.01 s, to 1e-4 m/s, projection, moreau".
+/// "auto, coulomb, step 0.01 s, tolerance 1e-4 m/s, projection, moreau".
 std::string full_label(const CompareSetting& setting);
 /// Names of the axes on which two settings differ, in the order solver, law, step, tolerance, stabilisation,
 /// integrator.

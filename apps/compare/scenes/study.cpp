@@ -9,7 +9,12 @@
 #include <set>
 #include <sstream>
 
+#include "apps/compare/scenes/given_reference.h"
+#include "apps/compare/scenes/load_series.h"
 #include "apps/compare/scenes/merits.h"
+#include "apps/compare/scenes/outlook.h"
+#include "apps/compare/scenes/pace.h"
+#include "apps/compare/scenes/plan_text.h"
 #include "apps/compare/scenes/probe.h"
 #include "apps/compare/scenes/study_folder.h"
 #include "apps/compare/scenes/study_outputs.h"
@@ -34,7 +39,7 @@ class Comparison {
   int begin() {
     const Scene scene = read_scene(options_.scene, options_.overrides);
     const Grid grid = make_grid(scene, options_.overrides, options_.grid);
-    if (options_.reference != "auto") demand_reference_run(scene);
+    if (options_.reference != "auto") demand_reference_run(options_.reference, scene);
     folder_.emplace(options_.out.empty() ? dated_folder(scene.name + "-compare").string() : options_.out,
                     options_.force);
     try {
@@ -63,6 +68,13 @@ class Comparison {
     if (scene.fingerprint != study_.fingerprint)
       throw InputError("--resume: " + study_.scene.string() + " is no longer the scene that the comparison began with");
     if (options_.jobs > 0) study_.jobs = options_.jobs;
+    if (options_.realisations) {
+      if (*options_.realisations < study_.plan.realisations)
+        throw InputError(fmt::format("--seeds: found {}; the comparison has {} realisations, and they can only grow",
+                                     *options_.realisations, study_.plan.realisations));
+      extend_realisations(study_.plan, *options_.realisations);
+      folder_->write(study_);
+    }
     if (options_.budget_s) {
       const bool more = *options_.budget_s == 0 || *options_.budget_s > study_.budget_s;
       study_.budget_s = *options_.budget_s;
@@ -85,7 +97,8 @@ class Comparison {
   void tell(const std::string& sentences) const {
     const bool terminal = ::isatty(options_.json ? STDERR_FILENO : STDOUT_FILENO) != 0;
     std::istringstream text(sentences);
-    for (std::string line; std::getline(text, line);) say(terminal ? wrapped(line, 0) : line);
+    for (std::string line; std::getline(text, line);)
+      say(terminal && !line.starts_with("  ") ? wrapped(line, 0) : line);  // a command stays whole
   }
   static void warn(const std::string& sentence) { std::cerr << "warning: " << sentence << "\n"; }
   double elapsed() const { return steady_seconds() - started_; }
@@ -108,37 +121,17 @@ class Comparison {
     study_.keep_runs = options_.keep_runs;
   }
 
-  /// The user's own reference must be a whole run of the same length.
-  void demand_reference_run(const Scene& scene) const {
-    const std::filesystem::path from = options_.reference;
-    const std::string allowed = "; allowed: auto, or a folder in which `nilas run` of this scene came to its end";
-    if (!std::filesystem::exists(from / "summary.json"))
-      throw InputError("--reference: " + from.string() + " is no run folder (there is no summary.json)" + allowed);
-    const RunResult run = read_run(from, {}, ChildResult{.exit_code = 0});
-    if (run.summary.is_null() || run.summary.value("status", "") != "done")
-      throw InputError("--reference: the run in " + from.string() + " is not done" + allowed);
-    if (const std::string of = run.summary.value("scene", ""); of != scene.name)
-      throw InputError("--reference: the run in " + from.string() + " is of the scene '" + of + "', not of '" +
-                       scene.name + "'" + allowed);
-    if (const auto seed = run.summary.value("seed", scene.seed); seed != scene.seed)
-      throw InputError(fmt::format("--reference: the run in {} has the seed {}, the scene {}{}", from.string(), seed,
-                                   scene.seed, allowed));
-    const double end = run.number("/time_end_s");
-    if (!(std::abs(end - scene.time.end) < scene.time.step))
-      throw InputError(fmt::format("--reference: the run in {} ends at {:g} s, the scene at {:g} s{}", from.string(),
-                                   end, scene.time.end, allowed));
-  }
-
-  Probe probe_setting(const Scene& scene, const CompareSetting& setting, const char* name, double limit_s) {
+  Probe probe_setting(const Scene& scene, const CompareSetting& setting, const char* name, double limit_s, double end,
+                      int beside = 0) {
     SceneRun run{study_.scene,
                  folder_->run_folder(name),
                  folder_->run_folder(std::string(name) + ".log"),
                  study_.overrides,
-                 scene.time.end,
+                 end,
                  0};
     const Overrides own = setting.overrides();
     run.overrides.insert(run.overrides.end(), own.begin(), own.end());
-    return probe(run, scene.time.start, limit_s, stop_);
+    return probe(run, scene.time.start, limit_s, beside, stop_);
   }
 
   /// A twentieth of the budget for the first setting and as much for the reference at two tolerances, half a minute
@@ -153,14 +146,15 @@ class Comparison {
                      : needs_reference ? "of the scene's own setting and of the reference"
                                        : "of the scene's own setting",
                      limit));
-    Probe first = probe_setting(scene, grid.settings.front(), "probe", at_most(limit));
+    Probe first = probe_setting(scene, grid.settings.front(), "probe", at_most(limit), scene.time.end);
     if (first.steps == 0 && first.trouble.empty())
-      first = probe_setting(scene, grid.settings.front(), "probe", at_most(k_patience * limit));
+      first = probe_setting(scene, grid.settings.front(), "probe", at_most(k_patience * limit), scene.time.end);
     study_.probe_steps = first.steps;
     study_.probe_ms = first.total_ms();
     trouble_ = first.trouble;
     if (first.exit_code == k_bad_input) throw InputError(first.trouble);
-    PlanRequest request;
+    PlanInput input;
+    PlanRequest& request = input.request;
     request.stated_budget_s = study_.budget_s;
     request.fixed_length = study_.reference != "auto";
     request.jobs = std::min(study_.jobs, usable_cores());
@@ -169,8 +163,8 @@ class Comparison {
     request.reference = needs_reference;
     request.start = scene.time.start;
     request.end = scene.time.end;
-    CostModel cost = cost_model(first, request.start);
-    CompareSetting reference;
+    CostModel& cost = input.cost = cost_model(first, request.start);
+    CompareSetting& reference = input.reference;
     if (needs_reference) {
       reference = reference_setting(scene, study_.overrides, grid, options_.reference_tolerance);
       study_.event_driven = reference.integrator == "reference";
@@ -180,7 +174,8 @@ class Comparison {
       for (const double tolerance : reference_tolerances(grid.settings.front())) {
         CompareSetting tried = reference;
         tried.tolerance = tolerance;
-        const Probe tight = probe_setting(scene, tried, "probe-reference", at_most(0.5 * limit + first.setup_s));
+        const Probe tight =
+            probe_setting(scene, tried, "probe-reference", at_most(0.5 * limit + first.setup_s), scene.time.end);
         const CompareSetting& own = grid.settings.front();
         cost.reference.push_back({tolerance, reference_weight(first, tight, own.step, reference.step, request.start)
                                                  .value_or(solver_weight(tried, own))});
@@ -191,8 +186,31 @@ class Comparison {
       warn("what runs take is not known and all are planned: " +
            (first.trouble.empty() ? "no step was done in the time for measuring" : first.trouble));
     request.budget_s = left();
-    study_.plan = make_plan(grid.settings, core_of(grid), reference, cost, request);
+    input.settings = grid.settings;
+    input.core = core_of(grid, options_.grid);
+    study_.plan = make_plan(input);
+    if (first.steps > 0 && study_.budget_s > 0) rehearse(scene, input);
     study_.plan.vary_seed = study_.reference == "auto";
+  }
+
+  /// Later steps cost more, and neighbours take from each other: the first setting once more over the whole time that
+  /// the plan came to, beside as many as there will be, and the plan anew by what that took.
+  void rehearse(const Scene& scene, PlanInput& input) {
+    constexpr double k_share = 0.15, k_least_ms = 20;
+    const double length = study_.plan.end - study_.plan.start;
+    const bool known = input.request.jobs == 1 && input.cost.rate.back().until >= length;
+    const double expected = input.cost.setup_s + input.cost.steps_seconds(length);
+    if (known || study_.probe_ms < k_least_ms || expected > k_share * left() || stop_()) return;
+    tell(fmt::format("and what a whole run takes beside {} other{}, about {:.2g} s ...", input.request.jobs - 1,
+                     input.request.jobs == 2 ? "" : "s", expected));
+    const Probe whole = probe_setting(scene, input.settings.front(), "probe-whole", 2 * k_share * left(),
+                                      study_.plan.end, input.request.jobs - 1);
+    if (whole.steps == 0) return;
+    const auto reference = input.cost.reference;
+    input.cost = cost_model(whole, input.request.start);
+    input.cost.reference = reference;
+    input.request.budget_s = left();
+    study_.plan = make_plan(input);
   }
 
   /// Those whose cost is measured: what is asked for, and the loosest that the plan may come to.
@@ -204,39 +222,8 @@ class Comparison {
     return tolerances;
   }
 
-  /// How many settings differ from the first in one thing, which come first; all of an ablation.
-  std::size_t core_of(const Grid& grid) const {
-    if (options_.grid.ablate) return grid.settings.size();
-    const CompareSetting& own = grid.settings.front();
-    std::size_t core = 0;
-    while (core < grid.settings.size()) {
-      auto axes = differences(grid.settings[core], own);
-      // solver and law come together in the default grid
-      if (!options_.grid.names_axes()) {
-        std::erase(axes, "law");
-        // nor does a solver that goes by sweeps say what another aims at
-        if (own.tolerance == 0 && grid.settings[core].solver != own.solver) std::erase(axes, "tolerance");
-      }
-      if (axes.size() > 1) break;
-      ++core;
-    }
-    return core;
-  }
-
   void tell_plan() const {
-    const Plan& plan = study_.plan;
-    tell(fmt::format("{} runs: {} settings x {} realisation{}, {:g} s simulated; about {} with {} job{}",
-                     plan.runs.size(), plan.settings.size(), plan.realisations, plan.realisations == 1 ? "" : "s",
-                     plan.end - plan.start, duration_text(plan.estimate_s), study_.jobs, study_.jobs == 1 ? "" : "s"));
-    tell((study_.ablation ? "without simplifications: " : "own setting: ") + full_label(plan.settings.front()));
-    std::string others;
-    for (std::size_t k = 1; k < plan.settings.size(); ++k)
-      others += (others.empty() ? "" : "; ") + label_of(plan.settings[k], plan.settings.front());
-    tell("beside it: " + others);
-    if (plan.realisations > 0 && !study_.ablation && study_.reference == "auto")
-      tell("judged by: " + full_label(plan.reference));
-    for (const auto& list : by_reason(plan.omissions)) tell("left out for " + list);
-    for (const auto& refused : study_.refused) tell(fmt::format("cannot run: {}: {}", refused.what, refused.why));
+    for (const auto& line : plan_lines(study_)) tell(line);
   }
 
   std::string run_label(const PlannedRun& run) const {
@@ -264,13 +251,18 @@ class Comparison {
     }
     if (result.status == "budget" && patient_.count(run.id) > 0) {
       result.status = k_too_slow;
-      result.cause = fmt::format("ended after {:.3g} s, where {:.3g} s were expected", result.wall_s, run.estimate_s);
+      result.cause =
+          fmt::format("ended after {:.3g} s, where {:.3g} s were expected", result.wall_s, patient_.at(run.id));
       if (run.kind == RunKind::grid) slow_.insert(run.setting);
     }
     constexpr int k_file_error = 4;
     if (ended.exit_code == k_file_error) {
       if (file_error_.empty()) file_error_ = "run " + run.id + ": " + result.cause;
       result.status = "interrupted";
+    }
+    if (result.done()) {
+      pace_.took(run, result.wall_s);
+      if (!keep_loads(folder)) result.status = "interrupted";  // without its loads it is not done
     }
     session_[run.id] = result;
     if (result.status == "budget") late_.push_back(run.id);
@@ -292,6 +284,30 @@ class Comparison {
     }
   }
 
+  bool keep_loads(const std::filesystem::path& run_folder) {
+    try {
+      keep_load_series(run_folder);
+      return true;
+    } catch (const FileError& e) {
+      if (file_error_.empty()) file_error_ = e.what();
+      return false;
+    }
+  }
+
+  /// Once, after the first realisation: whether the budget has room for the others, by what runs really took.
+  void tell_room() {
+    if (room_told_ || session_.empty()) return;
+    room_told_ = true;
+    auto results = folder_->results(study_.plan);
+    results.insert(session_.begin(), session_.end());
+    const double wanted = pace_.left_s(study_.plan, results, study_.jobs), room = left();
+    if (wanted > room)
+      tell(fmt::format(
+          "the other realisations take about {} by what the first took, {} are left of the budget: its runs "
+          "are made in order as far as it reaches",
+          duration_text(wanted), duration_text(room)));
+  }
+
   void run_all(std::map<std::string, RunResult>& results) {
     std::vector<PlannedRun> runs;
     std::vector<ChildTask> tasks;
@@ -304,11 +320,14 @@ class Comparison {
       tasks.push_back(task_of(scene_run(run)));
     }
     ended_ = study_.plan.runs.size() - runs.size();
+    pace_ = Pace(std::max(1.0, static_cast<double>(study_.jobs) / usable_cores()));
+    pace_.took(study_.plan, results);
     const double pool_started = steady_seconds();
     ChildHooks hooks;
     hooks.stop = [this] { return stop_() || !file_error_.empty(); };
     hooks.begin = [&](std::size_t k, ChildTask& task) {
       if (study_.budget_s <= 0) return true;
+      if (runs[k].realisation > 0) tell_room();
       if (runs[k].kind == RunKind::grid && slow_.count(runs[k].setting) > 0) {
         RunResult& result = session_[runs[k].id];
         result.status = k_too_slow;
@@ -317,16 +336,15 @@ class Comparison {
         return false;
       }
       const double left = study_.budget_s - k_closing_s * std::min(1.0, study_.budget_s / k_long_s) - elapsed();
-      const double share = std::max(1.0, static_cast<double>(study_.jobs) / usable_cores());
-      const bool fits = share * runs[k].estimate_s < left;
+      const double expected = pace_.expected_s(runs[k]);
+      const bool fits = expected < left;
       if (!fits) late_.push_back(runs[k].id);
       // one that is far slower than thought must not take what the others need
       constexpr double k_patience = 4, k_share = 0.1;
       task.limit_s = left;
       const bool needed = runs[k].kind == RunKind::reference || (runs[k].kind == RunKind::grid && runs[k].setting == 0);
-      if (!needed)
-        task.limit_s = std::min(left, std::max(k_patience * share * runs[k].estimate_s, k_share * study_.budget_s));
-      if (task.limit_s < left) patient_.insert(runs[k].id);
+      if (!needed) task.limit_s = std::min(left, std::max(k_patience * expected, k_share * study_.budget_s));
+      if (task.limit_s < left) patient_[runs[k].id] = expected;
       return fits;
     };
     hooks.ended = [&](std::size_t k, const ChildResult& ended) {
@@ -341,7 +359,7 @@ class Comparison {
 
   int execute() {
     std::map<std::string, RunResult> results = folder_->results(study_.plan);
-    if (study_.reference != "auto") take_reference(results);
+    if (study_.reference != "auto") take_reference(study_, *folder_, results);
     const Judged judged = study_.ablation              ? Judged::by_first_setting
                           : study_.reference != "auto" ? Judged::by_one_run
                                                        : Judged::by_reference;
@@ -352,7 +370,9 @@ class Comparison {
     Findings findings = find(study_.plan, results, folder_->path(), judged);
     const StudyTiming timing = timing_of(results);
     findings.slowdown = timing.slowdown;
-    const StudyOutputs outputs{study_, findings, timing, late_, trouble_, ended_by()};
+    const Outlook view = outlook(study_, findings, folder_->path(), pace_.left_s(study_.plan, results, study_.jobs),
+                                 pace_.realisation_s(study_.plan, study_.jobs));
+    const StudyOutputs outputs{study_, findings, timing, late_, trouble_, ended_by(), view};
     try {
       const std::string picture_trouble = outputs.write(folder_->path());
       if (!picture_trouble.empty()) warn(picture_trouble);
@@ -377,7 +397,7 @@ class Comparison {
   void write_first_page(const std::map<std::string, RunResult>& results, Judged judged) const {
     const Findings findings = find(study_.plan, results, folder_->path(), judged);
     const StudyTiming timing{study_.jobs, usable_cores()};
-    StudyOutputs(study_, findings, timing, late_, trouble_, "it is still running, or was killed")
+    StudyOutputs(study_, findings, timing, late_, trouble_, "it is still running, or was killed", Outlook{})
         .write_page(folder_->path());
   }
 
@@ -395,27 +415,6 @@ class Comparison {
     return timing;
   }
 
-  /// Every realisation is judged by the run folder that the user named.
-  void take_reference(std::map<std::string, RunResult>& results) {
-    const std::filesystem::path from = study_.reference;
-    if (results.count("reference-r0") > 0) return;
-    const RunResult result = read_run(from, {}, ChildResult{.exit_code = 0});
-    auto& runs = study_.plan.runs;
-    for (int r = 0; r < study_.plan.realisations; ++r) {
-      const PlannedRun run{fmt::format("reference-r{}", r), RunKind::reference, 0, r, 0};
-      const auto target = folder_->run_folder(run.id);
-      std::filesystem::create_directories(target);
-      if (std::filesystem::exists(from / "bodies.csv"))
-        std::filesystem::copy_file(from / "bodies.csv", target / "bodies.csv",
-                                   std::filesystem::copy_options::overwrite_existing);
-      folder_->write_result(run.id, result);
-      if (std::none_of(runs.begin(), runs.end(), [&](const PlannedRun& other) { return other.id == run.id; }))
-        runs.push_back(run);
-      results[run.id] = result;
-    }
-    folder_->write(study_);
-  }
-
   static constexpr double k_long_s = 30;  ///< budgets below it keep less than k_closing_s
 
   const StudyOptions& options_;
@@ -427,9 +426,11 @@ class Comparison {
   std::string trouble_;                       ///< of the probe
   std::string file_error_;                    ///< what could not be written
   std::map<std::string, RunResult> session_;  ///< of this session, what is not kept too
-  std::set<std::string> patient_;             ///< runs that end before the budget does if they take too long
-  std::set<std::size_t> slow_;                ///< settings that had such a run
-  std::vector<std::string> late_;             ///< runs that did not begin
+  std::map<std::string, double> patient_;     ///< runs that end before the budget does, and what they should take [s]
+  Pace pace_;
+  bool room_told_ = false;
+  std::set<std::size_t> slow_;     ///< settings that had such a run
+  std::vector<std::string> late_;  ///< runs that did not begin
   std::size_t ended_ = 0;
   double busy_s_ = 0, pool_s_ = 0;  ///< wall time of the runs, and of all of them together
 };

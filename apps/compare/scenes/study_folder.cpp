@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int k_version = 2;
+constexpr int k_version = 3;
 constexpr int k_indent = 1;
 
 Json json_of(const Overrides& overrides) {
@@ -86,7 +86,8 @@ Json json_of(const Plan& plan) {
           {"sample_every_s", plan.sample_every},
           {"realisations", plan.realisations},
           {"vary_seed", plan.vary_seed},
-          {"estimate_s", plan.estimate_s}};
+          {"estimate_s", plan.estimate_s},
+          {"whole_s", plan.whole_s}};
 }
 
 Plan plan_of(const Json& json) {
@@ -109,6 +110,7 @@ Plan plan_of(const Json& json) {
   plan.realisations = json.at("realisations");
   plan.vary_seed = json.at("vary_seed");
   plan.estimate_s = json.at("estimate_s");
+  plan.whole_s = json.at("whole_s").is_number() ? json.at("whole_s").get<double>() : 0;  // no limit: not known
   return plan;
 }
 
@@ -118,7 +120,7 @@ constexpr const char* k_study = "study.json";
 void remove_own(const std::filesystem::path& folder) {
   std::vector<std::string> parts{k_study,        "compare.json", "compare.html", "compare.csv",
                                  "settings.csv", "loads.csv",    "runs",         "results"};
-  for (const char* picture : {"front", "motion", "steps", "ablation"})
+  for (const char* picture : {"differences", "front", "motion", "steps", "ablation"})
     for (const char* kind : {".svg", ".png"}) parts.push_back(std::string(picture) + kind);
   std::error_code ignored;
   for (const auto& part : parts) std::filesystem::remove_all(folder / part, ignored);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "apps/compare/scenes/merits.h"
+#include "apps/compare/scenes/outlook.h"
 #include "apps/compare/scenes/study_folder.h"
 
 namespace nilas {
@@ -29,7 +30,7 @@ class StudyOutputs {
   /// All must outlive this. `late`: runs that did not begin; `trouble`: of the probe, where it made no step;
   /// `ended_by`: why it did not come to its end.
   StudyOutputs(const Study& study, const Findings& findings, const StudyTiming& timing,
-               const std::vector<std::string>& late, std::string trouble, std::string ended_by);
+               const std::vector<std::string>& late, std::string trouble, std::string ended_by, Outlook view);
 
   /// compare.html without pictures, before they are drawn or anything was run. Throws FileError.
   void write_page(const std::filesystem::path& folder) const;
@@ -40,7 +41,7 @@ class StudyOutputs {
   bool compared() const;
   /// What is not to be trusted, or not done, and why.
   std::vector<std::string> warnings() const;
-  /// The paragraph and the warnings, a line per sentence.
+  /// The paragraph, the warnings and what more time would tell, a line per sentence; commands begin with two blanks.
   std::string text() const;
   nlohmann::ordered_json json() const;
 
@@ -49,9 +50,13 @@ class StudyOutputs {
   std::string settings_csv() const;
   std::string loads_csv() const;
   std::string label(std::size_t setting) const;
+  std::vector<std::string> labels() const;
   std::vector<std::string> sentences() const;
+  void say_horizon(std::vector<std::string>& lines) const;
   void say_price(std::vector<std::string>& lines) const;
   void say_peaks(const Merit& merit, std::vector<std::string>& lines) const;
+  /// What means over realisations stand for.
+  std::string such_ice() const;
   /// There is a vessel, and no load on it.
   bool untouched() const;
   void say_ablation(std::vector<std::string>& lines) const;
@@ -62,6 +67,7 @@ class StudyOutputs {
   std::string settings_table() const;
   std::string runs_table() const;
   std::string how_measured() const;
+  std::vector<std::string> load_notes() const;
 
   const Study& study_;
   const Findings& found_;
@@ -69,6 +75,7 @@ class StudyOutputs {
   const std::vector<std::string>& late_;
   std::string trouble_;
   std::string ended_by_;
+  Outlook outlook_;
 };
 
 /// "1.23 N", "0.45 mm": a length, force or angle with a readable unit.

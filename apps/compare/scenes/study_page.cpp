@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "apps/compare/scenes/paired_text.h"
 #include "apps/compare/scenes/study_outputs.h"
 #include "apps/compare/scenes/study_pictures.h"
 #include "core/base/error.h"
@@ -19,19 +20,31 @@ std::string cell(double value, const char* format = "{:.3g}") {
   return "<td class=n>" + (std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : std::string()) + "</td>";
 }
 /// 1.23 +- 0.04
-std::string cell(const Estimate& e) {
+std::string cell(const Estimate& e, const std::string& mark = "") {
   if (!std::isfinite(e.mean)) return "<td></td>";
   return "<td class=n>" + fmt::format("{:.4g}", e.mean) +
-         (std::isfinite(e.standard_error) ? fmt::format(" &plusmn; {:.2g}", e.standard_error) : "") + "</td>";
+         (std::isfinite(e.standard_error) ? fmt::format(" &plusmn; {:.2g}", e.standard_error) : "") + mark + "</td>";
+}
+/// Sure ones stand out.
+std::string difference(const PairedDifference& d) {
+  const bool sure = d.certainty == Certainty::everywhere || d.certainty == Certainty::in_realisations;
+  std::string text = html_text(difference_cell(d));
+  const std::string ascii = "+-", symbol = "&plusmn;";
+  if (const auto at = text.find(ascii); at != std::string::npos) text.replace(at, ascii.size(), symbol);
+  return fmt::format("<td class='{}'>", sure ? "d sure" : "d") + text + "</td>";
 }
 
 const std::vector<std::pair<std::string, std::string>>& captions() {
   static const std::vector<std::pair<std::string, std::string>> all{
+      {"differences",
+       "Run by run on the same ice: the mean ice load of each setting less that of the scene's own. Large points are "
+       "means over the realisations, with 95 % where there are three and more; small points are realisations. The grey "
+       "band is what chance alone does to two runs of one realisation (95 %)."},
       {"front",
        "Left is fast, low is accurate. A point is a setting, its number that of the table; bars are standard errors "
        "over realisations. "
        "Hollow triangles stand at the level below which differences cannot be told from chaos: their true errors may "
-       "lie anywhere below."},
+       "lie anywhere below. All points are over the same realisations; settings that lack one are left out."},
       {"motion", "The same settings by how far they leave the reference's motions while these can be predicted."},
       {"steps", "Error over the time step, everything else the same."},
       {"ablation",
@@ -50,19 +63,23 @@ std::string StudyOutputs::settings_table() const {
       "[{0}]</th><th>smallest that could be told from chaos [{0}]</th>{1}"
       "<th>rms distance [m]</th><th>deepest penetration [m]</th><th>energy error</th><th>law residual "
       "[m/s]</th><th>steps short of the tolerance</th><th></th></tr>\n",
-      found_.unit, load ? "<th>mean ice load [N]</th><th>std [N]</th><th>99 % [N]</th><th>largest [N]</th>" : "");
+      found_.unit,
+      load
+          ? "<th>mean ice load [N]</th><th>from the reference, run by run [N]</th><th>from the scene's own, run by run "
+            "[N]</th><th>std [N]</th><th>99 % [N]</th><th>largest [N]</th>"
+          : "");
   if (load && found_.stand_in.empty() && !study_.ablation)
     html += "<tr><td></td><td>reference</td><td></td><td></td><td></td><td></td>" + cell(found_.reference_mean) +
-            cell(found_.reference_std.mean) + cell(found_.reference_p99.mean) + cell(found_.reference_max.mean) +
-            "<td></td><td></td><td></td><td></td><td></td><td></td></tr>\n";
+            "<td></td><td></td>" + cell(found_.reference_std.mean) + cell(found_.reference_p99.mean) +
+            cell(found_.reference_max.mean) + "<td></td><td></td><td></td><td></td><td></td><td></td></tr>\n";
   for (const auto& m : found_.merits) {
     std::string remark = found_.chosen == m.setting   ? "chosen"
                          : m.dominated || m.done == 0 ? ""
                                                       : "nothing is faster and better";
-    if (!m.trouble.empty())
-      remark = m.trouble;
-    else if (m.done < m.planned)
-      remark += fmt::format("{}{} of {} runs", remark.empty() ? "" : "; ", m.done, m.planned);
+    if (!m.trouble.empty()) remark = m.trouble;
+    if (m.partial)
+      remark += fmt::format("{}* {} only", remark.empty() ? "" : "; ",
+                            m.realisations.empty() ? "other realisations" : realisations_text(m.realisations));
     html += fmt::format("<tr class='{}'>", m.failed > 0 || m.done == 0  ? "fails"
                                            : found_.chosen == m.setting ? "chosen"
                                                                         : "");
@@ -76,21 +93,36 @@ std::string StudyOutputs::settings_table() const {
              : m.told                ? fmt::format("{:.3g}", m.error)
                                      : "not told") +
             "</td>" + cell(m.floor);
-    if (load) html += cell(m.load) + cell(m.load_std.mean) + cell(m.load_p99.mean) + cell(m.load_max.mean);
+    if (load)
+      html += cell(m.load, m.partial ? " *" : "") + difference(m.from_reference) + difference(m.from_own) +
+              cell(m.load_std.mean) + cell(m.load_p99.mean) + cell(m.load_max.mean);
     html += cell(m.motion.mean) + cell(m.penetration_max_m) + cell(m.energy_error, "{:.1e}") +
             cell(m.law_map_m_s, "{:.1e}");
     html += cell(100 * m.unconverged_share, "{:.2g} %") + cell(remark) + "</tr>\n";
   }
   return html +
-         "</table>\n<p>After &plusmn;: of a time what alike runs scatter by, of a load the standard error over "
-         "realisations. 99 % and largest are those of the load's absolute value.</p>\n";
+         fmt::format(
+             "</table>\n<p>All figures of a setting are over {}{}. After &plusmn;: of a time what alike runs scatter "
+             "by, "
+             "of a load the standard error over realisations. 99 % and largest are those of the load's absolute "
+             "value.{}</p>\n",
+             found_.shared.empty() ? "no realisation" : realisations_text(found_.shared),
+             std::any_of(found_.merits.begin(), found_.merits.end(), [](const Merit& m) { return m.partial; })
+                 ? ", but for those marked *: their means must not be set beside the others', their differences may be"
+                 : "",
+             load ? " Differences are taken run by run on the same ice; after &plusmn; stands what holds for their "
+                    "mean with "
+                    "95 % (Student). Sure in a realisation: beyond what chance alone does to two runs of that ice, "
+                    "while "
+                    "of other ice nothing is known."
+                  : "");
 }
 
 std::string StudyOutputs::runs_table() const {
   std::string html =
       "<table><tr><th>run</th><th>setting</th><th>realisation</th><th>status</th><th>computing [s]</th><th>ms per "
-      "step</th><th>difference of the load "
-      "[N]</th><th>rms distance [m]</th><th></th></tr>\n";
+      "step</th><th>load from the reference "
+      "[N]</th><th>from the scene's own [N]</th><th>rms distance [m]</th><th></th></tr>\n";
   constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
   for (const auto& row : found_.rows) {
     const bool grid = row.run.kind == RunKind::grid;
@@ -98,10 +130,38 @@ std::string StudyOutputs::runs_table() const {
             cell(grid ? label(row.run.setting) : name_of(row.run.kind)) +
             cell(static_cast<double>(row.run.realisation)) + cell(row.result.status) +
             cell(row.result.wall_s > 0 ? row.result.cpu_s : k_nan) + cell(row.result.ms_per_step()) +
-            cell(row.load_difference.value_or(k_nan)) + cell(row.motion ? row.motion->rms_m : k_nan) +
-            cell(row.result.cause) + "</tr>\n";
+            cell(row.load_difference.value_or(k_nan)) + cell(row.own_difference.value_or(k_nan)) +
+            cell(row.motion ? row.motion->rms_m : k_nan) + cell(row.result.cause) + "</tr>\n";
   }
   return html + "</table>\n";
+}
+
+/// Over what loads are taken, and what chance does to them.
+std::vector<std::string> StudyOutputs::load_notes() const {
+  std::vector<std::string> notes;
+  if (found_.measure != "load") return notes;
+  std::string windows;
+  for (std::size_t r = 0; r < found_.windows.size(); ++r)
+    if (const auto& span = found_.windows[r])
+      windows += fmt::format("{}{:g} s to {:g} s in realisation {}{}", windows.empty() ? "" : "; ", span->from,
+                             span->to, r, span->reason.empty() ? "" : " (" + span->reason + ")");
+  notes.push_back(
+      fmt::format("The ice load is that of the ice on the vessel along its course, positive astern ({}), over "
+                  "the same time in all runs of a realisation: {}.",
+                  found_.headline, windows));
+  if (std::isnan(found_.chaos)) {
+    notes.emplace_back("What chance does to mean loads was not measured: no twin is done.");
+    return notes;
+  }
+  notes.push_back(fmt::format(
+      "Chance, over {}: a run's mean load scatters by {} (standard deviation), as twins that start "
+      "1e-12 m aside and the realisations tell. Differences below Student's 95 % limit of that are not called "
+      "errors.",
+      such_ice(), quantity_text(found_.chaos, "N")));
+  notes.emplace_back(
+      "Chance, in one realisation: what its twins differ by, or what settings scatter by that solve the same law with "
+      "the same steps as tightly, whichever is more, at Student's 95 % limit.");
+  return notes;
 }
 
 std::string StudyOutputs::how_measured() const {
@@ -133,18 +193,18 @@ std::string StudyOutputs::how_measured() const {
       "realisation by realisation.",
       plan.realisations == 1 ? "One realisation" : fmt::format("{} realisations", plan.realisations),
       plan.realisations == 1 ? "the scene itself"
+      : found_.same_ice
+          ? "the scene itself and starts 1e-12 m aside: by its seed this scene draws no other ice, so that "
+            "nothing here holds for other ice"
       : plan.vary_seed ? "the scene itself, then other seeds and starts 1e-12 m aside, the same ones for every setting"
                        : "the scene itself and starts 1e-12 m aside"));
-  if (found_.measure == "load" && !std::isnan(found_.chaos))
-    item(fmt::format(
-        "Chaos: a run's mean load scatters by {} (standard deviation), as twins that start 1e-12 m aside and the "
-        "realisations tell. Differences below Student's 95 % limit of that are not called errors.",
-        quantity_text(found_.chaos, "N")));
-  if (found_.measure == "load" && std::isnan(found_.chaos)) item("What chaos does was not measured: no twin is done.");
+  for (const auto& note : load_notes()) item(note);
   item(!found_.horizon_known ? "How long motions can be predicted was not measured: no twin is done."
-       : found_.horizon_ends ? fmt::format("Motions are compared until {:.4g} s, where twins first part by {}.",
-                                           found_.horizon_s, quantity_text(found_.horizon_threshold_m, "m"))
-                             : "Motions are compared over the whole time: twins do not part.");
+       : found_.horizon_ends
+           ? fmt::format(
+                 "Motions are compared until {:.4g} s, where two runs that begin 1e-12 m apart first part by {}.",
+                 found_.horizon_s, quantity_text(found_.horizon_threshold_m, "m"))
+           : "Motions are compared over the whole time: twins do not part.");
   item(fmt::format(
       "Times: processor time of a process pinned to a core of its own with one thread, without reading, packing ice "
       "and writing; the median of the realisations. {} at a time. {}",
@@ -166,7 +226,9 @@ std::string StudyOutputs::page(const std::filesystem::path& folder, const std::v
   const std::string scene = study_.scene.stem().string();
   std::string html = fmt::format(
       "<!doctype html><html lang='en'><head><meta charset='utf-8'><title>{0}: nilas compare</title><style>{1}"
-      "td.n{{text-align:right;font-variant-numeric:tabular-nums}}tr.chosen{{background:#fff3e0;font-weight:bold}}p."
+      "td.n{{text-align:right;white-space:nowrap;font-variant-numeric:tabular-nums}}tr.chosen{{background:#fff3e0;font-"
+      "weight:bold}}td.d{{"
+      "white-space:nowrap;color:#666}}td.sure{{color:#000;font-weight:bold}}p."
       "warning{{border-left:4px solid #d55e00;padding-left:.7em}}"
       "figure{{margin:1em 0}}figcaption{{color:#555}}</style></head><body><h1>{0}: {2}</h1>\n",
       html_text(scene), k_page_style, study_.ablation ? "what each simplification costs" : "the price of accuracy");
@@ -182,6 +244,9 @@ std::string StudyOutputs::page(const std::filesystem::path& folder, const std::v
   html += "<p><b>" + html_text(lines.front()) + "</b></p>\n";
   if (found_.chosen && lines.size() > 1) html += "<p>" + html_text(lines[1]) + "</p>\n";
   for (const auto& warning : warnings()) html += "<p class=warning>" + html_text(warning) + "</p>\n";
+  for (const auto& line : outlook_lines(outlook_, study_, found_))
+    html +=
+        line.starts_with("  ") ? "<pre>" + html_text(line.substr(2)) + "</pre>\n" : "<p>" + html_text(line) + "</p>\n";
   for (const auto& picture : pictures) figure(picture);
   if (pictures.empty()) html += "<p class=warning>" + html_text(instead) + "</p>\n";
   html += "<h2>Settings</h2>\n<p>" + html_text(own_setting()) + "</p>\n" + settings_table() + "<h2>In words</h2>\n<p>";
@@ -207,10 +272,8 @@ std::string StudyOutputs::write(const std::filesystem::path& folder) const {
   write_whole(folder / "settings.csv", settings_csv());
   write_whole(folder / "loads.csv", loads_csv());
   write_whole(folder / "compare.json", json().dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
-  std::vector<std::string> labels;
-  for (std::size_t k = 0; k < study_.plan.settings.size(); ++k) labels.push_back(label(k));
   write_page(folder);  // without its pictures it still says all there is
-  const Drawings drawings = found_.merits.empty() ? Drawings{} : draw_study(folder, study_, found_, labels);
+  const Drawings drawings = found_.merits.empty() ? Drawings{} : draw_study(folder, study_, found_, labels());
   write_whole(folder / "compare.html", page(folder, drawings.drawn,
                                             drawings.trouble.empty() ? "There is nothing to draw."
                                                                      : "Pictures are missing: " + drawings.trouble));

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "apps/compare/scenes/ranking.h"
@@ -61,9 +63,11 @@ std::string front(const Findings& found, const std::vector<std::string>& labels)
   Block best{"best", {}}, beaten{"beaten", {}}, hidden{"hidden", {}}, chosen{"chosen", {}}, named{"named", {}},
       others{"others", {}};
   std::vector<std::string> layers, names;
+  std::vector<std::pair<double, std::string>> level;
+  std::array<Block, 4> stacked{Block{"level0", {}}, Block{"level1", {}}, Block{"level2", {}}, Block{"level3", {}}};
   for (const auto& m : found.merits) {
     const double error = m.told ? m.error : m.floor;
-    if (!(m.time > 0) || !(error > 0) || !std::isfinite(error) || m.done == 0) continue;
+    if (!(m.time > 0) || !(error > 0) || !std::isfinite(error) || m.done == 0 || m.partial) continue;
     const double spread = found.measure == "load" && m.load_difference.count > 1 ? m.load_difference.standard_error : 0;
     const std::string row =
         fmt::format("{} {} {} {}\n", m.time, error, std::max(error - spread, k_out_of_sight * error), error + spread);
@@ -74,15 +78,23 @@ std::string front(const Findings& found, const std::vector<std::string>& labels)
     least = std::min(least, error);
     most = std::max(most, error + spread);
     const bool in_key = !m.dominated || found.chosen == m.setting || m.setting == 0;
-    (in_key ? named : others).rows += fmt::format("{} {} \"{}\"\n", m.time, error, m.setting + 1);
+    const std::string number = fmt::format("{} {} \"{}\"\n", m.time, error, m.setting + 1);
+    if (m.told)
+      (in_key ? named : others).rows += number;
+    else
+      level.emplace_back(m.time, number);
     if (in_key)
       names.push_back(fmt::format("keyentry with points pt 0 title {}",
                                   quoted(fmt::format("{}  {}", m.setting + 1, labels[m.setting]))));
   }
   if (least > most) return "";
+  // they stand at one height, where numbers side by side would lie over each other
+  std::sort(level.begin(), level.end());
+  for (std::size_t k = 0; k < level.size(); ++k) stacked[k % stacked.size()].rows += level[k].second;
   if (found.reference_moves) most = std::max(most, *found.reference_moves);
-  std::string drawing =
-      best.text() + beaten.text() + hidden.text() + chosen.text() + named.text() + others.text() + k_axes;
+  std::string drawing = best.text() + beaten.text() + hidden.text() + chosen.text() + named.text() + others.text();
+  for (const auto& block : stacked) drawing += block.text();
+  drawing += k_axes;
   constexpr double k_room = 1.6;
   drawing += log_tics("x", fastest / k_room, slowest * k_room) + log_tics("y", least / k_room, most * k_room);
   drawing += fmt::format("set xlabel 'computing time per simulated second [s/s]'\nset ylabel 'error of the {} [{}]'\n",
@@ -93,11 +105,16 @@ std::string front(const Findings& found, const std::vector<std::string>& labels)
   const auto layer = [&](const Block& block, const std::string& how) {
     if (!block.empty()) layers.push_back("$" + block.name + " " + how);
   };
-  layer(beaten, "using 1:2:3:4 with yerrorbars pt 7 ps 1 lw LW lc rgb '#aaaaaa' title 'beaten, or not all done'");
+  layer(beaten,
+        "using 1:2:3:4 with yerrorbars pt 7 ps 1 lw LW lc rgb '#aaaaaa' title 'another is faster and better, or a run "
+        "failed'");
   layer(best, "using 1:2:3:4 with yerrorbars pt 7 ps 1.3 lw LW lc rgb '#000000' title 'nothing is faster and better'");
   layer(hidden,
         "using 1:2 with points pt 10 ps 1.3 lw LW lc rgb '#0072b2' title 'cannot be told from chaos or rounding'");
   layer(chosen, "using 1:2 with points pt 6 ps 3 lw 2*LW lc rgb '#d55e00' title 'chosen'");
+  for (std::size_t k = 0; k < stacked.size(); ++k)
+    layer(stacked[k], fmt::format("using 1:2:3 with labels center offset char 0,{} tc rgb '#0072b2' noenhanced notitle",
+                                  0.9 + 0.9 * static_cast<double>(k)));
   layer(named, "using 1:2:3 with labels left offset char 0.8,0.4 noenhanced notitle");
   layer(others, "using 1:2:3 with labels left offset char 0.8,0.4 tc rgb '#888888' noenhanced notitle");
   if (found.reference_moves && *found.reference_moves > least / k_room)  // else it lies below all that is shown
@@ -121,7 +138,7 @@ std::string steps(const Plan& plan, const Findings& found) {
   const CompareSetting& own = plan.settings.front();
   for (const auto& m : found.merits) {
     CompareSetting setting = plan.settings[m.setting];
-    if (!(m.error > 0) || m.done < m.planned) continue;
+    if (!(m.error > 0) || m.failed > 0 || m.partial) continue;
     finest = std::min(finest, setting.step);
     coarsest = std::max(coarsest, setting.step);
     setting.step = own.step;
@@ -136,7 +153,8 @@ std::string steps(const Plan& plan, const Findings& found) {
     most = std::max(most, *std::max_element(line.errors.begin(), line.errors.end()));
   }
   constexpr double k_room = 1.6;
-  const bool floor = found.measure == "load" && found.common_floor > 0 && std::isfinite(found.common_floor);
+  constexpr double k_far = 1e-2;  // so far below all errors it would only flatten them
+  const bool floor = found.measure == "load" && found.common_floor > k_far * least && std::isfinite(found.common_floor);
   if (floor) {
     least = std::min(least, found.common_floor);
     most = std::max(most, found.common_floor);
@@ -161,7 +179,7 @@ std::string ablation(const Findings& found, const std::vector<std::string>& labe
   Block changes{"changes", {}}, saved{"saved", {}};
   const Merit& full = found.merits.front();
   for (const auto& m : found.merits) {
-    if (m.setting == 0 || m.done == 0 || std::isnan(m.error)) continue;
+    if (m.setting == 0 || m.done == 0 || m.partial || std::isnan(m.error)) continue;
     const bool load = found.measure == "load";
     const double change = load ? m.load_difference.mean : m.error, error = load ? m.load_difference.standard_error : 0;
     changes.rows +=
@@ -187,6 +205,87 @@ std::string ablation(const Findings& found, const std::vector<std::string>& labe
          panel(measure, "$changes", "(0.5*$2):1:(0.5*abs($2)):(0.3):ytic(4)") + "set format y ''\nset lmargin 4\n" +
          panel("time saved [ms per simulated second]", "$saved", "(0.5*$2):1:(0.5*abs($2)):(0.3)") +
          "unset multiplot\n";
+}
+
+/// One row of the picture of differences: over the setting's realisations, and their mean.
+struct DifferenceRow {
+  std::string label;
+  std::vector<double> values;
+  double half_width = 0;
+  bool sure = false;
+};
+
+std::vector<DifferenceRow> difference_rows(const Findings& found, const std::vector<std::string>& labels) {
+  constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
+  std::vector<DifferenceRow> rows;
+  DifferenceRow twin{"its twin: chance alone", {}, k_nan}, reference{"the reference", {}, k_nan};
+  for (const int r : found.shared) {
+    const RunRow *twin_run = done_run(found, RunKind::twin, 0, r), *judge = reference_of(found, r);
+    if (twin_run != nullptr && twin_run->own_difference) twin.values.push_back(*twin_run->own_difference);
+    if (judge != nullptr && judge->own_difference && judge->run.kind != RunKind::grid)
+      reference.values.push_back(*judge->own_difference);
+  }
+  for (auto* row : {&twin, &reference})
+    if (!row->values.empty()) rows.push_back(*row);
+  for (const auto& m : found.merits) {
+    const PairedDifference& d = m.from_own;
+    const bool sure = d.certainty == Certainty::everywhere || d.certainty == Certainty::in_realisations;
+    if (!d.values.empty())
+      rows.push_back({fmt::format("{}  {}", m.setting + 1, labels[m.setting]), d.values, d.half_width, sure});
+  }
+  return rows;
+}
+
+/// Run by run on the same ice, how far settings are from the scene's own: small points are realisations, large ones
+/// their mean, full where it is sure; the band is what chance alone does to two runs of one realisation.
+std::string differences(const std::vector<DifferenceRow>& rows, double limit) {
+  Block runs{"runs", {}}, sure{"sure", {}}, unsure{"unsure", {}};
+  double most = 0;
+  std::string tics;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const DifferenceRow& row = rows[k];
+    const double mean = mean_of(row.values);
+    constexpr std::size_t k_least = 3;  // of two the interval is too wide to be drawn
+    const double width = row.values.size() >= k_least && std::isfinite(row.half_width) ? row.half_width : 0;
+    (row.sure ? sure : unsure).rows += fmt::format("{} {} {}\n", mean, k, width);
+    for (const double value : row.values) {
+      runs.rows += fmt::format("{} {}\n", value, k);
+      most = std::max(most, std::abs(value));
+    }
+    most = std::max(most, std::abs(mean) + width);
+    tics += fmt::format("{}{} {}", tics.empty() ? "" : ", ", quoted(row.label), k);
+  }
+  constexpr double k_room = 1.1;
+  const double edge = k_room * (most > 0 ? most : 1), band = std::min(limit, edge);
+  std::string drawing = runs.text() + sure.text() + unsure.text();
+  drawing += fmt::format(
+      "set xrange [{0}:{1}]\nset yrange [{2}:-0.7]\nset ytics noenhanced ({3})\nset grid lc rgb '#dddddd'\n"
+      "set xtics rotate by -30\nset xlabel \"mean ice load less that of the scene's own setting, on the same ice "
+      "[N]\"\n"
+      "set key outside bottom center horizontal noenhanced\nset arrow from 0, graph 0 to 0, graph 1 nohead lc rgb "
+      "'#888888'\n",
+      -edge, edge, static_cast<double>(rows.size()) - 0.3, tics);
+  if (std::isfinite(limit) && limit > 0)
+    drawing +=
+        fmt::format("set object rectangle from {}, graph 0 to {}, graph 1 behind fc rgb '#eeeeee' fs solid noborder\n",
+                    -band, band);
+  std::string plot;
+  const auto layer = [&](const Block& block, const std::string& how) {
+    if (!block.empty()) plot += (plot.empty() ? "plot $" : ", \\\n  $") + block.name + " " + how;
+  };
+  layer(sure, "using 1:2:3 with xerrorbars pt 7 ps 1.3 lw LW lc rgb '#d55e00' title 'sure'");
+  layer(unsure, "using 1:2:3 with xerrorbars pt 6 ps 1.3 lw LW lc rgb '#0072b2' title 'may be chance'");
+  layer(runs, "using 1:2 with points pt 7 ps 0.4 lc rgb '#000000' title 'each realisation'");
+  return drawing + plot + "\n";
+}
+
+/// The widest of what chance alone does, as far as it was measured; infinite where it was not.
+double chance_band(const Findings& found) {
+  double widest = std::numeric_limits<double>::infinity();
+  for (const auto& m : found.merits)
+    for (const double limit : m.from_own.limits)
+      if (std::isfinite(limit)) widest = std::isfinite(widest) ? std::max(widest, limit) : limit;
+  return widest;
 }
 
 /// The front once more, with the distance from the reference as the error.
@@ -224,6 +323,9 @@ Drawings draw_study(const std::filesystem::path& folder, const Study& study, con
     draw("ablation", 120 + 45 * static_cast<int>(found.merits.size()), ablation(found, labels));
     return drawings;
   }
+  const auto rows = found.measure == "load" ? difference_rows(found, labels) : std::vector<DifferenceRow>{};
+  if (!rows.empty())
+    draw("differences", 140 + 22 * static_cast<int>(rows.size()), differences(rows, chance_band(found)));
   draw("front", 560, front(found, labels));
   const bool moves =
       std::any_of(found.merits.begin(), found.merits.end(), [](const Merit& m) { return m.motion.mean > 0; });

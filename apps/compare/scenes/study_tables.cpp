@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "apps/compare/scenes/paired_text.h"
 #include "apps/compare/scenes/study_outputs.h"
 #include "contact/measure.h"
 #include "core/output/csv_row.h"
@@ -57,6 +58,7 @@ std::vector<std::string> run_columns(const std::vector<std::string>& channels) {
                                  "ms_per_step"};
   for (int p = 0; p < k_num_phases; ++p) names.push_back(std::string("ms_") + to_string(static_cast<Phase>(p)));
   for (const char* name : {"load_difference_N",
+                           "own_difference_N",
                            "motion_rms_m",
                            "motion_largest_m",
                            "motion_x_m",
@@ -124,6 +126,43 @@ Json json_of(const Estimate& e) {
   return {{"mean", number_or_null(e.mean)}, {"standard_error", number_or_null(e.standard_error)}, {"runs", e.count}};
 }
 
+/// Figures of a difference; empty of none.
+double mean_of(const PairedDifference& d) { return d.realisations.empty() ? k_nan : d.mean; }
+double half_width(const PairedDifference& d) { return d.realisations.empty() ? k_nan : d.half_width; }
+std::string certainty_of(const PairedDifference& d) { return d.realisations.empty() ? "" : name_of(d.certainty); }
+
+/// "0;1"
+std::string list_text(const std::vector<int>& numbers) {
+  std::string text;
+  for (const int n : numbers) text += (text.empty() ? "" : ";") + std::to_string(n);
+  return text;
+}
+
+Json numbers_or_null(const std::vector<double>& values) {
+  Json list = Json::array();
+  for (const double value : values) list.push_back(number_or_null(value));
+  return list;
+}
+
+Json json_of(const PairedDifference& d) {
+  if (d.realisations.empty()) return nullptr;
+  return {{"realisations", d.realisations},
+          {"differences_N", numbers_or_null(d.values)},
+          {"chance_limits_N", numbers_or_null(d.limits)},
+          {"mean_N", number_or_null(d.mean)},
+          {"half_width_95_N", number_or_null(d.half_width)},
+          {"beyond_chance", d.beyond_chance},
+          {"sure", name_of(d.certainty)}};
+}
+
+Json windows_json(const Findings& found) {
+  Json windows = Json::array();
+  for (const auto& span : found.windows)
+    windows.push_back(span ? Json{{"from_s", span->from}, {"to_s", span->to}, {"reason", span->reason}}
+                           : Json(nullptr));
+  return windows;
+}
+
 Json json_of(const std::optional<Coverage>& c) {
   return c ? Json{{"runs", c->runs}, {"share", c->share}, {"median_width", number_or_null(c->width)}} : Json(nullptr);
 }
@@ -148,7 +187,7 @@ std::string StudyOutputs::runs_csv() const {
         .number(began ? result.wall_s : k_nan);
     cells.number(result.compute_per_second()).number(result.ms_per_step());
     for (int p = 0; p < k_num_phases; ++p) cells.number(result.phase_ms(to_string(static_cast<Phase>(p))));
-    cells.number(row.load_difference.value_or(k_nan));
+    cells.number(row.load_difference.value_or(k_nan)).number(row.own_difference.value_or(k_nan));
     const MotionError none{k_nan, k_nan, Vec3::Constant(k_nan), k_nan}, &motion = row.motion ? *row.motion : none;
     cells.number(motion.rms_m).number(motion.largest_m);
     for (const double axis : motion.axes_m) cells.number(axis);
@@ -165,7 +204,7 @@ std::string StudyOutputs::runs_csv() const {
     for (const auto& residual : residual_columns())
       cells.number(result.number(std::string("/worst/") + residual.name + "/value"));
     for (const auto& channel : channels)
-      for (const char* statistic : k_statistics) cells.number(result.number("/loads/" + channel + "/" + statistic));
+      for (const char* statistic : k_statistics) cells.number(load_statistic(row, channel, statistic));
     csv += cells.line();
   }
   return csv;
@@ -197,6 +236,13 @@ std::string StudyOutputs::settings_csv() const {
                                 "load_se_N",
                                 "load_difference_N",
                                 "load_difference_se_N",
+                                "load_difference_95_N",
+                                "load_difference_sure",
+                                "own_difference_N",
+                                "own_difference_95_N",
+                                "own_difference_sure",
+                                "realisations",
+                                "partial",
                                 "load_std_N",
                                 "load_max_N",
                                 "load_p99_N",
@@ -221,6 +267,9 @@ std::string StudyOutputs::settings_csv() const {
     cells.number(found_.chosen == m.setting ? 1 : 0);
     cells.number(m.load.mean).number(m.load.standard_error);
     cells.number(m.load_difference.mean).number(m.load_difference.standard_error);
+    cells.number(half_width(m.from_reference)).text(certainty_of(m.from_reference));
+    cells.number(mean_of(m.from_own)).number(half_width(m.from_own)).text(certainty_of(m.from_own));
+    cells.text(list_text(m.realisations)).number(m.partial ? 1 : 0);
     cells.number(m.load_std.mean).number(m.load_max.mean).number(m.load_p99.mean);
     cells.number(m.motion.mean).number(m.motion.standard_error).number(m.turn.mean);
     cells.number(m.penetration_max_m).number(m.penetration_mean_m).number(m.law_map_m_s).number(m.natural_map_m_s);
@@ -231,24 +280,23 @@ std::string StudyOutputs::settings_csv() const {
 }
 
 std::string StudyOutputs::loads_csv() const {
-  std::string csv = csv_header({"number", "label", "channel", "statistic", "unit", "runs", "value", "standard_error",
-                                "difference", "difference_standard_error"});
+  std::string csv = csv_header({"number", "label", "channel", "statistic", "unit", "realisations", "runs", "value",
+                                "standard_error", "difference", "difference_standard_error"});
   const auto channels = channels_of(found_);
   for (const auto& m : found_.merits)
     for (const auto& channel : channels)
       for (const char* statistic : k_statistics) {
         std::vector<double> values, differences;
-        for (const auto& row : found_.rows) {
-          if (row.run.kind != RunKind::grid || row.run.setting != m.setting || !row.result.done()) continue;
-          const std::string path = "/loads/" + channel + "/" + statistic;
-          values.push_back(row.result.number(path));
-          if (const RunRow* reference = reference_of(found_, row.run.realisation))
-            differences.push_back(values.back() - reference->result.number(path));
+        for (const int r : m.realisations) {
+          const RunRow* row = done_run(found_, RunKind::grid, m.setting, r);
+          values.push_back(load_statistic(*row, channel, statistic));
+          if (const RunRow* reference = reference_of(found_, r))
+            differences.push_back(values.back() - load_statistic(*reference, channel, statistic));
         }
         const Estimate value = estimate_of(values), difference = estimate_of(differences);
         Cells cells;
         cells.number(static_cast<double>(m.setting + 1)).text(label(m.setting)).text(channel).text(statistic);
-        cells.text(channel.substr(channel.rfind('_') + 1)).number(value.count);
+        cells.text(channel.substr(channel.rfind('_') + 1)).text(list_text(m.realisations)).number(value.count);
         cells.number(value.mean).number(value.standard_error);
         cells.number(difference.mean).number(difference.standard_error);
         csv += cells.line();
@@ -279,6 +327,10 @@ Json StudyOutputs::json() const {
                         {"dominated", m.dominated},
                         {"load_N", json_of(m.load)},
                         {"load_difference_N", json_of(m.load_difference)},
+                        {"realisations", m.realisations},
+                        {"partial", m.partial},
+                        {"from_reference", json_of(m.from_reference)},
+                        {"from_own", json_of(m.from_own)},
                         {"motion_rms_m", json_of(m.motion)},
                         {"turn_rad", json_of(m.turn)},
                         {"penetration_max_m", number_or_null(m.penetration_max_m)},
@@ -294,6 +346,9 @@ Json StudyOutputs::json() const {
           {"measure", found_.measure},
           {"unit", found_.unit},
           {"channel", found_.headline},
+          {"windows", windows_json(found_)},
+          {"shared_realisations", found_.shared},
+          {"same_ice", found_.same_ice},
           {"scale", number_or_null(found_.scale)},
           {"reference", study_.reference},
           {"judged_in_its_place_by", found_.stand_in},
@@ -312,6 +367,7 @@ Json StudyOutputs::json() const {
           {"left_out", left_out},
           {"cannot_run", refused},
           {"not_done_for_the_budget", late_},
+          {"with_more_time", outlook_json(outlook_)},
           {"text", sentences()},
           {"warnings", warnings()},
           {"jobs", timing_.jobs},

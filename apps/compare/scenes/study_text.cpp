@@ -3,8 +3,10 @@
 
 #include <algorithm>
 
+#include "apps/compare/scenes/paired_text.h"
 #include "apps/compare/scenes/study_outputs.h"
 #include "core/output/console.h"
+#include "core/output/ice_load_text.h"
 
 namespace nilas {
 
@@ -18,12 +20,32 @@ std::string speed_text(double ratio) {
   return "about as fast as";
 }
 
+/// "+1.2 N +- 0.3 N, surely", and why not where it is not sure.
+std::string change_text(const PairedDifference& d) {
+  std::string text = force_text(d.mean);
+  if (std::isfinite(d.half_width)) text += " +- " + force_text(d.half_width);
+  switch (d.certainty) {
+    case Certainty::everywhere:
+      return text + ", surely (95 %)";
+    case Certainty::in_realisations:
+      return text + (d.realisations.size() == 1 ? ", more than chance does in the one realisation that was run"
+                                                : fmt::format(", more than chance does in {} of {} realisations",
+                                                              d.beyond_chance, d.realisations.size()));
+    case Certainty::none:
+      return text + ", as much as chaos alone can";
+    case Certainty::unknown:
+      break;
+  }
+  return text + "; what chaos alone does is not known";
+}
+
 std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
 
 }  // namespace
 
 std::string quantity_text(double value, const std::string& unit) {
   if (!std::isfinite(value)) return "not known";
+  if (unit == "N") return force_text(value);
   const double size = std::abs(value);
   if (unit == "m" && size > 0 && size < 0.1)
     return size < 1e-4 ? fmt::format("{:.3g} um", 1e6 * value) : fmt::format("{:.3g} mm", 1e3 * value);
@@ -31,16 +53,24 @@ std::string quantity_text(double value, const std::string& unit) {
 }
 
 StudyOutputs::StudyOutputs(const Study& study, const Findings& findings, const StudyTiming& timing,
-                           const std::vector<std::string>& late, std::string trouble, std::string ended_by)
+                           const std::vector<std::string>& late, std::string trouble, std::string ended_by,
+                           Outlook view)
     : study_(study),
       found_(findings),
       timing_(timing),
       late_(late),
       trouble_(std::move(trouble)),
-      ended_by_(std::move(ended_by)) {}
+      ended_by_(std::move(ended_by)),
+      outlook_(std::move(view)) {}
 
 std::string StudyOutputs::label(std::size_t setting) const {
   return label_of(study_.plan.settings[setting], study_.plan.settings.front());
+}
+
+std::vector<std::string> StudyOutputs::labels() const {
+  std::vector<std::string> all;
+  for (std::size_t k = 0; k < study_.plan.settings.size(); ++k) all.push_back(label(k));
+  return all;
 }
 
 /// What the labels leave out.
@@ -57,32 +87,33 @@ void StudyOutputs::say_price(std::vector<std::string>& lines) const {
     lines.emplace_back("The scene's own setting is not done.");
     return;
   }
-  const std::string of =
-      found_.measure == "load"
-          ? fmt::format("the mean ice load ({}, {})", found_.headline, quantity_text(found_.reference_load, "N"))
-      : found_.measure == "turn" ? "the attitude (1 rad)"
-                                 : fmt::format("the longest path of a body ({})", quantity_text(found_.scale, "m"));
+  const std::string of = found_.measure == "load"
+                             ? fmt::format("the mean ice load ({} along the course)", force_text(found_.reference_load))
+                         : found_.measure == "turn"
+                             ? "the attitude (1 rad)"
+                             : fmt::format("the longest path of a body ({})", quantity_text(found_.scale, "m"));
   if (found_.chosen) {
     const Merit& best = found_.merits[*found_.chosen];
-    const bool same = best.setting == own.setting;
-    const double within = std::max(k_target, best.told ? 0 : best.floor / found_.scale);
+    const bool same = best.setting == own.setting, hidden = !best.told && best.floor > k_target * found_.scale;
+    const std::string own_name = full_label(study_.plan.settings.front());
+    const std::string near =
+        hidden ? fmt::format("As far as {} can be told,", of) : fmt::format("Within {} of {},", percent(k_target), of);
     if (same)
-      lines.push_back(fmt::format("Within {} of {} no setting is surely faster than the scene's own ({}){}.",
-                                  percent(within), of, full_label(study_.plan.settings.front()),
+      lines.push_back(fmt::format("{} no setting is surely faster than the scene's own ({}){}.", near, own_name,
                                   found_.deeper ? " and lets bodies no deeper into each other" : ""));
     else
-      lines.push_back(fmt::format(
-          "Within {} of {}, \"{}\" is {} the scene's own setting (\"{}\"): {:.3g} s of computing per simulated second "
-          "in place of {:.3g} s.",
-          percent(within), of, label(best.setting), speed_text(own.time / best.time),
-          full_label(study_.plan.settings.front()), best.time, own.time));
-    say_peaks(best, lines);
-    if (!best.told && best.floor > k_target * found_.scale)
       lines.push_back(
-          fmt::format("Its error cannot be told from chaos: with {} runs of {:g} s each, differences below {} ({} of "
-                      "the scale) are none.",
-                      best.done, study_.plan.end - study_.plan.start, quantity_text(best.floor, found_.unit),
-                      percent(best.floor / found_.scale)));
+          fmt::format("{} \"{}\" is {} the scene's own setting (\"{}\"): {:.3g} s of computing per "
+                      "simulated second in place of {:.3g} s.",
+                      near, label(best.setting), speed_text(own.time / best.time), own_name, best.time, own.time));
+    say_peaks(best, lines);
+    if (hidden)
+      lines.push_back(fmt::format(
+          "That is not far: {} of {:g} s tell{} differences above {} ({}) of means over {}, and no smaller ones. "
+          "So much mean loads differ by chance.",
+          best.realisations.size() == 1 ? "one realisation" : fmt::format("{} realisations", best.realisations.size()),
+          study_.plan.end - study_.plan.start, best.realisations.size() == 1 ? "s" : "",
+          quantity_text(best.floor, found_.unit), percent(best.floor / found_.scale), such_ice()));
   } else if (untouched()) {
     lines.push_back(
         fmt::format("The ice did not touch the vessel in the {:g} s that were simulated: nothing is "
@@ -107,9 +138,32 @@ void StudyOutputs::say_price(std::vector<std::string>& lines) const {
   if (worst != nullptr)
     lines.push_back(fmt::format("The largest error told is that of \"{}\": {} ({}).", label(worst->setting),
                                 quantity_text(worst->error, found_.unit), percent(worst->error / found_.scale)));
-  else
-    lines.emplace_back("No setting's error can be told from chaos or rounding.");
+  else if (std::isfinite(found_.common_floor))
+    lines.push_back(fmt::format("No setting's error, over {}, can be told from chaos or rounding.", such_ice()));
+  if (found_.measure != "load") return;
+  for (const auto& line : difference_lines(found_, &Merit::from_reference, "the reference", labels()))
+    lines.push_back(line);
+  // where the own setting is as good as the reference, differences from it say the same once more
+  const PairedDifference& off = own.from_reference;
+  const bool as_good = off.certainty != Certainty::unknown && std::abs(off.mean) <= k_target * found_.scale;
+  if (as_good || own.judges) return;
+  for (const auto& line : difference_lines(found_, &Merit::from_own, "the scene's own setting", labels()))
+    lines.push_back(line);
 }
+
+/// How long runs go the same way is one thing, how well means over other ice are known another.
+void StudyOutputs::say_horizon(std::vector<std::string>& lines) const {
+  if (!found_.horizon_ends) return;
+  lines.push_back(fmt::format(
+      "The motions of single bodies can be predicted until {:.3g} s of {:g} s: two runs that begin 1e-12 m apart are "
+      "then {} apart.{}",
+      found_.horizon_s, study_.plan.end, quantity_text(found_.horizon_threshold_m, "m"),
+      found_.measure == "load" && found_.shared.size() > 1 ? " The chance in mean loads is another thing: it is told "
+                                                             "from realisations, whose ice differs from the start."
+                                                           : ""));
+}
+
+std::string StudyOutputs::such_ice() const { return found_.same_ice ? "this ice" : "all such ice"; }
 
 bool StudyOutputs::untouched() const { return found_.measure != "load" && !found_.headline.empty(); }
 
@@ -150,9 +204,7 @@ void StudyOutputs::say_ablation(std::vector<std::string>& lines) const {
     if (found_.measure == "load")
       change = m.load_difference.mean == 0
                    ? "does not change the mean ice load"
-                   : fmt::format("changes the mean ice load by {} +- {}{}", quantity_text(m.load_difference.mean, "N"),
-                                 quantity_text(m.load_difference.standard_error, "N"),
-                                 m.told ? "" : ", as much as chaos alone can");
+                   : fmt::format("changes the mean ice load by {}", change_text(m.from_reference));
     else
       change = m.told ? fmt::format("moves bodies by {} (rms) and turns them by {:.2g} rad",
                                     quantity_text(m.motion.mean, "m"), m.turn.mean)
@@ -197,10 +249,7 @@ std::vector<std::string> StudyOutputs::sentences() const {
   else
     say_price(lines);
   if (lines.empty()) lines.emplace_back("The budget left no simplification to run.");
-  if (found_.horizon_ends)
-    lines.push_back(
-        fmt::format("Single motions can be predicted until {:.3g} s; twins that start 1e-12 m aside are then {} apart.",
-                    found_.horizon_s, quantity_text(found_.horizon_threshold_m, "m")));
+  say_horizon(lines);
   if (found_.coverage)
     lines.push_back(fmt::format(
         "The load error estimate, with what the other runs tell, covers the measured error in {} of {} runs "
@@ -219,6 +268,15 @@ std::vector<std::string> StudyOutputs::warnings() const {
   std::vector<std::string> lines;
   if (!ended_by_.empty())
     lines.push_back("Not at its end (" + ended_by_ + "): what is shown is what was done until then; --resume goes on.");
+  const auto partial =
+      std::count_if(found_.merits.begin(), found_.merits.end(), [](const Merit& m) { return m.partial; });
+  if (found_.shared.size() < static_cast<std::size_t>(study_.plan.realisations) && !found_.shared.empty())
+    lines.push_back(
+        fmt::format("Means are over {} alone, which the settings share; runs of others stand in compare.csv.",
+                    realisations_text(found_.shared)));
+  if (partial > 0)
+    lines.push_back(fmt::format("{} setting{} (marked *) lack{} some of these realisations and {} not ranked.", partial,
+                                partial == 1 ? "" : "s", partial == 1 ? "s" : "", partial == 1 ? "is" : "are"));
   if (study_.plan.end < study_.plan.scene_end)
     lines.push_back(fmt::format("Only {:g} of {:g} s of the scene were simulated: the budget does not reach farther.",
                                 study_.plan.end - study_.plan.start, study_.plan.scene_end - study_.plan.start));
@@ -267,7 +325,7 @@ std::vector<std::string> StudyOutputs::warnings() const {
 
 std::string StudyOutputs::text() const {
   std::string text;
-  for (const auto& lines : {sentences(), warnings()})
+  for (const auto& lines : {sentences(), warnings(), outlook_lines(outlook_, study_, found_)})
     for (const auto& line : lines) text += line + "\n";
   if (timing_.jobs > 1 && timing_.jobs <= timing_.cores && std::isfinite(timing_.busy))
     text += std::isfinite(timing_.slowdown)

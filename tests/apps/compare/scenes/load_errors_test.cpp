@@ -35,7 +35,7 @@ struct Grid {
     CompareSetting other = own;
     other.solver = "nsgs";
     add(other, 0.02, 0.3);
-    found.headline = "contact_fx_N";
+    found.headline = "ice_resistance_N";
     found.scale = 10;
   }
   void add(CompareSetting setting, double step, double off) {
@@ -51,7 +51,7 @@ struct Grid {
     row.run.setting = m.setting;
     row.load_difference = off;
     row.result.summary = {
-        {"load_error", {{"channels", {{"contact_fx_N", {{"estimate", 1.0}, {"solver", 0.01}, {"law", 0.0}}}}}}}};
+        {"load_error", {{"channels", {{"ice_resistance_N", {{"estimate", 1.0}, {"solver", 0.01}, {"law", 0.0}}}}}}}};
     found.rows.push_back(row);
   }
 };
@@ -113,7 +113,7 @@ TEST(LoadErrors, LawsPartHoldsWhatTheLawDoesAtOtherSteps) {
 
 TEST(LoadErrors, ChaosIsTheLesserOfTheComparisonsAndOfTwoRunsThatEachSayTheirOwn) {
   Grid grid;
-  auto& own = grid.found.rows[0].result.summary["load_error"]["channels"]["contact_fx_N"];
+  auto& own = grid.found.rows[0].result.summary["load_error"]["channels"]["ice_resistance_N"];
   own["chaos"] = 0.5;
   judge_load_errors(grid.plan, 2, grid.found);
   EXPECT_NEAR(grid.found.rows[0].load_error->chaos, std::sqrt(0.5), 1e-12);

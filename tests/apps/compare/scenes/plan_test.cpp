@@ -45,7 +45,7 @@ Plan plan(double budget, int jobs = 2, bool fixed = false, PlanRequest request =
   request.jobs = jobs;
   request.end = 60;
   request.fixed_realisations = fixed;
-  return make_plan(settings(), 3, reference(), cost(), request);
+  return make_plan({settings(), 3, reference(), cost(), request});
 }
 
 /// The scene solves to 1e-4 m/s, beside it 1e-6 and 1e-2, and what is tighter is dear.
@@ -62,7 +62,7 @@ Plan loose_plan(double budget, bool fixed_tolerances, bool fixed_reference = fal
   request.end = 60;
   request.fixed_tolerances = fixed_tolerances;
   request.fixed_reference = fixed_reference;
-  return make_plan(all, 4, reference(), dear, request);
+  return make_plan({all, 4, reference(), dear, request});
 }
 
 double runs_total(const Plan& plan) {
@@ -128,7 +128,7 @@ TEST(Plan, GivesUpTighterSolvesAndTheReferenceThatTheyNeedForSimulatedTime) {
   EXPECT_EQ(cut.settings.size(), 3U);
   EXPECT_NEAR(cut.reference.tolerance, 1e-5, 1e-10);
   EXPECT_TRUE(std::any_of(cut.omissions.begin(), cut.omissions.end(),
-                          [](const Omission& o) { return o.what.find("to 1e-06 m/s") == 0; }));
+                          [](const Omission& o) { return o.what.find("tolerance 1e-06 m/s") == 0; }));
   const Plan kept = loose_plan(3000, true);
   EXPECT_LE(kept.reference.tolerance, 1.001e-7);
   EXPECT_LT(kept.end, cut.end);
@@ -168,6 +168,37 @@ TEST(Plan, NamesEveryRunOnce) {
   const Plan all = plan(0);
   for (const auto& run : all.runs) ids.insert(run.id);
   EXPECT_EQ(ids.size(), all.runs.size());
+}
+
+TEST(Plan, RunsAllOfOneRealisationBeforeTheNextAndTellsChanceFirst) {
+  const Plan all = plan(0);
+  std::vector<std::string> ids;
+  for (const auto& run : all.runs) ids.push_back(run.id);
+  EXPECT_EQ(std::vector<std::string>(ids.begin(), ids.begin() + 13),
+            (std::vector<std::string>{"reference-r0", "s00-r0", "s00-r0-twin", "check-r0", "s01-r0", "s02-r0", "s03-r0",
+                                      "s00-r1", "s00-r1-twin", "reference-r1", "s01-r1", "s02-r1", "s03-r1"}));
+}
+
+TEST(Plan, SaysWhatBudgetLeavesNothingOut) {
+  const Plan cut = plan(300);
+  EXPECT_GT(cut.whole_s, 300);
+  EXPECT_TRUE(plan(1.001 * cut.whole_s).omissions.empty());
+  EXPECT_FALSE(plan(0.9 * cut.whole_s).omissions.empty());
+}
+
+TEST(Plan, GrowsByRealisationsOfTheSameRuns) {
+  Plan more = plan(0);
+  const std::size_t before = more.runs.size();
+  extend_realisations(more, 5);
+  EXPECT_EQ(more.realisations, 5);
+  EXPECT_EQ(more.runs.size(), before + 2 * 6) << "four settings, a twin and a reference, no check";
+  std::set<std::string> ids;
+  for (const auto& run : more.runs) ids.insert(run.id);
+  EXPECT_EQ(ids.size(), more.runs.size());
+  EXPECT_EQ(more.runs.back().realisation, 4);
+  EXPECT_TRUE(ids.count("s00-r4-twin"));
+  extend_realisations(more, 2);
+  EXPECT_EQ(more.realisations, 5);
 }
 
 TEST(Realisation, ZeroIsTheSceneItselfAndATwinHasItsSeed) {
