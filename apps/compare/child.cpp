@@ -49,7 +49,7 @@ int open_for_child(const std::filesystem::path& file) {
 }
 
 /// In the child: only calls that are safe after fork().
-[[noreturn]] void become(char* const* arguments, int out, int log, int core, pid_t parent) {
+[[noreturn]] void become(char* const* arguments, int out, int log, int core, pid_t parent, const sigset_t& unblocked) {
   // a group of its own: Ctrl-C on the terminal reaches this program, which ends its children in order
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -62,6 +62,7 @@ int open_for_child(const std::filesystem::path& file) {
   ::dup2(log, STDERR_FILENO);
   ::signal(SIGINT, SIG_DFL);
   ::signal(SIGTERM, SIG_DFL);
+  ::sigprocmask(SIG_SETMASK, &unblocked, nullptr);
   ::execv(arguments[0], arguments);
   ::_exit(k_not_started);
 }
@@ -85,8 +86,15 @@ Running start(std::size_t index, const ChildTask& task, int slot, int core) {
   const int out = open_for_child(task.output), log = open_for_child(task.log);
   const pid_t parent = ::getpid();
   Running running{index, 0, slot, Clock::now(), task.limit_s};
+  // a child that is asked to end while it still has this program's handlers would not hear it
+  sigset_t ends, unblocked;
+  ::sigemptyset(&ends);
+  ::sigaddset(&ends, SIGTERM);
+  ::sigaddset(&ends, SIGINT);
+  ::sigprocmask(SIG_BLOCK, &ends, &unblocked);
   running.process = ::fork();
-  if (running.process == 0) become(arguments.data(), out, log, core, parent);
+  if (running.process == 0) become(arguments.data(), out, log, core, parent, unblocked);
+  ::sigprocmask(SIG_SETMASK, &unblocked, nullptr);
   ::close(out);
   ::close(log);
   if (running.process < 0) throw FileError("cannot start " + task.command.front() + ": " + std::strerror(errno));

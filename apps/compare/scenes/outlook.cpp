@@ -55,6 +55,7 @@ Outlook outlook(const Study& study, const Findings& found, const std::filesystem
   Outlook view;
   const int planned = study.plan.realisations;
   if (!study.plan.omissions.empty() && study.budget_s > 0) view.whole_s = budget_for(study.plan.whole_s);
+  if (study.plan.settings.size() < 2) return view;  // to go on would tell nothing
   MoreTime more;
   more.missing_runs = missing_runs(found);
   more.realisations = planned;

@@ -42,6 +42,18 @@ TEST(Child, IsEndedAtItsLimit) {
   EXPECT_GE(result.wall_s, 0.2);
 }
 
+TEST(Child, HearsThatItIsToEndHoweverEarly) {
+  const ScratchFolder folder;
+  // as the program that keeps children has it
+  const auto before = std::signal(SIGTERM, [](int) {});
+  for (int k = 0; k < 20; ++k) {
+    ChildTask task = shell("exec sleep 60", folder);
+    task.limit_s = 1e-9;
+    EXPECT_LT(run_child(task).wall_s, 5);
+  }
+  std::signal(SIGTERM, before);
+}
+
 TEST(Child, CountsProcessorTimeAndNotTheTimeThatItWaits) {
   const ScratchFolder folder;
   EXPECT_LT(run_child(shell("exec sleep 0.5", folder)).cpu_s, 0.3);

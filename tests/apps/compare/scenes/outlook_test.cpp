@@ -102,6 +102,16 @@ TEST(Outlook, WhereTwoPercentAreToldAsksForNothing) {
   EXPECT_TRUE(outlook_lines(good.view(), good.study, good.found).empty());
 }
 
+TEST(Outlook, OfOneSettingAloneAsksForANewComparison) {
+  Case alone(2);
+  alone.row("not run");
+  alone.study.plan.settings.resize(1);
+  alone.study.plan.omissions = {{"a setting", "the budget of 60 s"}};
+  alone.study.plan.whole_s = 100;
+  EXPECT_FALSE(alone.view(10).next);
+  EXPECT_EQ(alone.view(10).whole_s, 120);
+}
+
 TEST(Outlook, NamesTheBudgetThatLeavesNothingOut) {
   Case cut(3);
   cut.row("done");
