@@ -31,6 +31,10 @@ PairedDifference paired_difference(std::vector<int> realisations, std::vector<do
   return found;
 }
 
+bool is_sure(const PairedDifference& difference) {
+  return difference.certainty == Certainty::everywhere || difference.certainty == Certainty::in_realisations;
+}
+
 double chance_limit(std::optional<double> twin_difference, const std::vector<double>& alike) {
   double variance = 0, degrees = 0;
   if (twin_difference) {

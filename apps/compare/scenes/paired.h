@@ -24,6 +24,9 @@ struct PairedDifference {
   Certainty certainty = Certainty::unknown;
 };
 
+/// Beyond chance everywhere, or at least in realisations that were run.
+bool is_sure(const PairedDifference& difference);
+
 /// `rounding`: below which differences are none [N]. The three lists have the same length.
 PairedDifference paired_difference(std::vector<int> realisations, std::vector<double> values,
                                    std::vector<double> limits, double rounding);

@@ -27,11 +27,10 @@ std::string cell(const Estimate& e, const std::string& mark = "") {
 }
 /// Sure ones stand out.
 std::string difference(const PairedDifference& d) {
-  const bool sure = d.certainty == Certainty::everywhere || d.certainty == Certainty::in_realisations;
   std::string text = html_text(difference_cell(d));
   const std::string ascii = "+-", symbol = "&plusmn;";
   if (const auto at = text.find(ascii); at != std::string::npos) text.replace(at, ascii.size(), symbol);
-  return fmt::format("<td class='{}'>", sure ? "d sure" : "d") + text + "</td>";
+  return fmt::format("<td class='{}'>", is_sure(d) ? "d sure" : "d") + text + "</td>";
 }
 
 const std::vector<std::pair<std::string, std::string>>& captions() {

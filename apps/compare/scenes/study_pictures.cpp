@@ -219,6 +219,7 @@ std::vector<DifferenceRow> difference_rows(const Findings& found, const std::vec
   constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
   std::vector<DifferenceRow> rows;
   DifferenceRow twin{"its twin: chance alone", {}, k_nan}, reference{"the reference", {}, k_nan};
+  if (!found.merits.empty()) reference.sure = is_sure(found.merits.front().from_reference);
   for (const int r : found.shared) {
     const RunRow *twin_run = done_run(found, RunKind::twin, 0, r), *judge = reference_of(found, r);
     if (twin_run != nullptr && twin_run->own_difference) twin.values.push_back(*twin_run->own_difference);
@@ -229,9 +230,8 @@ std::vector<DifferenceRow> difference_rows(const Findings& found, const std::vec
     if (!row->values.empty()) rows.push_back(*row);
   for (const auto& m : found.merits) {
     const PairedDifference& d = m.from_own;
-    const bool sure = d.certainty == Certainty::everywhere || d.certainty == Certainty::in_realisations;
     if (!d.values.empty())
-      rows.push_back({fmt::format("{}  {}", m.setting + 1, labels[m.setting]), d.values, d.half_width, sure});
+      rows.push_back({fmt::format("{}  {}", m.setting + 1, labels[m.setting]), d.values, d.half_width, is_sure(d)});
   }
   return rows;
 }
@@ -240,8 +240,12 @@ std::vector<DifferenceRow> difference_rows(const Findings& found, const std::vec
 /// their mean, full where it is sure; the band is what chance alone does to two runs of one realisation.
 std::string differences(const std::vector<DifferenceRow>& rows, double limit) {
   Block runs{"runs", {}}, sure{"sure", {}}, unsure{"unsure", {}};
-  double most = 0;
+  double low = 0, high = 0;
   std::string tics;
+  const auto reach = [&](double from, double to) {
+    low = std::min(low, from);
+    high = std::max(high, to);
+  };
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const DifferenceRow& row = rows[k];
     const double mean = mean_of(row.values);
@@ -250,32 +254,33 @@ std::string differences(const std::vector<DifferenceRow>& rows, double limit) {
     (row.sure ? sure : unsure).rows += fmt::format("{} {} {}\n", mean, k, width);
     for (const double value : row.values) {
       runs.rows += fmt::format("{} {}\n", value, k);
-      most = std::max(most, std::abs(value));
+      reach(value, value);
     }
-    most = std::max(most, std::abs(mean) + width);
+    reach(mean - width, mean + width);
     tics += fmt::format("{}{} {}", tics.empty() ? "" : ", ", quoted(row.label), k);
   }
-  constexpr double k_room = 1.1;
-  const double edge = k_room * (most > 0 ? most : 1), band = std::min(limit, edge);
+  constexpr double k_room = 0.1;
+  const double room = high > low ? k_room * (high - low) : 1;
+  reach(low - room, high + room);
   std::string drawing = runs.text() + sure.text() + unsure.text();
   drawing += fmt::format(
-      "set xrange [{0}:{1}]\nset yrange [{2}:-0.7]\nset ytics noenhanced ({3})\nset grid lc rgb '#dddddd'\n"
+      "set xrange [{}:{}]\nset yrange [{}:-0.7]\nset ytics noenhanced ({})\nset grid lc rgb '#dddddd'\n"
       "set xtics rotate by -30\nset xlabel \"mean ice load less that of the scene's own setting, on the same ice "
       "[N]\"\n"
-      "set key outside bottom center horizontal noenhanced\nset arrow from 0, graph 0 to 0, graph 1 nohead lc rgb "
+      "set key outside top center horizontal noenhanced\nset arrow from 0, graph 0 to 0, graph 1 nohead lc rgb "
       "'#888888'\n",
-      -edge, edge, static_cast<double>(rows.size()) - 0.3, tics);
+      low, high, static_cast<double>(rows.size()) - 0.3, tics);
   if (std::isfinite(limit) && limit > 0)
     drawing +=
         fmt::format("set object rectangle from {}, graph 0 to {}, graph 1 behind fc rgb '#eeeeee' fs solid noborder\n",
-                    -band, band);
+                    std::max(-limit, low), std::min(limit, high));
   std::string plot;
   const auto layer = [&](const Block& block, const std::string& how) {
     if (!block.empty()) plot += (plot.empty() ? "plot $" : ", \\\n  $") + block.name + " " + how;
   };
-  layer(sure, "using 1:2:3 with xerrorbars pt 7 ps 1.3 lw LW lc rgb '#d55e00' title 'sure'");
-  layer(unsure, "using 1:2:3 with xerrorbars pt 6 ps 1.3 lw LW lc rgb '#0072b2' title 'may be chance'");
-  layer(runs, "using 1:2 with points pt 7 ps 0.4 lc rgb '#000000' title 'each realisation'");
+  layer(sure, "using 1:2:3 with xerrorbars pt 7 ps LW lw LW lc rgb '#d55e00' title 'sure'");
+  layer(unsure, "using 1:2:3 with xerrorbars pt 6 ps LW lw LW lc rgb '#0072b2' title 'may be chance'");
+  layer(runs, "using 1:2 with points pt 7 ps 0.4*LW lc rgb '#000000' title 'each realisation'");
   return drawing + plot + "\n";
 }
 

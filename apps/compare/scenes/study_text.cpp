@@ -275,8 +275,10 @@ std::vector<std::string> StudyOutputs::warnings() const {
         fmt::format("Means are over {} alone, which the settings share; runs of others stand in compare.csv.",
                     realisations_text(found_.shared)));
   if (partial > 0)
-    lines.push_back(fmt::format("{} setting{} (marked *) lack{} some of these realisations and {} not ranked.", partial,
-                                partial == 1 ? "" : "s", partial == 1 ? "s" : "", partial == 1 ? "is" : "are"));
+    lines.push_back(fmt::format("{} setting{} (marked *) lack{} a run in {} {}, and {} not ranked.", partial,
+                                partial == 1 ? "" : "s", partial == 1 ? "s" : "",
+                                found_.shared.size() == 1 ? "the shared" : "one of the shared",
+                                realisations_text(found_.shared), partial == 1 ? "is" : "are"));
   if (study_.plan.end < study_.plan.scene_end)
     lines.push_back(fmt::format("Only {:g} of {:g} s of the scene were simulated: the budget does not reach farther.",
                                 study_.plan.end - study_.plan.start, study_.plan.scene_end - study_.plan.start));

@@ -77,26 +77,24 @@ double false_alarms(const Trial& trial) {
 }
 
 TEST(PairedDifference, TakesChanceForADifferenceOnceInTwenty) {
-  const auto sure = [](const PairedDifference& d) {
-    return d.certainty == Certainty::everywhere || d.certainty == Certainty::in_realisations;
-  };
   // four standard deviations of a share of 20000
   constexpr double k_within = 0.0062;
   EXPECT_NEAR(false_alarms([&](const auto& load) {
                 const double own = load();
-                return sure(paired_difference({0}, {load() - load()}, {chance_limit(own - load(), {})}, k_rounding));
+                return is_sure(paired_difference({0}, {load() - load()}, {chance_limit(own - load(), {})}, k_rounding));
               }),
               0.05, k_within);
   EXPECT_NEAR(false_alarms([&](const auto& load) {
                 const double limit = chance_limit(std::nullopt, {load(), load(), load(), load(), load()});
-                return sure(paired_difference({0}, {load() - load()}, {limit}, k_rounding));
+                return is_sure(paired_difference({0}, {load() - load()}, {limit}, k_rounding));
               }),
               0.05, k_within);
-  EXPECT_NEAR(false_alarms([&](const auto& load) {
-                const std::vector<double> differences{load() - load(), load() - load(), load() - load()};
-                return sure(paired_difference({0, 1, 2}, differences, {k_unknown, k_unknown, k_unknown}, k_rounding));
-              }),
-              0.05, k_within);
+  EXPECT_NEAR(
+      false_alarms([&](const auto& load) {
+        const std::vector<double> differences{load() - load(), load() - load(), load() - load()};
+        return is_sure(paired_difference({0, 1, 2}, differences, {k_unknown, k_unknown, k_unknown}, k_rounding));
+      }),
+      0.05, k_within);
 }
 
 }  // namespace
