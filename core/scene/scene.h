@@ -241,7 +241,7 @@ struct BodyScene {
 struct OutputScene {
   std::string folder;             ///< relative to the working directory; empty: runs/<scene>-<time>
   double trajectory_every = 0.1;  ///< [s]; 0: none
-  bool tank_walls = false;  ///< in trajectory frames
+  bool tank_walls = false;        ///< in trajectory frames
   std::string contacts = "hull";
   std::string problems = "never";
   double checkpoint_every = 0;                      ///< [s]; 0: none
