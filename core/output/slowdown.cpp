@@ -46,9 +46,11 @@ std::string StepCosts::slowdown(std::size_t first) const {
   const double added = ms.late - ms.early;
   std::string text = fmt::format(
       "Steps of the last quarter took {:.3g} times as long as those of the first: {:.0f} ms instead of "
-      "{:.0f} ms. The solver took {:.0f} % of the time added, crushing and breaking {:.0f} %. ",
+      "{:.0f} ms. The solver took {:.0f} % of the time added{}. ",
       ms.ratio(), ms.late, ms.early, k_percent * (solver.late - solver.early) / added,
-      k_percent * (fracture.late - fracture.early) / added);
+      fracture.late > 0
+          ? fmt::format(", crushing and breaking {:.0f} %", k_percent * (fracture.late - fracture.early) / added)
+          : "");
   text += fmt::format("There were {:.0f} contacts a step instead of {:.0f}, and {:.0f} iterations instead of {:.0f}.",
                       contacts.late, contacts.early, iterations.late, iterations.early);
   return text;
