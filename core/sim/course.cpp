@@ -126,13 +126,16 @@ std::string end_of_course(const WorldParts& parts, double t, double h) {
   const auto b = static_cast<std::size_t>(parts.vessel_index);
   const Bodies& bodies = parts.bodies;
   const Vec3 &p = bodies.p_GB[b], &v = bodies.v_GB[b], &w = bodies.w_GB[b];
-  const double reach = bodies.shape[b]->bounding_radius + h * (v.norm() + w.norm() * bodies.shape[b]->bounding_radius);
+  // a step further: a hull that ends the step at the wall has hit it, and poses of moreau lie half a step on
+  const double ahead = 2 * h;
+  const double reach =
+      bodies.shape[b]->bounding_radius + ahead * (v.norm() + w.norm() * bodies.shape[b]->bounding_radius);
   const Vec2 centre = p.head<2>(), around = Vec2::Constant(reach);
   if (crossed_wall(tank, Box2(Vec2(centre - around), Vec2(centre + around))).empty()) return "";
   Box2 next;
   for (const Vec3& vertex : bodies.shape[b]->surface.vertices) {
     const Vec3 arm = bodies.R_GB[b] * vertex;
-    next.extend(Vec2((p + arm + h * (v + w.cross(arm))).head<2>()));
+    next.extend(Vec2((p + arm + ahead * (v + w.cross(arm))).head<2>()));
   }
   const std::string wall = crossed_wall(tank, next);
   return wall.empty() ? "" : "the carriage would drive the hull into " + wall;
