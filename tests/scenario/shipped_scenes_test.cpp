@@ -88,8 +88,8 @@ INSTANTIATE_TEST_SUITE_P(All, ShippedScene,
                                            Case{"presawn-a.xml", 4, 0.04, 0.01}, Case{"presawn-b.xml", 4, 0.04, 0.01},
                                            Case{"presawn-c.xml", 3, 0.04, 0.01}, Case{"mirror-25.xml", 3, 0.05, 0.05},
                                            Case{"oblique-towing.xml", 4, 0.04, 0.05},
-                                           Case{"dense-95.xml", 2, 0.04, 0.005},
-                                           Case{"level-ice.xml", 4.5, 0.04, 0.05}),
+                                           Case{"dense-95.xml", 2, 0.04, 0.005}, Case{"level-ice.xml", 4.5, 0.04, 0.05},
+                                           Case{"ship-100m.xml", 30, 1, 0.05}),
                          [](const auto& instance) {
                            std::string name = instance.param.scene;
                            for (auto& c : name)
