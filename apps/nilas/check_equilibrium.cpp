@@ -37,7 +37,7 @@ static std::string describe(const FloatingEquilibrium& found, const Water& water
         "  GM transverse is far above longitudinal: does the hull lie across?\n"
         "  x of its frame must point forward (nilas hull --forward).\n";
   if (vessel.fixed || vessel.carriage)
-    text += fmt::format("  ({}: this is where it would rest if let go, not where it is held)\n",
+    text += fmt::format("  ({}: it would rest here if let go)\n",
                         vessel.fixed ? "the vessel is fixed" : "the vessel is on a carriage");
   return text;
 }

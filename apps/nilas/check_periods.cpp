@@ -15,10 +15,9 @@ PeriodsReport natural_periods_report(const Scene& scene, const WorldParts& parts
     report.json.push_back(
         {{"motion", motion}, {"held_by", held_by}, {"period_s", period}, {"steps", period / scene.time.step}});
   };
-  constexpr double k_steps_on_cells = 4;  // fewer: the stiff block of the vessel damps the mode
   for (const NaturalPeriod& mode : natural_periods(scene, parts))
     add(mode.motion, mode.on_cells ? "the load cells" : "the water", mode.period,
-        mode.on_cells && mode.period < k_steps_on_cells * scene.time.step);
+        mode.on_cells && mode.period < k_least_steps_on_cells * scene.time.step);
   if (const double period = floe_heave_period(scene, parts); period > 0) add("floe heave", "the water", period);
   if (!report.text.empty()) report.text = "\nnatural periods, without added mass:\n" + report.text;
   return report;

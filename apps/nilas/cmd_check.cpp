@@ -53,7 +53,7 @@ Estimate estimate(const WorldParts& parts) {
 }
 
 int check(const CheckOptions& options) {
-  constexpr std::size_t k_indent = 2;
+  constexpr std::size_t k_indent = 2, k_reason = 29;
   const Scene scene = read_flagged_scene(options.scene);
   const auto logger = make_logger(options.json ? "off" : "warn", "");
   WarningCounts warnings(logger);
@@ -88,7 +88,8 @@ int check(const CheckOptions& options) {
   }
   for (const auto& text : warning_texts(parts.info)) std::cout << wrapped("warning: " + text, k_indent) << "\n";
   std::cout << fmt::format("{}: valid\n\nrequired by the scene:\n", scene.file.string());
-  for (const auto& [name, why] : parts.info.modules) std::cout << fmt::format("  {:<26} {}\n", name, why);
+  for (const auto& [name, why] : parts.info.modules)
+    std::cout << fmt::format("  {:<26} {}\n", name, wrapped(why, k_reason));
   std::cout << "not asked for, so not built:\n ";
   for (const auto& name : parts.info.not_built) std::cout << " " << name;
   std::cout << "\n";

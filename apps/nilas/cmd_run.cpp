@@ -6,6 +6,7 @@
 #include <csignal>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "apps/nilas/commands.h"
@@ -49,6 +50,13 @@ std::string machine() {
   return std::string(name.sysname) + " " + name.release + " " + name.machine;
 }
 
+/// Throws before anything of an earlier run is replaced.
+std::optional<OpenWater> stored_open_water(const RunOptions& options, const Scene& scene) {
+  if (options.open_water) OpenWater::demand_towed(scene);
+  if (options.open_water_run.empty()) return std::nullopt;
+  return OpenWater::stored(options.open_water_run);
+}
+
 /// How a run ended.
 struct Ending {
   std::string status = "done";
@@ -62,6 +70,7 @@ class Run {
   explicit Run(const RunOptions& options)
       : options_(options),
         scene_(read_flagged_scene(options.scene)),
+        open_water_(stored_open_water(options, scene_)),
         folder_(options.out.empty() ? default_folder(scene_) : std::filesystem::path(options.out), options.force,
                 scene_.inputs),
         logger_(make_logger(console_level(), folder_.log_file().string())),
@@ -71,6 +80,7 @@ class Run {
   Run(const RunOptions& options, StoppedRun stopped)
       : options_(options),
         scene_(std::move(stopped.scene)),
+        open_water_(stored_open_water(options, scene_)),
         folder_(stopped.folder, std::move(stopped.lock).value()),
         goes_on_(true),
         checkpoint_(std::move(stopped.checkpoint)),
@@ -79,10 +89,10 @@ class Run {
         warnings_(logger_) {}
 
   int execute() {
-    if (!options_.open_water_run.empty()) open_water_ = OpenWater::stored(options_.open_water_run);
     const auto built = build();
     Simulation& simulation = *built;
     if (options_.open_water) open_water_ = tow_without_ice();
+    if (options_.twins > 0) build_twins(simulation);
     say_what_was_built(simulation.info());
     Console console(options_.json ? std::cerr : std::cout, run_style(), scene_.time.start, scene_.time.end);
     console.make_room_for(*logger_);
@@ -90,10 +100,6 @@ class Run {
       go_on(simulation, console);
     else
       begin(simulation);
-    if (options_.twins > 0) {
-      const PhaseProgress progress(std::cerr, before_run_style(), "building the twins");
-      twins_.emplace(scene_, simulation, options_.twins, options_.threads);
-    }
     const Ending ending = advance(simulation, console);
     const double wall = wall_seconds();
     if (!ending.early.empty())
@@ -110,7 +116,8 @@ class Run {
     const auto twins = input.twins;
     input.ice_load = folder_.statistics().ice_load(twins ? &*twins : nullptr);
     if (input.ice_load && open_water_)
-      if (const std::string fault = open_water_->deduct_from(*input.ice_load); !fault.empty())
+      if (const std::string fault = open_water_->deduct_from(*input.ice_load, simulation.info().vessel_mass);
+          !fault.empty())
         logger_->warn("--open-water: {}", fault);
     const auto ice_load = input.ice_load;
     std::optional<BrokenIce> ice;
@@ -118,6 +125,9 @@ class Run {
       ice = {simulation.info().floes, floes_of(simulation.bodies()), input.crushed_mass,
              input.brash_mass,        input.extruded_mass,           simulation.info().crushes};
     const auto summary = folder_.finish(std::move(input), simulation.bodies());
+    if (const auto count = simulation.info().warnings.size(); count > 0)
+      logger_->warn("{} about the scene {} told at the start; see nilas.log", count == 1 ? "a warning" : "warnings",
+                    count == 1 ? "was" : "were");
     if (options_.json)
       std::cout << summary.dump(2) << "\n";
     else
@@ -156,6 +166,16 @@ class Run {
       return OpenWater::towed(scene_, options_.threads);
     } catch (...) {
       if (!goes_on_) folder_.abandon();
+      throw;
+    }
+  }
+
+  void build_twins(const Simulation& simulation) {
+    const PhaseProgress progress(std::cerr, before_run_style(), "building the twins");
+    try {
+      twins_.emplace(scene_, simulation, options_.twins, options_.threads);
+    } catch (...) {
+      folder_.abandon();
       throw;
     }
   }
@@ -251,12 +271,12 @@ class Run {
 
   const RunOptions& options_;
   Scene scene_;
+  std::optional<OpenWater> open_water_;  ///< where it is asked for
   RunFolder folder_;
   bool goes_on_ = false;                    ///< the folder holds the run's beginning
   std::optional<State> checkpoint_;         ///< to go on from
   std::optional<CheckpointOrigin> origin_;  ///< of the checkpoints, once there are any
   std::optional<TwinRuns> twins_;           ///< where they are asked for
-  std::optional<OpenWater> open_water_;     ///< where it is asked for
   long steps_saved_ = -1;                   ///< in the newest checkpoint
   double started_ = steady_seconds(), wall_before_ = 0;
   std::shared_ptr<spdlog::logger> logger_;
@@ -267,8 +287,16 @@ class Run {
 void demand_resumable(const CLI::App& command) {
   for (const char* flag : {"scene", "--dt", "--solver", "--law", "--seed", "--set", "--twins", "--out", "--force"})
     if (command.get_option(flag)->count() > 0)
-      throw InputError(std::string("--resume: a run goes on as it began, in its own folder; remove ") + flag +
-                       " (allowed: --until, --checkpoint-every, --threads, --json, --quiet, --log-level)");
+      throw InputError(
+          std::string("--resume: a run goes on as it began, in its own folder; remove ") + flag +
+          " (allowed: --until, --statistics, --open-water, --open-water-run, --checkpoint-every, --threads, --json, "
+          "--quiet, --log-level)");
+}
+
+/// `summary`: of a run that is done.
+std::string how_to_go_on(const std::string& summary) {
+  const std::string early = nlohmann::json::parse(summary).value("ended_early", "");
+  return early.empty() ? "--until goes on beyond its end" : "it cannot go on: " + early;
 }
 
 int resume_run(const RunOptions& options) {
@@ -277,7 +305,7 @@ int resume_run(const RunOptions& options) {
   if (options.json)
     std::cout << stopped.summary;
   else if (!options.quiet)
-    std::cout << options.resume << ": the run is done already; --until goes on beyond its end\n";
+    std::cout << options.resume << ": the run is done already; " << how_to_go_on(stopped.summary) << "\n";
   return exit_done;
 }
 

@@ -15,9 +15,13 @@ namespace nilas {
 
 using nlohmann::literals::operator""_json_pointer;
 
-OpenWater OpenWater::towed(const Scene& scene, int threads) {
+void OpenWater::demand_towed(const Scene& scene) {
   if (!scene.vessel || !scene.vessel->carriage)
     throw InputError("--open-water: the scene tows no vessel; allowed: scenes with <vessel><carriage>");
+}
+
+OpenWater OpenWater::towed(const Scene& scene, int threads) {
+  demand_towed(scene);
   Scene without_ice = scene;
   without_ice.ice.reset();
   without_ice.fracture.reset();
@@ -51,11 +55,20 @@ OpenWater OpenWater::stored(const std::filesystem::path& run) {
   OpenWater water;
   water.mean_ = summary.at(mean).get<double>();
   water.speed_ = summary.at("/tow_force/speed_m_s"_json_pointer).get<double>();
+  water.vessel_ = {summary.at("/vessel/mass_kg"_json_pointer).get<double>(),
+                   summary.at("/vessel/inertia_kg_m2/1"_json_pointer).get<double>()};
   water.source_ = "from " + run.string();
   return water;
 }
 
-std::string OpenWater::deduct_from(IceLoad& load) const {
+std::string OpenWater::deduct_from(IceLoad& load, const MassProperties& vessel) const {
+  constexpr double k_same_vessel = 1e-6;
+  const auto differ = [](double a, double b) { return std::abs(a - b) > k_same_vessel * std::abs(b); };
+  if (!run_ && (differ(vessel_.mass, vessel.mass) || differ(vessel_.pitch_inertia, vessel.inertia(1, 1))))
+    return fmt::format(
+        "nothing is deducted: the open-water run is of another vessel, of {:.6g} kg and {:.6g} kg m^2 in "
+        "pitch, this one has {:.6g} kg and {:.6g} kg m^2",
+        vessel_.mass, vessel_.pitch_inertia, vessel.mass, vessel.inertia(1, 1));
   if (!load.tow) return "nothing is deducted: the carriage does not move";
   constexpr double k_same_speed = 0.01;
   if (!run_ && std::abs(speed_ - load.tow->speed) > k_same_speed * std::abs(load.tow->speed))

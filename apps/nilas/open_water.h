@@ -11,19 +11,24 @@ namespace nilas {
 
 class OpenWater {
  public:
-  /// Tows the scene's vessel without its ice, from start to end. Throws InputError for a scene that tows no vessel, and
-  /// as Simulation does.
+  /// Throws InputError for a scene that tows no vessel.
+  static void demand_towed(const Scene& scene);
+  /// Tows the scene's vessel without its ice, from start to end. Throws as demand_towed() and
+  /// Simulation do.
   static OpenWater towed(const Scene& scene, int threads);
   /// Of a run without ice that was stored. Throws FileError, and InputError where it is no such run.
   static OpenWater stored(const std::filesystem::path& run);
 
   /// Fills the open-water force of a tow. Returns why nothing is deducted, where a stored run was towed at another
-  /// speed, or nothing moves; else nothing.
-  std::string deduct_from(IceLoad& load) const;
+  /// speed or with another vessel, or nothing moves; else nothing.
+  std::string deduct_from(IceLoad& load, const MassProperties& vessel) const;
 
  private:
   std::optional<RunStatistics> run_;
   double mean_ = 0, speed_ = 0;  ///< of a stored run [N, m/s]
+  struct {
+    double mass = 0, pitch_inertia = 0;  ///< [kg, kg m^2]
+  } vessel_;                             ///< of a stored run
   std::string source_;
 };
 

@@ -44,6 +44,7 @@ StoppedRun find_stopped_run(const fs::path& folder, const SceneFlags& flags) {
   SceneFlags allowed;
   allowed.file = scene_file.string();
   allowed.until = flags.until;
+  allowed.statistics = flags.statistics;
   allowed.checkpoint_every = flags.checkpoint_every;
   found.scene = read_flagged_scene(allowed);
   const long steps = number_of_steps(found.scene.time);

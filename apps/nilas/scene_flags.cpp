@@ -56,9 +56,4 @@ Scene read_flagged_scene(const SceneFlags& flags) {
   return read_scene(flags.file, overrides);
 }
 
-long number_of_steps(const TimeScene& time) {
-  constexpr double k_rounding = 1e-9;  // of a step: 60 s are 6000 steps of 0.01 s, not 6001
-  return std::lround(std::ceil((time.end - time.start) / time.step - k_rounding));
-}
-
 }  // namespace nilas

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/scene/read_scene.h"
+#include "core/scene/time_steps.h"
 
 namespace nilas {
 
@@ -23,8 +24,5 @@ CLI::Option* add_scene_flags(CLI::App& command, SceneFlags& flags);
 void add_value_flags(CLI::App& command, SceneFlags& flags);
 /// Reads the scene with the overrides applied. Throws InputError for a --set that is not PATH=VALUE.
 Scene read_flagged_scene(const SceneFlags& flags);
-
-/// Steps of equal length until one reaches the end of the run; the last may go past it.
-long number_of_steps(const TimeScene& time);
 
 }  // namespace nilas

@@ -98,7 +98,7 @@ void remove_problems_after(const fs::path& folder, long step, long worst) {
 bool holds_no_outputs(const fs::path& folder, std::error_code& error) {
   const auto left_over = [&](const std::string& name) {
     const auto& own = own_files();
-    return name == k_log || (name == k_input_folder && holds_copies_only(folder)) ||
+    return name == k_log || (name == k_input_folder && fs::exists(folder / k_log) && holds_copies_only(folder)) ||
            std::any_of(own.begin(), own.end(), [&](const std::string& file) { return name == file + k_half_written; });
   };
   const fs::directory_iterator entries(folder, error);

@@ -55,12 +55,12 @@ std::string penetration_lines(const RunStatistics& statistics, bool crushes) {
                      "worst penetration", rigid.value, rigid.time, "crushed ice, at most", crushed.value, crushed.time);
 }
 
-/// The first so many that ice touched; all are in the summary.
+/// The first so many, those that ice touched before the others; all are in the summary.
 std::vector<StructureLoad> told_structures(const RunStatistics& statistics) {
   constexpr std::size_t k_most = 8;
-  std::vector<StructureLoad> told;
-  for (StructureLoad& structure : statistics.structure_loads())
-    if (structure.ice.touched && told.size() < k_most) told.push_back(std::move(structure));
+  std::vector<StructureLoad> told = statistics.structure_loads();
+  std::stable_partition(told.begin(), told.end(), [](const StructureLoad& s) { return s.ice.touched; });
+  if (told.size() > k_most) told.erase(told.begin() + k_most, told.end());
   return told;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/sim/load_axes.h"
+
 namespace nilas {
 
 /// Velocity that a unit impulse between the two gives, leverage left out [1/kg].
@@ -33,9 +35,7 @@ LoadedBodies loaded_bodies(const Bodies& bodies, const RunInfo& info) {
   LoadedBodies loaded{.vessel = -1, .com_V = info.vessel_mass.com, .structures = {}};
   for (std::size_t b = 0; b < bodies.id.size(); ++b) {
     if (bodies.kind[b] == BodyKind::vessel) loaded.vessel = static_cast<int>(b);
-    if (!info.structures.empty() && bodies.kind[b] == BodyKind::rigid && bodies.motion[b] == Motion::fixed &&
-        bodies.shape[b]->kind != ShapeKind::plane)
-      loaded.structures.push_back(bodies.id[b]);
+    if (!info.structures.empty() && is_structure(bodies, b)) loaded.structures.push_back(bodies.id[b]);
   }
   return loaded;
 }

@@ -19,13 +19,6 @@ bool has_couples(const Scene& scene) {
                      [](const FrictionScene& pair) { return pair.rolling > 0 || pair.spinning > 0; });
 }
 
-/// As of loaded_bodies().
-bool has_structures(const Scene& scene, const RunInfo& info) {
-  return !info.structures.empty() && std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const BodyScene& body) {
-    return body.fixed && body.shape != "plane";
-  });
-}
-
 class LayoutList {
  public:
   void number(const std::string& name, const std::string& unit, const std::string& meaning) {
@@ -81,7 +74,7 @@ std::optional<Hdf5Columns::Length> kept(const StateReader* from) {
 
 bool ContactsH5::asked(const Scene& scene, const RunInfo& info) {
   return scene.output.contacts == "all" ||
-         (scene.output.contacts == "hull" && (info.has_vessel || has_structures(scene, info)));
+         (scene.output.contacts == "hull" && (info.has_vessel || !info.structures.empty()));
 }
 
 ContactsH5::ContactsH5(const std::filesystem::path& path, const Scene& scene, const RunInfo& info,

@@ -19,10 +19,12 @@ struct ComponentLoad {
   std::optional<double> half_width;  ///< of the mean, for about 95 % of runs; nothing: not known [N]
 };
 
-/// The mean force of the carriage along the course, positive forward, and what takes it: tow = ice + water + inertia.
+/// The mean force of the carriage along the course, positive forward, and what takes it: tow = ice + others +
+/// water + inertia.
 struct TowForce {
   double mean = 0, std = 0;                                     ///< [N]
   double ice = 0, water = 0, inertia = 0;                       ///< [N]
+  double others = 0;                                            ///< contacts with walls and bodies [N]
   double speed = 0;                                             ///< mean speed along the course over the window [m/s]
   std::optional<double> open_water;                             ///< mean force of the same tow without ice [N]
   std::string open_water_source;                                ///< where that comes from, in words
@@ -33,7 +35,7 @@ struct IceLoad {
   LoadWindow window;
   double filter = 0;      ///< averaging time of filtered peaks [s]
   double step = 0;        ///< [s]
-  bool touched = false;   ///< ice pressed on the hull at least once
+  bool touched = false;   ///< ice pressed on it at least once, of a vessel within the window
   bool rigid = true;      ///< some ice meets the hull as a rigid body
   ComponentLoad along;    ///< positive astern
   ComponentLoad across;   ///< positive to port

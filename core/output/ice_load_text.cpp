@@ -17,11 +17,21 @@ std::string line(const std::string& label, const std::string& text) {
   return fmt::format("{:<22}{}\n", label, wrapped(text, k_label_width));
 }
 
+/// Without an exponent, to so many significant digits.
+std::string plain(double x, int digits) {
+  if (x == 0 || !std::isfinite(x)) return fmt::format("{:g}", x);
+  const int decimals = std::max(0, digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(x)))));
+  const double unit = std::pow(10, std::floor(std::log10(std::abs(x))) - digits + 1);
+  return fmt::format("{:.{}f}", std::round(x / unit) * unit, decimals);
+}
+
 /// "16.9 N +- 2.1 N", both in the unit of the larger.
 std::string with_error(double mean, const std::optional<double>& half_width) {
+  constexpr int k_error_digits = 2;
   const ForceUnit unit = force_unit(std::max(std::abs(mean), half_width.value_or(0)));
-  if (!half_width) return fmt::format("{:.4g} {}", mean / unit.size, unit.name);
-  return fmt::format("{:.4g} {} +- {:.2g} {}", mean / unit.size, unit.name, *half_width / unit.size, unit.name);
+  const std::string value = fmt::format("{:.4g} {}", mean / unit.size, unit.name);
+  return value +
+         (half_width ? " +- " + plain(*half_width / unit.size, k_error_digits) + " " + unit.name : " (+- not known)");
 }
 
 std::string window_text(const IceLoad& load) {
@@ -33,10 +43,12 @@ std::string peak_lines(const IceLoad& load) {
   std::string text = line(
       "  filtered peak", fmt::format("{} along at {:.5g} s, {} across: means over {:.2g} s", force_text(along.filtered),
                                      along.filtered_time, force_text(across.filtered), load.filter));
-  text += line("  raw peak",
-               fmt::format("{} in one step, at {:g} s; its event has an impulse of {:.3g} N s in {:.2g} s. {}",
-                           force_text(along.raw), along.raw_time, along.event_impulse,
-                           along.event_to - along.event_from, raw_peak_depends_on(load)));
+  text +=
+      line("  raw peak",
+           fmt::format("{} in one step, at {:g} s; the impact around it lasts {:.2g} s and has an impulse of {:.3g} "
+                       "N s. {}",
+                       force_text(along.raw), along.raw_time, along.event_to - along.event_from, along.event_impulse,
+                       raw_peak_depends_on(load)));
   if (load.impacts_dominate())
     text += line("  advice", fmt::format("1 % of the steps carry {:.0f} % of the load: single rigid impacts. Let the "
                                          "ice crush (<fracture><crushing>, breakable ice) to limit them to what ice "
@@ -46,18 +58,22 @@ std::string peak_lines(const IceLoad& load) {
 }
 
 std::string error_text(const ChannelError& load, bool solver_at_least) {
-  std::string text = fmt::format("solver {}{}, law {}", solver_at_least ? "at least " : "", force_text(load.solver),
-                                 force_text(load.law));
-  if (load.chaos) text += fmt::format(", chaos {}", force_text(*load.chaos));
-  text += load.chaos ? "; step unknown" : "; chaos, step unknown";
-  if (solver_at_least) text += ", and steps that missed the tolerance can add more";
-  return text;
+  std::string text = fmt::format("solver {}{}, contact law {}", solver_at_least ? "at least " : "",
+                                 force_text(load.solver), force_text(load.law));
+  if (load.chaos) text += fmt::format(", chance in this ice {}", force_text(*load.chaos));
+  text += load.chaos ? ". What the time step adds is not known" : ". What chance and the time step add is not known";
+  if (solver_at_least) text += ", nor what steps add that missed the tolerance";
+  return text + ". Other ice of the same kind is not in it: run other seeds (--seed) and compare the means.";
 }
 
 std::string tow_lines(const TowForce& tow) {
+  constexpr double k_rounding = 1e-6;
+  const auto is_some = [&](double newton) { return std::abs(newton) > k_rounding * std::abs(tow.mean); };
+  const auto part = [&](double newton) { return force_text(is_some(newton) ? newton : 0); };
   std::string text =
-      line("tow force", fmt::format("{} forward: ice takes {}, water {}, inertia {}", force_text(tow.mean),
-                                    force_text(tow.ice), force_text(tow.water), force_text(tow.inertia)));
+      line("tow force", fmt::format("{} forward: ice takes {}, water {}, inertia {}{}", force_text(tow.mean),
+                                    part(tow.ice), part(tow.water), part(tow.inertia),
+                                    is_some(tow.others) ? ", other contacts " + part(tow.others) : ""));
   if (tow.open_water)
     text += line("  less open water", fmt::format("{}: {} in open water deducted ({})", force_text(tow.net()),
                                                   force_text(*tow.open_water), tow.open_water_source));
@@ -80,18 +96,18 @@ std::string force_text(double newton) {
 
 std::string raw_peak_depends_on(const IceLoad& load) {
   if (load.rigid)
-    return fmt::format("It depends on the step of {:g} s, in which a rigid contact passes its impulse.", load.step);
-  return fmt::format("It depends on the ice's crushing strength, on the hull's faces and on the step of {:g} s.",
-                     load.step);
+    return fmt::format("This peak depends on the time step of {:g} s: a rigid impact is over within one step.",
+                       load.step);
+  return fmt::format(
+      "This peak depends on the crushing strength, on the size of the mesh faces that the ice meets and "
+      "on the time step of {:g} s.",
+      load.step);
 }
 
 std::string ice_load_lines(const IceLoad& load, const LoadError& error) {
   std::string text;
   if (!load.touched) {
-    text = line("ice load", "none: no ice pressed on the hull");
-    if (load.along.statistics.max > 0)
-      text += line("  other contacts", fmt::format("{} astern, {} to port", force_text(load.along.statistics.mean),
-                                                   force_text(load.across.statistics.mean)));
+    text = line("ice load", "none: no ice pressed on the hull in the window");
     text += line("  window", window_text(load));
   } else {
     text = line("ice load",
@@ -102,7 +118,7 @@ std::string ice_load_lines(const IceLoad& load, const LoadError& error) {
     text += line("  deviation", fmt::format("{} along, {} across", force_text(load.along.statistics.std),
                                             force_text(load.across.statistics.std)));
     text += peak_lines(load);
-    text += line("  of the +-", error_text(error.channels[error.headline], error.solver_at_least));
+    text += line("  the +- is of", error_text(error.channels[error.headline], error.solver_at_least));
   }
   if (load.tow) text += tow_lines(*load.tow);
   return text;
@@ -110,7 +126,7 @@ std::string ice_load_lines(const IceLoad& load, const LoadError& error) {
 
 std::string structure_lines(const StructureLoad& structure) {
   const std::string label = fmt::format("load on '{}'", structure.name);
-  if (!structure.ice.touched) return line(label, "no ice pressed on it");
+  if (!structure.ice.touched) return line(label, "none: no ice pressed on it");
   return line(label, fmt::format("{} along, {} across the drift, from {:g} s to {:g} s",
                                  with_error(structure.ice.along.statistics.mean, structure.ice.along.half_width),
                                  with_error(structure.ice.across.statistics.mean, structure.ice.across.half_width),

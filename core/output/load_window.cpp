@@ -38,7 +38,12 @@ std::vector<double> LoadWindow::of(const std::vector<double>& series) const {
 LoadWindow load_window(const LoadCourse& course) {
   const double end = course.start + static_cast<double>(course.steps) * course.h;
   if (course.asked) {
-    const LoadWindow window = from_to(course, course.asked->at(0), course.asked->at(1), "as asked");
+    LoadWindow window = from_to(course, course.asked->at(0), course.asked->at(1), "as asked");
+    const double least = k_rounding * course.h;
+    if (course.ramp_end && window.from < *course.ramp_end - least)
+      window.reason += fmt::format("; it holds the ramp (to {:g} s)", *course.ramp_end);
+    if (course.first_ice && window.from < *course.first_ice - least)
+      window.reason += fmt::format("; ice first touches at {:g} s", *course.first_ice);
     if (window.steps() > 0) return window;
     return from_to(course, course.start, end,
                    fmt::format("the whole run, which has no step in the window asked for, {:g} to {:g} s",

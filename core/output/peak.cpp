@@ -27,10 +27,10 @@ class Impulse {
 };
 
 /// The mean over an interval is largest where the interval begins or ends with a step.
-void find_filtered(const std::vector<double>& series, double t0, double h, double filter, Peak& peak) {
+void find_filtered(const std::vector<double>& series, double t0, double h, Peak& peak) {
   const Impulse impulse(series, h);
   const double duration = static_cast<double>(series.size()) * h;
-  const double width = std::min(std::max(filter, h), duration);
+  const double width = peak.filter;
   const auto offer = [&](double end) {
     constexpr double k_rounding = 1e-9;
     if (end < width * (1 - k_rounding) || end > duration * (1 + k_rounding)) return;
@@ -48,7 +48,9 @@ void find_filtered(const std::vector<double>& series, double t0, double h, doubl
 void find_event(const std::vector<double>& series, double t0, double h, std::size_t top, Peak& peak) {
   const double mean = std::accumulate(series.begin(), series.end(), 0.0) / static_cast<double>(series.size());
   const double side = peak.raw < 0 ? -1 : 1;
-  const auto beyond = [&](std::size_t k) { return side * series[k] > std::max(0.0, side * mean); };
+  constexpr double k_tenth = 0.1;
+  const double from = std::max(0.0, side * mean + k_tenth * side * (peak.raw - mean));
+  const auto beyond = [&](std::size_t k) { return side * series[k] > from; };
   std::size_t first = top, last = top + 1;
   while (first > 0 && beyond(first - 1)) --first;
   while (last < series.size() && beyond(last)) ++last;
@@ -62,13 +64,14 @@ void find_event(const std::vector<double>& series, double t0, double h, std::siz
 Peak peak_of(const std::vector<double>& series, double t0, double h, double filter) {
   Peak peak;
   if (series.empty()) return peak;
+  peak.filter = std::clamp(filter, h, std::max(h, static_cast<double>(series.size()) * h));
   const auto top =
       std::max_element(series.begin(), series.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }) -
       series.begin();
   peak.raw = series[static_cast<std::size_t>(top)];
   if (peak.raw == 0) return peak;
   peak.raw_time = t0 + static_cast<double>(top + 1) * h;
-  find_filtered(series, t0, h, filter, peak);
+  find_filtered(series, t0, h, peak);
   find_event(series, t0, h, static_cast<std::size_t>(top), peak);
   return peak;
 }

@@ -8,8 +8,9 @@ namespace nilas {
 struct Peak {
   double raw = 0, raw_time = 0;  ///< mean over one step, at the step's end: of rigid contacts it depends on the step
   double filtered = 0, filtered_time = 0;  ///< mean over the filter time, at that interval's end
-  /// Impulse of the event around the raw peak: of the steps in a row whose load lies on the peak's side beyond the
-  /// mean [N s or N m s].
+  double filter = 0;  ///< that time: what was asked, but a step at least and the series at most [s]
+  /// Impulse of the event around the raw peak: of the steps in a row whose load lies beyond the mean by a tenth of what
+  /// the peak does [N s or N m s].
   double event_impulse = 0;
   double event_from = 0, event_to = 0;  ///< [s]
 };

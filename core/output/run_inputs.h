@@ -18,8 +18,8 @@ void remove_inputs(const std::filesystem::path& folder, const std::vector<InputF
 /// Whether `folder`/inputs, where there is one, holds copies that a run made and nothing else.
 bool holds_copies_only(const std::filesystem::path& folder);
 
-/// Copies what is not there already, and lists all in inputs/SHA256SUMS. Without inputs it makes no folder. Throws
-/// FileError, and InputError where a file has changed since the scene was read; what it copied is then removed.
+/// Copies what is not there already, and lists all in inputs/nilas-inputs.sha256. Without inputs it makes no folder.
+/// Throws FileError, and InputError where a file has changed since the scene was read; what it copied is then removed.
 void copy_inputs(const std::filesystem::path& folder, const std::vector<InputFile>& inputs);
 
 }  // namespace nilas

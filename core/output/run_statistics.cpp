@@ -71,6 +71,7 @@ void RunStatistics::add_vessel(const StepRecord& record, const std::vector<doubl
   const auto along = [&](const Vec3& x) { return x.head<2>().dot(vessel.course); };
   tow_.push_back(along(vessel.carriage->about_com.force));
   water_.push_back(vessel.hydro ? -along(vessel.hydro->force) : 0);
+  others_.push_back(-along(vessel.contact.force - vessel.ice));
   speed_.push_back(along(vessel.state.v));
 }
 
@@ -105,10 +106,12 @@ void RunStatistics::save(StateWriter out) const {
   if (!load_series_.empty()) load_residuals_.save(out.group("load_residuals"));
   out.add("tow", tow_);
   out.add("water", water_);
+  out.add("others", others_);
   out.add("speed", speed_);
   out.add("first_ice", first_ice_);
-  for (std::size_t k = 0; k < structure_series_.size(); ++k)
-    out.group("structures").add(std::to_string(k), structure_series_[k]);
+  std::vector<double> structures;  // in one piece: a pier of hundreds of piles has thousands of series
+  for (const auto& series : structure_series_) structures.insert(structures.end(), series.begin(), series.end());
+  out.add("structures", structures);
   out.add("structures_first_ice", structure_first_ice_);
   costs_.save(out.group("costs"));
   out.add("h", h_);
@@ -139,10 +142,15 @@ void RunStatistics::restore(const StateReader& in) {
   const std::size_t towed = !load_series_.empty() && info_.has_carriage ? steps : 0;
   in.get("tow", tow_, towed);
   in.get("water", water_, towed);
+  in.get("others", others_, towed);
   in.get("speed", speed_, towed);
   in.get("first_ice", first_ice_);
-  for (std::size_t k = 0; k < structure_series_.size(); ++k)
-    in.group("structures").get(std::to_string(k), structure_series_[k], steps);
+  std::vector<double> structures;
+  in.get("structures", structures, steps * structure_series_.size());
+  for (std::size_t k = 0; k < structure_series_.size(); ++k) {
+    const auto begin = structures.begin() + static_cast<std::ptrdiff_t>(k * steps);
+    structure_series_[k].assign(begin, begin + static_cast<std::ptrdiff_t>(steps));
+  }
   in.get("structures_first_ice", structure_first_ice_, info_.structures.size());
   costs_.restore(in.group("costs"), steps);
   in.get("h", h_);
@@ -202,19 +210,20 @@ std::optional<IceLoad> RunStatistics::ice_load(const TwinStatistics* twins) cons
   load.window = window();
   load.filter = peak_filter();
   load.step = h_;
-  load.touched = first_ice_ < k_never;
   load.rigid = info_.rigid_contacts;
   const auto component = [&](const char* name) {
     ComponentLoad found = component_load(series_of(name), load.window, t_start_, h_, load.filter);
     for (const ChannelError& c : error->channels)
       if (c.channel == name) {
         found.statistics.mean = c.mean;
-        found.half_width = c.total;
+        if (c.chaos) found.half_width = c.total;
       }
     return found;
   };
   load.along = component("ice_resistance_N");
   load.across = component("ice_side_N");
+  load.touched = load.along.statistics.max > 0 || load.across.statistics.max > 0;
+  load.filter = load.along.peak.filter;
   load.in_largest = share_of_largest_percent(load.window.of(series_of("ice_resistance_N")));
   if (mean_tow(load.window)) {
     const LoadStatistics tow = load_statistics(load.window.of(tow_));
@@ -223,7 +232,8 @@ std::optional<IceLoad> RunStatistics::ice_load(const TwinStatistics* twins) cons
     force.std = tow.std;
     force.ice = load_statistics(load.window.of(series_of("ice_resistance_N"))).mean;
     force.water = load_statistics(load.window.of(water_)).mean;
-    force.inertia = force.mean - force.ice - force.water;  // by Newton's law along the course
+    force.others = load_statistics(load.window.of(others_)).mean;
+    force.inertia = force.mean - force.ice - force.others - force.water;  // by Newton's law along the course
     force.speed = load_statistics(load.window.of(speed_)).mean;
   }
   return load;
@@ -245,6 +255,7 @@ std::vector<StructureLoad> RunStatistics::structure_loads() const {
                                                        t_start_, h_, load.ice.filter));
     load.ice.along = load.loads[names.size() - k_num_course_loads].second;
     load.ice.across = load.loads.back().second;
+    load.ice.filter = load.ice.along.peak.filter;
     load.ice.in_largest =
         share_of_largest_percent(load.ice.window.of(structure_series_[(k + 1) * names.size() - k_num_course_loads]));
     all.push_back(std::move(load));

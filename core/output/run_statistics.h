@@ -86,8 +86,8 @@ class RunStatistics {
   std::vector<std::string> load_names_;
   std::vector<std::vector<double>> load_series_;
   LoadResiduals load_residuals_;
-  std::vector<double> tow_, water_, speed_;  ///< along the course, of a vessel on a carriage [N, N, m/s]
-  double first_ice_ = k_never;               ///< start of the first step in which ice pressed on the vessel [s]
+  std::vector<double> tow_, water_, others_, speed_;  ///< along the course, of a vessel on a carriage [N, m/s]
+  double first_ice_ = k_never;  ///< start of the first step in which ice pressed on the vessel [s]
   std::vector<std::vector<double>> structure_series_;  ///< per structure and load
   std::vector<double> structure_first_ice_;            ///< per structure [s]
   StepCosts costs_;

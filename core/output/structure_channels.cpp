@@ -1,7 +1,5 @@
 #include "core/output/structure_channels.h"
 
-#include <algorithm>
-
 namespace nilas {
 
 const std::vector<std::string>& structure_load_names() {
@@ -12,17 +10,14 @@ const std::vector<std::string>& structure_load_names() {
 
 std::vector<double> structure_loads(const StructureRecord& record, const Vec2& course) {
   const Vec3 &f = record.contact.force, &m = record.contact.torque;
-  const Vec2 horizontal = f.head<2>();
+  const Vec2 horizontal = record.ice.head<2>();
   return {f.x(), f.y(), f.z(), m.x(), m.y(), m.z(), -horizontal.dot(course), horizontal.dot(to_port(course))};
 }
 
 std::vector<std::string> structure_columns(const RunInfo& info) {
   std::vector<std::string> columns{"time_s"};
   for (const StructureInfo& structure : info.structures) {
-    std::string name = structure.name;
-    std::replace_if(
-        name.begin(), name.end(), [](char c) { return c == ',' || c == '"' || c == '\n' || c == '\r'; }, '_');
-    for (const std::string& load : structure_load_names()) columns.push_back(name + "_" + load);
+    for (const std::string& load : structure_load_names()) columns.push_back(structure.name + "_" + load);
   }
   return columns;
 }

@@ -13,8 +13,7 @@ const std::vector<std::string>& structure_load_names();
 /// Values in that order; `course`: unit vector, as of a fixed vessel.
 std::vector<double> structure_loads(const StructureRecord& record, const Vec2& course);
 
-/// time_s, then for each structure its columns behind its name, as pier_contact_fx_N. Commas and quotes in names become
-/// underscores.
+/// time_s, then for each structure its columns behind its name, as pier_contact_fx_N.
 std::vector<std::string> structure_columns(const RunInfo& info);
 
 }  // namespace nilas

@@ -71,8 +71,8 @@ bool VesselChannels::read(const VesselRecord& record, std::vector<double>& value
   add(state.v, values);
   add(Vec3(rates.roll, rates.pitch, rates.yaw) / k_deg, values);
   add(state.w, values);
-  values.push_back(-record.contact.force.head<2>().dot(record.course));
-  values.push_back(record.contact.force.head<2>().dot(to_port(record.course)));
+  values.push_back(-record.ice.head<2>().dot(record.course));
+  values.push_back(record.ice.head<2>().dot(to_port(record.course)));
   return !angles.gimbal_lock;
 }
 

@@ -68,21 +68,12 @@ static void check_contacts(const SceneElement& root, const SceneElement& output,
                               "allowed: hull, none"));
 }
 
-static void check_statistics(const SceneElement& root, const SceneElement& output, std::vector<Fault>& faults) {
+static void check_statistics(const SceneElement& output, std::vector<Fault>& faults) {
   const auto window = numbers_of(output, "statistics");
   if (!window || window->size() != 2) return;
   const std::string found = "found " + format_number(window->at(0)) + " to " + format_number(window->at(1)) + " s";
-  if (!(window->at(0) < window->at(1))) {
+  if (!(window->at(0) < window->at(1)))
     faults.push_back(fault_of(output, "statistics", found + "; allowed: the first time before the second"));
-    return;
-  }
-  const SceneElement* time = child_of(root, "time");
-  if (!time) return;
-  const auto start = number_of(*time, "start"), end = number_of(*time, "end");
-  if (!start || !end || (window->at(1) > *start && window->at(0) < *end)) return;
-  faults.push_back(fault_of(output, "statistics",
-                            found + "; allowed: times within the run, " + format_number(start.value()) + " to " +
-                                format_number(end.value()) + " s"));
 }
 
 /// Ice that bends rests on water, and its pieces float.
@@ -114,7 +105,7 @@ void cross_check(const SceneElement& root, std::vector<Fault>& faults) {
     if (element.name == "fracture") check_fracture(root, element, faults);
     if (element.name == "output") {
       check_contacts(root, element, faults);
-      check_statistics(root, element, faults);
+      check_statistics(element, faults);
     }
   }
 }

@@ -12,7 +12,7 @@ namespace nilas {
 
 /// In a run folder: where its input files are copied to, and the list of them there, as sha256sum writes it.
 constexpr const char* k_input_folder = "inputs";
-constexpr const char* k_input_sums = "SHA256SUMS";
+constexpr const char* k_input_sums = "nilas-inputs.sha256";
 
 /// SHA-256 of a file's content in hexadecimal digits. Throws FileError when it cannot be read.
 std::string file_sha256(const std::filesystem::path& file);

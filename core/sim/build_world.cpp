@@ -12,6 +12,7 @@
 #include "core/sim/implausible.h"
 #include "core/sim/load_axes.h"
 #include "core/sim/reference.h"
+#include "core/sim/vessel_doubts.h"
 #include "core/sim/world.h"
 #include "hydro/modules.h"
 
@@ -123,7 +124,14 @@ WorldParts build_world(const Scene& scene, int threads, WarningCounts& warnings)
   if (parts.info.has_carriage) parts.info.work_names.emplace_back("carriage");
   parts.info.bodies = parts.bodies.size();
   list_absent(scene, parts.info);
-  refuse_overlaps(scene, parts.bodies);
+  try {
+    refuse_overlaps(scene, parts.bodies);
+  } catch (const InputError& overlap) {
+    // a hull that lies wrong is often why
+    std::string message = overlap.what();
+    for (const std::string& doubt : vessel_doubts(scene, parts)) message += "\n" + doubt;
+    throw InputError(message);
+  }
   describe_loads(scene, parts);
   describe_course(scene, parts);
   note_implausible(scene, parts);

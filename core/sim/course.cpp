@@ -66,7 +66,7 @@ Box2 box_of_ice(const Bodies& bodies) {
   return box;
 }
 
-/// The time between `free` and `not_free` from which `holds` is true, to a millionth of the span.
+/// The time between `before` and `after` from which `holds` is true, to a millionth of the span.
 template <class Holds>
 double since_when(double before, double after, const Holds& holds) {
   for (int pass = 0; pass < 20; ++pass) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/scene/time_steps.h"
 #include "core/sim/course.h"
 #include "core/sim/natural_periods.h"
 #include "core/sim/vessel_doubts.h"
@@ -12,6 +13,12 @@
 namespace nilas {
 
 namespace {
+
+/// Two digits, by floor or ceil, so that advice stays on the safe side.
+double two_digits(double x, double (*round)(double)) {
+  const double unit = std::pow(10, std::floor(std::log10(x)) - 1);
+  return round(x / unit) * unit;
+}
 
 class Doubts {
  public:
@@ -23,6 +30,7 @@ class Doubts {
     water();
     motion();
     course();
+    towing();
     periods();
     structures();
     hull();
@@ -88,8 +96,9 @@ class Doubts {
                                    : "no body of the scene can move: each is fixed");
     else if (scene_.ice && (scene_.vessel || !scene_.bodies.empty()) && !drives())
       doubt(scene_.vessel ? "vessel" : "ice",
-            "nothing drives ice and vessel against each other: no <carriage speed>, no velocity, no <current>; "
-            "a vessel without a carriage has no propulsion");
+            scene_.vessel ? "nothing drives ice and vessel against each other: no <carriage speed>, no velocity, no "
+                            "<current>; a vessel without a carriage has no propulsion"
+                          : "nothing moves the ice: no velocity, no <current>");
   }
 
   void course() {
@@ -103,20 +112,50 @@ class Doubts {
                                forecast->wall, *forecast->meets_wall, scene_.time.end));
     if (!forecast->has_ice_at_rest) return;
     if (!forecast->reaches_ice)
-      doubt(place, fmt::format("the hull does not reach the ice until {:g} s, so there is no ice load",
-                               forecast->meets_wall.value_or(scene_.time.end)));
-    else if (forecast->leaves_ice)
+      doubt(place,
+            fmt::format("the hull does not reach the ice within the run, which ends at {:.4g} s: there is no ice load",
+                        forecast->meets_wall.value_or(scene_.time.end)));
+    else if (forecast->leaves_ice && counts_after(*forecast->leaves_ice))
       doubt(place, fmt::format("the hull has left the ice behind at {:.4g} s of {:g} s; means over the time after that "
                                "are too small (<output statistics> sets the window)",
                                *forecast->leaves_ice, scene_.time.end));
   }
 
+  /// Whether loads are summed up beyond a time.
+  bool counts_after(double t) const {
+    const auto& window = scene_.output.statistics;
+    return !window || window->at(1) > t;
+  }
+
+  /// Settings of a carriage that are no tow of a ship.
+  void towing() {
+    if (!scene_.vessel || !scene_.vessel->carriage || parts_.info.course != CourseKind::carriage) return;
+    const CarriageScene& carriage = *scene_.vessel->carriage;
+    constexpr std::size_t k_surge = 0, k_sway = 1;
+    if (carriage.free[k_surge] || carriage.free[k_sway])
+      doubt("vessel/carriage/@free", "the joint is free along the water, so the carriage leaves the vessel behind");
+    if (!carriage.path.empty()) return;
+    if (carriage.ramp > 0 && scene_.time.start + carriage.ramp > scene_.time.end)
+      doubt("vessel/carriage/@ramp",
+            fmt::format("the ramp of {:g} s outlasts the run, so the speed is never reached", carriage.ramp));
+    constexpr double k_oblique = 45;  // [deg]
+    const double drift =
+        std::remainder(parts_.carriage->motion.direction() / k_deg - scene_.vessel->heading_deg, 360.0);
+    if (std::abs(drift) > k_oblique)
+      doubt("vessel/carriage/@heading_deg",
+            fmt::format("the vessel is towed {:.4g} deg off its heading; the ice load is told along the tow, positive "
+                        "against it",
+                        std::abs(drift)));
+  }
+
   void path() {
     const CarriageMotion& motion = parts_.carriage->motion;
     const auto [first, last] = motion.path_span();
-    if (last < scene_.time.end - 0.5 * scene_.time.step)
-      doubt("vessel/carriage/path", fmt::format("the path ends at {:g} s; the run ends there, before its end at {:g} s",
-                                                last, scene_.time.end));
+    constexpr double k_rounding = 1e-6;  // of a step, as end_of_course() has it
+    const double end = scene_.time.start + static_cast<double>(number_of_steps(scene_.time)) * scene_.time.step;
+    if (last < end - k_rounding * scene_.time.step)
+      doubt("vessel/carriage/path",
+            fmt::format("the path ends at {:g} s; the run ends there, before its end at {:g} s", last, end));
     constexpr double k_least_jump = 1e-6;  // [m/s]
     const double jump = motion.at(first).v.norm();
     if (first > scene_.time.start && jump > k_least_jump)
@@ -140,19 +179,19 @@ class Doubts {
         if (overshoot > k_overshoot)
           doubt("vessel/carriage/@ramp",
                 fmt::format("the ramp of {:g} s sets the vessel swinging on its load cells in {} ({:.3g} s): its speed "
-                            "overshoots by up to {:.0f} %; take stiffer cells or a ramp of {:.2g} s",
+                            "overshoots by up to {:.0f} %; take stiffer cells or a ramp of {:g} s",
                             carriage->ramp, mode.motion, mode.period, k_percent * overshoot,
-                            share * mode.period / (k_pi * k_overshoot)));
+                            two_digits(share * mode.period / (k_pi * k_overshoot), std::ceil)));
       }
-      constexpr double k_steps_on_cells = 4, k_steps_on_water = 10;
+      constexpr double k_steps_on_water = 10;
       // faster turns on the cells die out unseen, but surge and sway are what the tow force shows
       if (mode.on_cells && !along) continue;
-      const double longest = mode.period / (mode.on_cells ? k_steps_on_cells : k_steps_on_water);
+      const double longest = mode.period / (mode.on_cells ? k_least_steps_on_cells : k_steps_on_water);
       if (h > longest)
-        doubt("time/@step",
-              fmt::format("the step of {:g} s misses the vessel's {} on {} with its period of {:.3g} s; "
-                          "take at most {:.2g} s to resolve it",
-                          h, mode.motion, mode.on_cells ? "the load cells" : "the water", mode.period, longest));
+        doubt("time/@step", fmt::format("the step of {:g} s misses the vessel's {} on {} with its period of {:.3g} s; "
+                                        "take at most {:g} s to resolve it",
+                                        h, mode.motion, mode.on_cells ? "the load cells" : "the water", mode.period,
+                                        two_digits(longest, std::floor)));
     }
   }
 

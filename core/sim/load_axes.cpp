@@ -11,16 +11,20 @@ constexpr double k_at_rest = 1e-9;  // [m/s]
 
 Vec2 unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
-/// Horizontal velocity of what drifts against a fixed vessel or structure, by what the scene names first: the virtual
-/// drag, the current, the ice's first velocity.
+/// Horizontal velocity of what drifts against a fixed vessel or structure: the first that is not zero of the virtual
+/// drag, the current, and the velocities of the ice.
 Vec2 drift_of(const Scene& scene) {
-  if (scene.hydro && scene.hydro->virtual_drag) return scene.hydro->virtual_drag->velocity.head<2>();
-  if (scene.water && scene.water->current) return scene.water->current->velocity.head<2>();
-  if (!scene.ice) return Vec2::Zero();
-  for (const FieldScene& field : scene.ice->fields)
-    if (!field.fixed && field.velocity.head<2>().norm() > 0) return field.velocity.head<2>();
-  for (const FloeScene& floe : scene.ice->floes)
-    if (!floe.fixed && floe.velocity.head<2>().norm() > 0) return floe.velocity.head<2>();
+  std::vector<Vec3> named;
+  if (scene.hydro && scene.hydro->virtual_drag) named.push_back(scene.hydro->virtual_drag->velocity);
+  if (scene.water && scene.water->current) named.push_back(scene.water->current->velocity);
+  if (scene.ice) {
+    for (const FieldScene& field : scene.ice->fields)
+      if (!field.fixed) named.push_back(field.velocity);
+    for (const FloeScene& floe : scene.ice->floes)
+      if (!floe.fixed) named.push_back(floe.velocity);
+  }
+  for (const Vec3& velocity : named)
+    if (velocity.head<2>().norm() > k_at_rest) return velocity.head<2>();
   return Vec2::Zero();
 }
 
@@ -61,7 +65,7 @@ void describe_loads(const Scene& scene, WorldParts& parts) {
   if (scene.vessel) {
     info.vessel_length = length_along_x(*parts.bodies.shape[static_cast<std::size_t>(parts.vessel_index)]);
     if (scene.vessel->fixed && drifts) info.course = CourseKind::drift;
-    if (const auto& carriage = scene.vessel->carriage; carriage && (carriage->speed > 0 || !carriage->path.empty())) {
+    if (const auto& carriage = scene.vessel->carriage; carriage && (carriage->speed != 0 || !carriage->path.empty())) {
       info.course = CourseKind::carriage;
       if (carriage->path.empty() && carriage->ramp > 0) info.ramp_end = scene.time.start + carriage->ramp;
     }
@@ -73,8 +77,13 @@ void describe_loads(const Scene& scene, WorldParts& parts) {
   // its impacts within a step leave no contacts to sum
   if (scene.contact.integrator == "reference") return;
   for (std::size_t b = 0; b < parts.bodies.id.size(); ++b)
-    if (parts.bodies.kind[b] == BodyKind::rigid && parts.bodies.motion[b] == Motion::fixed)
-      info.structures.push_back({parts.bodies.name[b], static_cast<int>(b), horizontal_extent(parts.bodies, b)});
+    if (is_structure(parts.bodies, b))
+      info.structures.push_back({parts.bodies.name[b], horizontal_extent(parts.bodies, b)});
+}
+
+bool is_structure(const Bodies& bodies, std::size_t b) {
+  return bodies.kind[b] == BodyKind::rigid && bodies.motion[b] == Motion::fixed &&
+         bodies.shape[b]->kind != ShapeKind::plane;
 }
 
 Vec2 course_at(const WorldParts& parts, double t) {

@@ -7,6 +7,9 @@
 
 namespace nilas {
 
+/// The stiff block of a vessel damps modes on its cells with fewer steps per period.
+constexpr double k_least_steps_on_cells = 4;
+
 struct NaturalPeriod {
   std::string motion;     ///< the larger part of the mode: surge, sway, heave, roll, pitch or yaw
   bool on_cells = false;  ///< the load cells hold more of its energy than the water does

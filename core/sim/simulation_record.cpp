@@ -61,7 +61,7 @@ VesselRecord Simulation::World::vessel_record(const StepMotion& motion, const st
   record.solver_residual = {off.solver.force / h, off.solver.torque / h};
   record.law_residual = {off.law.force / h, off.law.torque / h};
   const auto vessel = static_cast<std::size_t>(parts.vessel_index);
-  OrderFreeVectorSum on_port, on_starboard;
+  OrderFreeVectorSum on_port, on_starboard, of_ice;
   record.course = course_at(parts, time() + h);
   for (std::size_t i = 0; i < motion.points.size(); ++i) {
     const ContactPoint& c = motion.points[i];
@@ -70,8 +70,11 @@ VesselRecord Simulation::World::vessel_record(const StepMotion& motion, const st
     const double sign = c.b == parts.vessel_index ? 1 : -1;
     (port ? on_port : on_starboard).add(sign / h * motion.impulses[i]);
     const auto other = static_cast<std::size_t>(c.a == parts.vessel_index ? c.b : c.a);
-    if (parts.bodies.kind[other] == BodyKind::floe && !motion.impulses[i].isZero(0)) record.touches_ice = true;
+    if (parts.bodies.kind[other] != BodyKind::floe || motion.impulses[i].isZero(0)) continue;
+    record.touches_ice = true;
+    of_ice.add(sign / h * motion.impulses[i]);
   }
+  record.ice = of_ice.value();
   record.contact_port = on_port.value();
   record.contact_starboard = on_starboard.value();
   record.state = parts.vessel->state();
@@ -103,6 +106,7 @@ void Simulation::World::note_vessel(const StepMotion& motion, const std::vector<
   add_share(part.law_residual, share, sum.law_residual);
   sum.contact_port += share * part.contact_port;
   sum.contact_starboard += share * part.contact_starboard;
+  sum.ice += share * part.ice;
   if (part.carriage) {
     if (!sum.carriage) sum.carriage.emplace();
     add_share(part.carriage->about_com, share, sum.carriage->about_com);
@@ -126,14 +130,13 @@ void Simulation::World::note_structures(const StepMotion& motion, StepRecord& re
   // floes that broke have moved the bodies behind them; their order stays
   std::vector<int> places;
   for (std::size_t b = 0; b < parts.bodies.id.size(); ++b)
-    if (parts.bodies.kind[b] == BodyKind::rigid && parts.bodies.motion[b] == Motion::fixed)
-      places.push_back(static_cast<int>(b));
+    if (is_structure(parts.bodies, b)) places.push_back(static_cast<int>(b));
   const auto structure_of = [&](int body) {
     const auto found = std::lower_bound(places.begin(), places.end(), body);
     return found != places.end() && *found == body ? found - places.begin() : -1;
   };
   struct Sums {
-    OrderFreeVectorSum force, torque;
+    OrderFreeVectorSum force, torque, ice;
   };
   std::vector<Sums> sums(structures.size());
   record.structures.resize(structures.size());
@@ -146,12 +149,15 @@ void Simulation::World::note_structures(const StepMotion& motion, StepRecord& re
       sum.force.add(sign * motion.impulses[i]);
       sum.torque.add((c.p - motion.p[static_cast<std::size_t>(body)]).cross(sign * motion.impulses[i]));
       if (!motion.couples.empty()) sum.torque.add(sign * motion.couples[i]);
-      if (parts.bodies.kind[static_cast<std::size_t>(other)] == BodyKind::floe)
-        record.structures[static_cast<std::size_t>(k)].touches_ice = true;
+      if (parts.bodies.kind[static_cast<std::size_t>(other)] != BodyKind::floe) continue;
+      record.structures[static_cast<std::size_t>(k)].touches_ice = true;
+      sum.ice.add(sign * motion.impulses[i]);
     }
   }
-  for (std::size_t k = 0; k < sums.size(); ++k)
+  for (std::size_t k = 0; k < sums.size(); ++k) {
     record.structures[k].contact += {sums[k].force.value() / whole_step, sums[k].torque.value() / whole_step};
+    record.structures[k].ice += sums[k].ice.value() / whole_step;
+  }
 }
 
 std::uint64_t Simulation::World::state_hash() const {

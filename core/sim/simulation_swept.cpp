@@ -243,7 +243,7 @@ bool Simulation::World::can_be_cut(const StepRecord& record) const {
 }
 
 void Simulation::World::warn_of_missed() {
-  warnings.warn("impacts that a step could not hold",
+  warnings.warn("steps with impacts that were not resolved",
                 fmt::format("at {:g} s bodies still meet on their way after {} solutions of the step; try a smaller "
                             "<time step>",
                             time(), k_most_solutions));

@@ -41,6 +41,7 @@ struct VesselRecord {
   /// Unit vector along the course, horizontal; docs/conventions.md says which way it points.
   Vec2 course = Vec2::UnitX();
   bool touches_ice = false;  ///< a floe pressed on it during the step
+  Vec3 ice = Vec3::Zero();   ///< the part of the contact force that floes exert, in G [N]
 };
 
 /// Horizontal unit vector to port of a horizontal one.
@@ -50,6 +51,7 @@ inline Vec2 to_port(const Vec2& ahead) { return {-ahead.y(), ahead.x()}; }
 struct StructureRecord {
   Wrench contact;
   bool touches_ice = false;
+  Vec3 ice = Vec3::Zero();  ///< the part of the contact force that floes exert [N]
 };
 
 /// What changed at a contact at one instant; integrator "reference" only. The first contact of a pair of bodies may
@@ -135,7 +137,6 @@ enum class CourseKind { carriage, drift, heading };
 /// A body that the scene holds fixed.
 struct StructureInfo {
   std::string name;
-  int body = -1;
   double length = 0;  ///< largest horizontal extent [m]
 };
 

@@ -45,7 +45,8 @@ class CarriageMotion {
   bool follows_path() const { return knots_ != nullptr; }
   /// First and last time of a path [s]. Throws ContractError where the motion follows none.
   std::array<double, 2> path_span() const;
-  double direction() const { return direction_; }  ///< of a straight motion, from X [rad]
+  /// Of a straight motion, from X; against the carriage's heading where its speed is negative [rad].
+  double direction() const { return speed_ < 0 ? direction_ + k_pi : direction_; }
 
  private:
   struct Knots;

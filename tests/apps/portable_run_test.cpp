@@ -110,7 +110,9 @@ TEST_F(PortableRun, AFolderRunsAgainInItself) {
   demand("run far/copy/scene.xml --quiet --force --out far/copy");
   expect_same_bits("far/copy", vessel, hashes);
   EXPECT_EQ(read_text(in("far/copy/scene.xml")), scene);
-  EXPECT_EQ(std::system(("cd '" + in("far/copy/inputs").string() + "' && sha256sum --quiet -c SHA256SUMS").c_str()), 0);
+  EXPECT_EQ(
+      std::system(("cd '" + in("far/copy/inputs").string() + "' && sha256sum --quiet -c nilas-inputs.sha256").c_str()),
+      0);
 }
 
 TEST_F(PortableRun, ACopyThatWasChangedOrIsMissingIsNamed) {

@@ -79,7 +79,7 @@ TEST(Twins, TheConsoleSaysWhatTheForceIsWorthAndWhenTwinsPart) {
   const auto result = run_nilas("run " + k_presawn + "--until 2.5 --out run --twins 1", folder.path());
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(mentions(result.out, "ice load ")) << result.out;
-  EXPECT_TRUE(mentions(result.out, "step unknown")) << result.out;
+  EXPECT_TRUE(mentions(result.out, "What the time step adds")) << result.out;
   EXPECT_TRUE(mentions(result.out, "twins                 1, predictable to the end")) << result.out;
 }
 

@@ -8,7 +8,7 @@
 namespace nilas {
 
 PairedDifference paired_difference(std::vector<int> realisations, std::vector<double> values,
-                                   std::vector<double> limits, double rounding) {
+                                   std::vector<double> limits, double rounding, bool one_for_all) {
   constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
   PairedDifference found{std::move(realisations), std::move(values), std::move(limits), k_nan, k_nan};
   const std::size_t count = found.values.size();
@@ -21,7 +21,8 @@ PairedDifference paired_difference(std::vector<int> realisations, std::vector<do
   }
   if (count > 1)
     found.half_width =
-        student_95(static_cast<double>(count - 1)) * std::sqrt(variance_of(found.values) / static_cast<double>(count));
+        student_95(static_cast<double>(count - 1)) *
+        std::sqrt(variance_of(found.values) * ((one_for_all ? 1.0 : 0.0) + 1.0 / static_cast<double>(count)));
   if (std::abs(found.mean) > found.half_width + rounding)
     found.certainty = Certainty::everywhere;
   else if (found.beyond_chance > 0)

@@ -27,9 +27,11 @@ struct PairedDifference {
 /// Beyond chance everywhere, or at least in realisations that were run.
 bool is_sure(const PairedDifference& difference);
 
-/// `rounding`: below which differences are none [N]. The three lists have the same length.
+/// `one_for_all`: all realisations are set against the same run, whose chance does not average out; the variance of the
+/// mean is then s^2 (1 + 1/n) in place of s^2/n. `rounding`: below which differences are none [N]. The three lists have
+/// the same length.
 PairedDifference paired_difference(std::vector<int> realisations, std::vector<double> values,
-                                   std::vector<double> limits, double rounding);
+                                   std::vector<double> limits, double rounding, bool one_for_all = false);
 
 /// 95 % limit of the difference of two runs of one realisation that chance alone sets apart [N]; infinite where nothing
 /// tells. By the larger variance of two: the squared difference of the twins of that realisation (one degree of

@@ -24,7 +24,7 @@ double limit_of(const Findings& found, const std::vector<std::size_t>& alike, in
 /// `other`: the run of a realisation that the setting's is set against, or null.
 template <class Other>
 PairedDifference difference(const Findings& found, const Merit& merit, const std::vector<double>& limits,
-                            const Other& other) {
+                            const Other& other, bool one_for_all = false) {
   std::vector<int> realisations;
   std::vector<double> values, limits_of_these;
   for (const int r : merit.realisations) {
@@ -36,7 +36,7 @@ PairedDifference difference(const Findings& found, const Merit& merit, const std
     values.push_back(value);
     limits_of_these.push_back(limits[static_cast<std::size_t>(r)]);
   }
-  return paired_difference(realisations, values, limits_of_these, k_rounding_share * found.scale);
+  return paired_difference(realisations, values, limits_of_these, k_rounding_share * found.scale, one_for_all);
 }
 
 }  // namespace
@@ -61,7 +61,9 @@ void pair_up(const Plan& plan, Findings& found) {
   std::vector<double> limits;
   for (int r = 0; r < plan.realisations; ++r) limits.push_back(limit_of(found, alike, r));
   for (auto& m : found.merits) {
-    if (!m.judges) m.from_reference = difference(found, m, limits, [&](int r) { return reference_of(found, r); });
+    if (!m.judges)
+      m.from_reference = difference(
+          found, m, limits, [&](int r) { return reference_of(found, r); }, found.one_reference);
     if (m.setting != 0)
       m.from_own = difference(found, m, limits, [&](int r) { return done_run(found, RunKind::grid, 0, r); });
   }

@@ -212,14 +212,14 @@ struct DifferenceRow {
   std::string label;
   std::vector<double> values;
   double half_width = 0;
-  bool sure = false;
+  Certainty certainty = Certainty::unknown;
 };
 
 std::vector<DifferenceRow> difference_rows(const Findings& found, const std::vector<std::string>& labels) {
   constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
   std::vector<DifferenceRow> rows;
   DifferenceRow twin{"its twin: chance alone", {}, k_nan}, reference{"the reference", {}, k_nan};
-  if (!found.merits.empty()) reference.sure = is_sure(found.merits.front().from_reference);
+  if (!found.merits.empty()) reference.certainty = found.merits.front().from_reference.certainty;
   for (const int r : found.shared) {
     const RunRow *twin_run = done_run(found, RunKind::twin, 0, r), *judge = reference_of(found, r);
     if (twin_run != nullptr && twin_run->own_difference) twin.values.push_back(*twin_run->own_difference);
@@ -231,7 +231,7 @@ std::vector<DifferenceRow> difference_rows(const Findings& found, const std::vec
   for (const auto& m : found.merits) {
     const PairedDifference& d = m.from_own;
     if (!d.values.empty())
-      rows.push_back({fmt::format("{}  {}", m.setting + 1, labels[m.setting]), d.values, d.half_width, is_sure(d)});
+      rows.push_back({fmt::format("{}  {}", m.setting + 1, labels[m.setting]), d.values, d.half_width, d.certainty});
   }
   return rows;
 }
@@ -239,7 +239,7 @@ std::vector<DifferenceRow> difference_rows(const Findings& found, const std::vec
 /// Run by run on the same ice, how far settings are from the scene's own: small points are realisations, large ones
 /// their mean, full where it is sure; the band is what chance alone does to two runs of one realisation.
 std::string differences(const std::vector<DifferenceRow>& rows, double limit) {
-  Block runs{"runs", {}}, sure{"sure", {}}, unsure{"unsure", {}};
+  Block runs{"runs", {}}, sure{"sure", {}}, here{"here", {}}, unsure{"unsure", {}};
   double low = 0, high = 0;
   std::string tics;
   const auto reach = [&](double from, double to) {
@@ -251,7 +251,10 @@ std::string differences(const std::vector<DifferenceRow>& rows, double limit) {
     const double mean = mean_of(row.values);
     constexpr std::size_t k_least = 3;  // of two the interval is too wide to be drawn
     const double width = row.values.size() >= k_least && std::isfinite(row.half_width) ? row.half_width : 0;
-    (row.sure ? sure : unsure).rows += fmt::format("{} {} {}\n", mean, k, width);
+    Block& block = row.certainty == Certainty::everywhere        ? sure
+                   : row.certainty == Certainty::in_realisations ? here
+                                                                 : unsure;
+    block.rows += fmt::format("{} {} {}\n", mean, k, width);
     for (const double value : row.values) {
       runs.rows += fmt::format("{} {}\n", value, k);
       reach(value, value);
@@ -262,12 +265,13 @@ std::string differences(const std::vector<DifferenceRow>& rows, double limit) {
   constexpr double k_room = 0.1;
   const double room = high > low ? k_room * (high - low) : 1;
   reach(low - room, high + room);
-  std::string drawing = runs.text() + sure.text() + unsure.text();
+  std::string drawing = runs.text() + sure.text() + here.text() + unsure.text();
   drawing += fmt::format(
       "set xrange [{}:{}]\nset yrange [{}:-0.7]\nset ytics noenhanced ({})\nset grid lc rgb '#dddddd'\n"
       "set xtics rotate by -30\nset xlabel \"mean ice load less that of the scene's own setting, on the same ice "
       "[N]\"\n"
-      "set key outside top center horizontal noenhanced\nset arrow from 0, graph 0 to 0, graph 1 nohead lc rgb "
+      "set rmargin 6\nset key outside top center horizontal noenhanced\nset arrow from 0, graph 0 to 0, graph 1 nohead "
+      "lc rgb "
       "'#888888'\n",
       low, high, static_cast<double>(rows.size()) - 0.3, tics);
   if (std::isfinite(limit) && limit > 0)
@@ -279,6 +283,9 @@ std::string differences(const std::vector<DifferenceRow>& rows, double limit) {
     if (!block.empty()) plot += (plot.empty() ? "plot $" : ", \\\n  $") + block.name + " " + how;
   };
   layer(sure, "using 1:2:3 with xerrorbars pt 7 ps LW lw LW lc rgb '#d55e00' title 'sure'");
+  layer(here,
+        "using 1:2:3 with xerrorbars pt 5 ps LW lw LW lc rgb '#e69f00' title 'sure in these realisations, not in the "
+        "mean'");
   layer(unsure, "using 1:2:3 with xerrorbars pt 6 ps LW lw LW lc rgb '#0072b2' title 'may be chance'");
   layer(runs, "using 1:2 with points pt 7 ps 0.4*LW lc rgb '#000000' title 'each realisation'");
   return drawing + plot + "\n";

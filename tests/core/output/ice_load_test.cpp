@@ -14,7 +14,8 @@ namespace {
 
 /// 200 steps of 0.01 s of a tow along Y with a ramp of 0.5 s: ice presses from 1 s on with -30 N along the course and
 /// 4 N to port, water with -5 N, and the vessel of 1500 kg gains 0.01 m/s in each step.
-RunStatistics towed(RunInfo info) {
+/// A wall takes `others` [N] throughout.
+RunStatistics towed(RunInfo info, double others = 0) {
   info.course = CourseKind::carriage;
   info.ramp_end = 0.5;
   info.vessel_length = 4;
@@ -28,9 +29,10 @@ RunStatistics towed(RunInfo info) {
     VesselRecord& vessel = *record.vessel;
     vessel.course = Vec2::UnitY();
     vessel.touches_ice = k >= 100;
-    vessel.contact.force = k >= 100 ? Vec3(-4, -30, 1) : Vec3::Zero();
+    vessel.ice = k >= 100 ? Vec3(-4, -30, 1) : Vec3::Zero();
+    vessel.contact.force = vessel.ice - Vec3(0, others, 0);
     vessel.hydro->force = Vec3(0, -5, 9);
-    vessel.carriage->about_com.force = Vec3(0, 30 + 5 + 1500, 0);
+    vessel.carriage->about_com.force = Vec3(0, 30 + 5 + others + 1500, 0);
     vessel.state.v = Vec3(0, 0.01 * k, 0);
     channels.read(vessel, values);
     statistics.add(record, values);
@@ -57,6 +59,14 @@ TEST(IceLoad, TheTowForceIsIceWaterAndInertia) {
   EXPECT_DOUBLE_EQ(load->tow->water, 5);
   EXPECT_DOUBLE_EQ(load->tow->inertia, 1500) << "m dv/dt";
   EXPECT_NEAR(load->tow->speed, 1.495, 1e-12);
+}
+
+TEST(IceLoad, WhatWallsAndBodiesTakeIsNoIceLoad) {
+  const auto load = towed(test::full_run(), 7).ice_load(nullptr);
+  EXPECT_DOUBLE_EQ(load->along.statistics.mean, 30);
+  EXPECT_DOUBLE_EQ(load->tow->mean, 1542);
+  EXPECT_DOUBLE_EQ(load->tow->others, 7);
+  EXPECT_DOUBLE_EQ(load->tow->inertia, 1500);
 }
 
 TEST(IceLoad, TheWindowAskedForCounts) {
@@ -94,6 +104,7 @@ TEST(IceLoad, SaysThatNoIceTouched) {
   RunStatistics statistics(info);
   StepRecord record = test::full_record();
   record.vessel->contact = {};
+  record.vessel->ice.setZero();
   std::vector<double> values;
   VesselChannels(info).read(*record.vessel, values);
   statistics.add(record, values);
@@ -109,7 +120,7 @@ TEST(IceLoad, ForcesHaveFourDigitsAndTheirUnit) {
 
 TEST(StructureLoads, AreToldPerFixedBody) {
   RunInfo info;
-  info.structures = {{"pier", 0, 4}, {"pile", 1, 4}};
+  info.structures = {{"pier", 4}, {"pile", 4}};
   info.drift_course = Vec2(-1, 0);
   RunStatistics statistics(info);
   statistics.start(0, Ledger{});
@@ -119,7 +130,7 @@ TEST(StructureLoads, AreToldPerFixedBody) {
   for (int k = 0; k < 40; ++k) {
     record.t = 0.1 * (k + 1);
     record.structures[0].touches_ice = k >= 20;
-    record.structures[0].contact.force = k >= 20 ? Vec3(8, 2, 0) : Vec3::Zero();
+    record.structures[0].ice = k >= 20 ? Vec3(8, 2, 0) : Vec3::Zero();
     statistics.add(record, {});
   }
   const auto loads = statistics.structure_loads();

@@ -14,6 +14,7 @@ TEST(LoadWindow, IsAsAskedInWholeSteps) {
   course.asked = {4, 10};
   course.ramp_end = 5;
   const LoadWindow window = load_window(course);
+  EXPECT_EQ(window.reason, "as asked; it holds the ramp (to 5 s)");
   EXPECT_EQ(window.first, 400u);
   EXPECT_EQ(window.last, 1000u);
   EXPECT_DOUBLE_EQ(window.from, 4);

@@ -35,6 +35,7 @@ TEST(Peak, KeepsItsSign) {
   const Peak peak = peak_of({1, -4, -2, 1}, 0, 0.5, 0.1);
   EXPECT_EQ(peak.raw, -4);
   EXPECT_EQ(peak.filtered, -4) << "a filter shorter than a step is a step";
+  EXPECT_EQ(peak.filter, 0.5);
   EXPECT_DOUBLE_EQ(peak.event_impulse, -3);
   EXPECT_EQ(peak_of({0, 0}, 0, 1, 1).raw, 0);
   EXPECT_EQ(peak_of({}, 0, 1, 1).filtered, 0);

@@ -44,11 +44,12 @@ using Names = std::vector<std::string>;
 TEST_F(RunInputs, AreCopiedAndListedAsSha256sumReadsThem) {
   const auto inputs = ship();
   copy_inputs(run, inputs);
-  EXPECT_EQ(files(),
-            (Names{"inputs/SHA256SUMS", "inputs/ship/fluid.stl", "inputs/ship/part-0001.stl", "inputs/way.csv"}));
+  EXPECT_EQ(files(), (Names{"inputs/nilas-inputs.sha256", "inputs/ship/fluid.stl", "inputs/ship/part-0001.stl",
+                            "inputs/way.csv"}));
   EXPECT_EQ(content(run / "inputs/ship/part-0001.stl"), "one");
-  EXPECT_EQ(content(run / "inputs/SHA256SUMS"), inputs[0].sha256 + "  ship/fluid.stl\n" + inputs[1].sha256 +
-                                                    "  ship/part-0001.stl\n" + inputs[2].sha256 + "  way.csv\n");
+  EXPECT_EQ(content(run / "inputs/nilas-inputs.sha256"), inputs[0].sha256 + "  ship/fluid.stl\n" + inputs[1].sha256 +
+                                                             "  ship/part-0001.stl\n" + inputs[2].sha256 +
+                                                             "  way.csv\n");
   copy_inputs(scratch / "none", {});
   EXPECT_FALSE(fs::exists(scratch / "none"));
 }
@@ -113,12 +114,27 @@ TEST_F(RunInputs, AListThatPointsElsewhereRemovesNothingThere) {
   fs::create_directories(run / "inputs");
   fs::create_directory_symlink(scratch / "real", run / "inputs/ship");
   const std::string sum(64, '0');
-  scratch.write("run/inputs/SHA256SUMS", sum + "  ../mine.txt\n" + sum + "  ..\n" + sum + "  " +
-                                             (scratch / "deep/a/b.stl").string() + "\n" + sum + "  a/../../mine.txt\n" +
-                                             sum + "  ship/fluid.stl\nshort\n");
+  scratch.write("run/inputs/nilas-inputs.sha256", sum + "  ../mine.txt\n" + sum + "  ..\n" + sum + "  " +
+                                                      (scratch / "deep/a/b.stl").string() + "\n" + sum +
+                                                      "  a/../../mine.txt\n" + sum + "  ship/fluid.stl\nshort\n");
   claim_folder(run, true);
   for (const char* file : {"run/mine.txt", "deep/a/b.stl", "real/fluid.stl", "run/inputs/ship"})
     EXPECT_TRUE(fs::exists(scratch / file)) << file;
+}
+
+/// Somebody's downloads: no run made them, whatever their names.
+TEST_F(RunInputs, FilesOfAFolderThatHeldNoRunStay) {
+  const std::string sum(64, '0');
+  scratch.write("run/inputs/a.txt", "mine");
+  for (const char* list : {"SHA256SUMS", "nilas-inputs.sha256"}) {
+    scratch.write(std::string("run/inputs/") + list, sum + "  a.txt\n");
+    EXPECT_THROW(claim_folder(run, false), InputError) << list;
+    EXPECT_TRUE(fs::exists(run / "inputs/a.txt"));
+    fs::remove(run / "inputs" / list);
+  }
+  scratch.write("run/inputs/SHA256SUMS", sum + "  a.txt\n");
+  claim_folder(run, true);
+  EXPECT_TRUE(fs::exists(run / "inputs/a.txt"));
 }
 
 TEST_F(RunInputs, ALinkedFolderOfInputsIsNotEntered) {
@@ -137,8 +153,8 @@ TEST_F(RunInputs, ThatTheNewRunReadsStay) {
   const std::vector<InputFile> own{{(run / "inputs/ship/fluid.stl").string(), "inputs/ship/fluid.stl", fluid}};
   { const RunLock lock = claim_run_folder(run, true, own); }
   copy_inputs(run, own);
-  EXPECT_EQ(files(), (Names{"inputs/SHA256SUMS", "inputs/ship/fluid.stl", "nilas.log"}));
-  EXPECT_EQ(content(run / "inputs/SHA256SUMS"), fluid + "  ship/fluid.stl\n");
+  EXPECT_EQ(files(), (Names{"inputs/nilas-inputs.sha256", "inputs/ship/fluid.stl", "nilas.log"}));
+  EXPECT_EQ(content(run / "inputs/nilas-inputs.sha256"), fluid + "  ship/fluid.stl\n");
 }
 
 TEST_F(RunInputs, ACopyNeverReplacesWhatTheRunReadsNorAForeignFile) {

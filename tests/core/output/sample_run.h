@@ -73,6 +73,7 @@ inline StepRecord full_record() {
   record.state_hash = 0x00ab;
   VesselRecord vessel;
   vessel.contact = {Vec3(1, 2, 3), Vec3(4, 5, 6)};
+  vessel.ice = vessel.contact.force;
   vessel.carriage.emplace();
   vessel.carriage->about_joint = {Vec3(11, 12, 13), Vec3(14, 15, 16)};
   vessel.carriage->about_com = {Vec3(21, 22, 23), Vec3(24, 25, 26)};

@@ -127,18 +127,19 @@ TEST(AsRun, AChangedInputFileIsRefusedWithBothHashes) {
 /// Files of one name from several folders, and names that other systems do not take.
 TEST(AsRun, CopiesHaveNamesOfTheirOwnThatStay) {
   const SceneFolder folder;
-  for (const char* file : {"a/quay.stl", "b/Quay.stl", "c/quay-2.stl", "d/no: name?.stl", "e/SHA256SUMS"})
+  for (const char* file : {"a/quay.stl", "b/Quay.stl", "c/quay-2.stl", "d/no: name?.stl", "e/nilas-inputs.sha256"})
     folder.write(file, file);
   folder.write("hull/fluid.stl", "fluid");
   const Scene scene =
       folder.read(in_scene("<body shape='mesh' mesh='a/quay.stl'/><body shape='mesh' mesh='b/Quay.stl'/>"
                            "<body shape='mesh' mesh='c/quay-2.stl'/><body shape='mesh' mesh='d/no: name?.stl'/>"
                            "<body shape='mesh' mesh='./a/quay.stl'/><body shape='mesh' mesh='hull/'/>"
-                           "<ice><field kind='file' file='e/SHA256SUMS'/></ice>"));
+                           "<ice><field kind='file' file='e/nilas-inputs.sha256'/></ice>"));
   std::vector<std::string> copies;
   for (const auto& input : scene.inputs) copies.push_back(input.copy);
   EXPECT_EQ(copies, (std::vector<std::string>{"inputs/quay.stl", "inputs/Quay-2.stl", "inputs/quay-2-2.stl",
-                                              "inputs/no_ name_.stl", "inputs/hull/fluid.stl", "inputs/SHA256SUMS-2"}));
+                                              "inputs/no_ name_.stl", "inputs/hull/fluid.stl",
+                                              "inputs/nilas-inputs-2.sha256"}));
   expect_round_trip(folder, scene);
 }
 

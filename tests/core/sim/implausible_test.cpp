@@ -80,9 +80,40 @@ TEST_F(Implausible, NothingThatMoves) {
 
 TEST_F(Implausible, ACourseThatNeverMeetsIceOrLeavesIt) {
   expect_warning(k_wet + towed("<carriage speed='0.1' free='heave'/>") + k_floe, "<vessel><carriage speed>",
-                 "does not reach the ice until 10 s");
+                 "does not reach the ice within the run");
   expect_warning(k_wet + towed("<carriage speed='2' free='heave'/>") + k_floe, "<vessel><carriage speed>",
                  "left the ice behind at 5 s of 10 s");
+}
+
+TEST_F(Implausible, AWindowThatEndsBeforeTheIceDoesSilencesTheWarning) {
+  const auto all =
+      warnings(k_wet + towed("<carriage speed='2' free='heave'/>") + k_floe + "<output statistics='2 4'/>");
+  EXPECT_TRUE(all.empty()) << text(all);
+  expect_warning(
+      k_wet + towed("<carriage speed='1' ramp='2' free='heave'/>") + k_floe + "<output statistics='90 100'/>",
+      "<output statistics>", "has no step of the run");
+}
+
+TEST_F(Implausible, ATowAsternIsATow) {
+  const auto all = warnings(k_wet + towed("<carriage speed='-1' heading_deg='180' ramp='2' free='heave'/>") + k_floe);
+  EXPECT_TRUE(all.empty()) << text(all);
+  const Scene scene = read(k_wet + towed("<carriage speed='-1' heading_deg='180' free='heave'/>") + k_floe);
+  WarningCounts counts(make_logger("off", ""));
+  const StepRecord record = Simulation(scene, 1, counts).step();
+  EXPECT_NEAR(record.vessel->course.x(), 1, 1e-12) << "it moves forward";
+}
+
+TEST_F(Implausible, ADriftOfZeroHidesNoOther) {
+  const Scene scene = read(
+      "<water><current velocity='0 0 0'/></water><hydro><buoyancy/><virtual_drag coefficient='1'/></hydro>\n"
+      "<body name='pier' shape='cylinder' radius='1' height='4' fixed='true'/><body name='bed' shape='plane' "
+      "position='0 0 -3'/>"
+      "<ice thickness='0.1'><floe outline='-1 -4 1 -4 1 -2 -1 -2' velocity='0 0.5 0'/></ice>");
+  WarningCounts counts(make_logger("off", ""));
+  const RunInfo info = build_world(scene, 1, counts).info;
+  EXPECT_NEAR(info.drift_course.y(), -1, 1e-12);
+  ASSERT_EQ(info.structures.size(), 1u) << "a plane is the ground";
+  EXPECT_EQ(info.structures[0].name, "pier");
 }
 
 TEST_F(Implausible, ACourseThroughAWallEndsThere) {

@@ -45,6 +45,8 @@ TEST(PairedDifference, OfOneRealisationIsHeldAgainstItsOwnChance) {
 TEST(PairedDifference, OfSeveralIsStudentsOverTheDifferences) {
   // mean 2, standard deviation 1, three of them
   const PairedDifference three = paired_difference({0, 1, 2}, {1, 2, 3}, {9, 9, 9}, k_rounding);
+  const PairedDifference by_one = paired_difference({0, 1, 2}, {1, 2, 3}, {9, 9, 9}, k_rounding, true);
+  EXPECT_NEAR(by_one.half_width, 2 * three.half_width, 1e-12) << "sqrt(n + 1): the one run's own chance stays";
   EXPECT_DOUBLE_EQ(three.mean, 2);
   EXPECT_NEAR(three.half_width, 4.3027 / std::sqrt(3), 1e-4);
   EXPECT_EQ(three.certainty, Certainty::none) << "2 within 2.48";
