@@ -79,6 +79,7 @@ struct Crushing::Pair {
   Placement present, next;                   ///< of the hull in the floe now and at the step's end
   std::vector<FaceInIce> faces, faces_next;  ///< there; the latter only with an implicit law
   double area = 0, area_next = 0;            ///< of these [m^2]
+  double pressing = 0, pressing_next = 0;    ///< that the pressure depends on [m^2]
   double least = 0;                          ///< radius of gyration of an area that has more than one point [m]
   std::uint64_t key = 0;
 
@@ -89,10 +90,23 @@ struct Crushing::Pair {
   const std::vector<ConvexPolytope>& pieces() const { return bodies.shape[static_cast<std::size_t>(floe)]->parts; }
   CrushedFace name(const FaceInIce& face) const { return {id(hull.body), id(floe), face.face, face.piece}; }
   Placement hull_in_floe(double t) const { return between(of_hull.after(t), of_floe.after(t)); }
+  double pressing_area(const std::vector<FaceInIce>& in_ice) const;
   Vec3 place(const FaceLoad& load, const Vec3& x) const;
   double first_touch(const FaceInIce& face) const;
   ContactPoint point_on(const FaceInIce& face) const;
 };
+
+/// Faces that slide along the ice or back off share no load, so that they do not spread the pressure either. At rest
+/// all of them hold.
+double Crushing::Pair::pressing_area(const std::vector<FaceInIce>& in_ice) const {
+  OrderFreeSum sum;
+  for (const FaceInIce& face : in_ice) {
+    const Vec3 x = of_floe.p + of_floe.R * face.centroid, into_ice = of_floe.R * face.normal;
+    const Vec3 of_each_other = of_hull.velocity_at(x) - of_floe.velocity_at(x);
+    if (of_each_other.dot(into_ice) > k_rest_share * of_each_other.norm()) sum.add(face.area);
+  }
+  return sum.value() > 0 ? sum.value() : total_area(in_ice);
+}
 
 /// A point of the floe's frame now; where a face will only come to, it is carried back by both bodies.
 Vec3 Crushing::Pair::place(const FaceLoad& load, const Vec3& x) const {
@@ -245,6 +259,9 @@ Crushing::Pair Crushing::pair_of(const Bodies& bodies, const CrushingSurface& hu
   if (law_.is_implicit()) pair.faces_next = faces_in_ice(hull.faces, pair.next, pair.pieces());
   pair.area = total_area(pair.faces);
   pair.area_next = total_area(pair.faces_next);
+  const bool by_area = law_.model == CrushingModel::pressure_area;
+  pair.pressing = by_area ? pair.pressing_area(pair.faces) : pair.area;
+  pair.pressing_next = by_area ? pair.pressing_area(pair.faces_next) : pair.area_next;
   pair.least = k_point_share * std::sqrt(std::max(pair.area, pair.area_next));
   pair.key = mix(mix(0x6372757368ULL, static_cast<std::uint64_t>(pair.id(hull.body))),
                  static_cast<std::uint64_t>(pair.id(floe)));
@@ -277,11 +294,11 @@ std::vector<Crushing::FaceLoad> Crushing::loads_of(const Pair& pair) const {
     if (j == next.end() || (i != now.end() && place(*i) <= place(*j))) load.now = &*i;
     if (i == now.end() || (j != next.end() && place(*j) <= place(*i))) load.next = &*j;
     if (load.next) {
-      load.pressure = pressure(pair, *j, pair.next, pair.area_next);
+      load.pressure = pressure(pair, *j, pair.next, pair.pressing_next);
       load.growth = load.pressure * j++->area;
     }
     if (load.now) {
-      load.pressure = pressure(pair, *i, pair.present, pair.area);
+      load.pressure = pressure(pair, *i, pair.present, pair.pressing);
       load.force = load.pressure * i++->area;
     }
     if (!next.empty()) load.growth -= load.force;

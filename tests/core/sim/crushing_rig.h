@@ -51,6 +51,14 @@ inline std::string pyramid() {
              {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}, {4, 3, 2, 1}});
 }
 
+/// An upright pile of square section, 0.6 m wide, its front at x = 0.
+inline std::string pile() {
+  std::vector<Vec3> vertices;
+  for (const double z : {-1.0, 1.0})
+    vertices.insert(vertices.end(), {Vec3(0, -0.3, z), Vec3(0, 0.3, z), Vec3(-0.6, 0.3, z), Vec3(-0.6, -0.3, z)});
+  return stl(vertices, {{3, 2, 1, 0}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}});
+}
+
 inline std::string crushing(const std::string& model, double strength = k_strength) {
   return "<fracture compressive_strength='" + text(strength) + "'><crushing " + model + "/></fracture>";
 }
@@ -63,6 +71,7 @@ struct Rig {
           folder.write("wedge.stl", wedge(0));
           folder.write("flared.stl", wedge(0.25));
           folder.write("pyramid.stl", pyramid());
+          folder.write("pile.stl", pile());
           folder.write("track.csv",
                        "t_s,x_m,y_m,yaw_deg\n0,0,0,0\n0.2,0.1,0,0\n0.4,0.2,0,0\n0.8,0.1,0,0\n1.6,0.5,0,0\n");
           return read_scene(folder.write("scene.xml", "<scene version='1'><time step='" + text(step) +

@@ -69,6 +69,24 @@ TEST(Crushing, ImplicitForceIsThatOfTheStepsEnd) {
   }
 }
 
+/// C A^(1 + e) with the area A of the front alone, however deep the sides stand in the ice, and when the rear does.
+TEST(Crushing, PressureAreaCountsTheFacesThatPress) {
+  for (const double angle : {0.0, 33.0}) {
+    Rig rig(towed("pile.stl", -0.0025, angle) + crushing("model='pressure-area' coefficient='2e5' exponent='-0.7'"),
+            0.01);
+    const double expected = 2e5 * std::pow(0.6 * k_thickness, 0.3);
+    double deepest = 0;
+    for (int k = 0; k < 200; ++k) {
+      const Vec3 force = rig.step().vessel->contact.force;
+      if (k == 0) continue;  // in which it only comes to touch
+      const Vec2 along = turned(angle, 1, 0);
+      EXPECT_NEAR(force.head<2>().dot(along), -expected, 1e-6 * expected) << k;
+      deepest = 0.005 * k;
+    }
+    EXPECT_GT(deepest, 0.9) << "the rear is in the ice";
+  }
+}
+
 TEST(Crushing, ItsEnergyIsTheWorkOfItsForce) {
   for (const std::string& model :
        {k_seed, k_compliant, std::string("model='pressure-area' coefficient='1e5' exponent='-0.3'")}) {
