@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <sys/utsname.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -247,9 +248,12 @@ class Run {
 
   void say_what_was_built(const RunInfo& info) {
     logger_->debug("scene {}", scene_.file.string());
-    for (const auto& text : warning_texts(info)) logger_->warn("{}", text);
-    for (const auto& note : scene_.notes) logger_->info("{}", note);
-    for (const auto& note : scene_.derived) logger_->info("{}", note);
+    constexpr std::size_t k_indent = 2;
+    const bool terminal = isatty(STDERR_FILENO) == 1;
+    const auto fitted = [&](const std::string& text) { return terminal ? wrapped(text, k_indent) : text; };
+    for (const auto& text : warning_texts(info)) logger_->warn("{}", fitted(text));
+    for (const auto& note : scene_.notes) logger_->info("{}", fitted(note));
+    for (const auto& note : scene_.derived) logger_->info("{}", fitted(note));
     for (const auto& [name, why] : info.modules) logger_->debug("built: {} ({})", name, why);
     std::string absent;
     for (const auto& name : info.not_built) absent += " " + name;

@@ -38,7 +38,8 @@ Reach demand_sensible_size(const PolygonSoup& soup, const fs::path& file) {
   if (!(longest >= k_shortest && longest <= k_longest && furthest <= k_far))
     throw InputError(
         fmt::format("{}: the mesh is {:.6g} m long and reaches {:.6g} m from the origin; allowed: {} m to "
-                    "{} m long, within {} m (--scale 0.001 takes a file in millimetres)",
+                    "{} m long, within {} m (--scale 0.001 takes a file in millimetres, --scale 0.01 one in "
+                    "centimetres)",
                     file.string(), longest, furthest, k_shortest, k_longest, k_far));
   return {longest, furthest};
 }

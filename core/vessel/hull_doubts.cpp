@@ -141,10 +141,10 @@ void doubt_draught(const Vec3& size, const HullUse& use, std::vector<std::string
   constexpr double k_least_afloat = 0.1, k_least_given = 0.03, k_shallow = 20;  // of the height; beam over draught
   if (share > (use.mass_afloat ? k_least_afloat : k_least_given) || beam_share < k_shallow) return;
   if (use.mass_afloat)
-    doubts.push_back(
-        fmt::format("The hull floats with {:.3g} m of its {:.4g} m height in the water: it is large for its "
-                    "mass. The mesh may be in feet (--scale {:.6g}), or the mass too small.",
-                    *use.draught, size.z(), 0.3048 * use.scale));
+    doubts.push_back(fmt::format(
+        "The hull floats with {:.3g} m of its {:.4g} m height in the water: it is large for its "
+        "mass. The mesh may be in feet (--scale {:.6g}), or the mass too small, as tonnes given for kilograms are.",
+        *use.draught, size.z(), 0.3048 * use.scale));
   else
     doubts.push_back(
         fmt::format("The draught of {:.3g} m is small for a hull of {:.4g} m height. One of them is probably "
