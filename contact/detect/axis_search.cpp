@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <tuple>
 
 #include "contact/detect/face_axes.h"
@@ -23,21 +25,72 @@ class AxisSearch {
   AxisSearch(const PairView& pair, AxisSearchRoom& room, AxisSearchCounts& counts)
       : pair_(pair), room_(room), counts_(counts) {}
 
-  Axis find(const RememberedAxis& remembered, FclShapes& fcl) {
+  Axis find(const RememberedAxis& remembered, FclShapes& fcl, bool ask_first) {
     if (try_remembered(remembered)) {
       ++counts_.kept;
       return best_;
     }
-    best_ = best_face_axis(pair_, pair_.margin);
-    if (settled() || try_shown_crossing() || try_facing_edges(k_few_edge_pairs)) return best_;
-    if (follow_edges(best_) || ask_fcl(fcl)) return best_;
-    try_facing_edges(k_most_edge_pairs);
+    if (!ask_first || remembered.kind == AxisKind::unnamed) {
+      search(k_no_bound, fcl);
+      ++counts_.searched;
+      return best_;
+    }
+    const Axis first = ask_fcl(fcl);
+    if (first.s > pair_.margin) {
+      best_ = first;
+      ++counts_.by_fcl;
+      return best_;
+    }
+    const double near_face = best_face_near(first);
+    search(near_face, fcl);
+    const bool as_good = best_.s <= std::max(first.s, near_face) + pair_.tolerance;
+    const bool same = first.s > k_no_bound && best_.n.dot(first.n) > k_same_direction;
+    ++(as_good || same ? counts_.by_fcl : counts_.corrected);
     return best_;
   }
 
  private:
+  static constexpr double k_no_bound = -std::numeric_limits<double>::infinity();
+
+  /// The exact search; some face separates by at least `least` [m].
+  void search(double least, FclShapes& fcl) {
+    best_ = best_face_axis(pair_, pair_.margin, least);
+    if (settled() || try_shown_crossing() || try_facing_edges(k_few_edge_pairs)) return;
+    if (follow_edges(best_) || follow_fcl(fcl)) return;
+    try_facing_edges(k_most_edge_pairs);
+  }
+
+  /// FCL's direction with the separation along it; k_no_bound without an answer.
+  Axis ask_fcl(FclShapes& fcl) {
+    Axis asked;
+    ++counts_.fcl_queries;
+    asked_ = true;
+    if (const std::optional<Vec3> direction =
+            fcl.direction(pair_, best_.s > k_no_bound ? best_.s > 0 : likely_apart(pair_))) {
+      asked.n = *direction;
+      asked.s = separation(pair_, asked.n);
+      fcl_says_ = asked;
+    } else {
+      ++counts_.fallbacks;
+    }
+    return asked;
+  }
+
+  /// Separation along the better of the two faces whose normals are nearest to a direction [m].
+  double best_face_near(const Axis& direction) const {
+    if (direction.s == k_no_bound) return k_no_bound;
+    const auto nearest = [](const FacetedGeometry& facets, const Vec3& n) {
+      Eigen::Index face = 0;
+      (facets.normals.col(0) * n.x() + facets.normals.col(1) * n.y() + facets.normals.col(2) * n.z()).maxCoeff(&face);
+      return static_cast<int>(face);
+    };
+    const Vec3 from_b = -(pair_.b_in_a.R.transpose() * direction.n);
+    return std::max(face_axis(pair_, AxisKind::face_a, nearest(*pair_.a.facets, direction.n)).s,
+                    face_axis(pair_, AxisKind::face_b, nearest(*pair_.b.facets, from_b)).s);
+  }
+
   bool try_remembered(const RememberedAxis& remembered) {
-    if (remembered.kind == AxisKind::direction) return false;
+    if (remembered.kind == AxisKind::direction || remembered.kind == AxisKind::unnamed) return false;
     if (remembered.kind == AxisKind::edges) {
       choose_two_edges(pair_, remembered.feature_a, remembered.feature_b, room_.edges);
       try_crossing_edges(pair_, room_.edges, best_);
@@ -129,34 +182,29 @@ class AxisSearch {
     return false;
   }
 
-  bool ask_fcl(FclShapes& fcl) {
-    ++counts_.fcl_queries;
-    const std::optional<Vec3> direction = fcl.direction(pair_, best_.s > 0);
-    if (!direction) {
-      ++counts_.fallbacks;
-      return false;
-    }
-    Axis asked;
-    asked.n = *direction;
-    asked.s = separation(pair_, asked.n);
-    if (asked.s > best_.s + pair_.tolerance) {
-      best_ = asked;
+  bool follow_fcl(FclShapes& fcl) {
+    if (!asked_) ask_fcl(fcl);
+    if (!fcl_says_) return false;
+    if (fcl_says_->s > best_.s + pair_.tolerance) {
+      best_ = *fcl_says_;
       if (settled()) return true;
     }
-    return follow_edges(asked);
+    return follow_edges(*fcl_says_);
   }
 
   const PairView& pair_;
   AxisSearchRoom& room_;
   AxisSearchCounts& counts_;
   Axis best_;
+  bool asked_ = false;
+  std::optional<Axis> fcl_says_;
 };
 
 }  // namespace
 
-Axis find_axis(const PairView& pair, const RememberedAxis& remembered, FclShapes& fcl, AxisSearchRoom& room,
-               AxisSearchCounts& counts) {
-  return AxisSearch(pair, room, counts).find(remembered, fcl);
+Axis find_axis(const PairView& pair, const RememberedAxis& remembered, FclShapes& fcl, bool ask_first,
+               AxisSearchRoom& room, AxisSearchCounts& counts) {
+  return AxisSearch(pair, room, counts).find(remembered, fcl, ask_first);
 }
 
 }  // namespace nilas

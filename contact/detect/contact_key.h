@@ -16,7 +16,8 @@ enum class FeatureKind {
   rim,           ///< of a cylinder
   edge,
   face,
-  cover  ///< the outline of the common area, where it comes out of another part of the same body
+  cover,   ///< the outline of the common area, where it comes out of another part of the same body
+  witness  ///< a point that FCL gave
 };
 
 struct Feature {

@@ -1,5 +1,7 @@
 #include "contact/detect/cylinder_axis.h"
 
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include "contact/detect/face_axes.h"
@@ -11,31 +13,63 @@ namespace nilas {
 namespace {
 
 constexpr int k_most_steps = 6;
+constexpr double k_none = -std::numeric_limits<double>::infinity();
 
 class CylinderSearch {
  public:
   CylinderSearch(const PairView& pair, AxisSearchRoom& room, AxisSearchCounts& counts)
       : pair_(pair), facing_(room.facing), counts_(counts) {}
 
-  Axis find(FclShapes& fcl) {
+  Axis find(const RememberedAxis& remembered, FclShapes& fcl, bool ask_first) {
+    if (!ask_first || remembered.kind == AxisKind::unnamed) {
+      search(fcl);
+      ++counts_.searched;
+      return best_;
+    }
+    ask_fcl(fcl);
+    if (fcl_says_ && fcl_says_->s > pair_.margin) {
+      best_ = *fcl_says_;
+      ++counts_.by_fcl;
+      return best_;
+    }
+    search(fcl);
+    const bool same =
+        fcl_says_ && (best_.s <= fcl_says_->s + pair_.tolerance || best_.n.dot(fcl_says_->n) > k_same_direction);
+    ++(same ? counts_.by_fcl : counts_.corrected);
+    return best_;
+  }
+
+ private:
+  void search(FclShapes& fcl) {
     best_ = best_face_axis(pair_, pair_.margin);
-    if (best_.s > pair_.margin) return best_;
+    if (best_.s > pair_.margin) return;
     for (const Side& side : {side_a(), side_b()})
       if (is_round(side)) try_both_ways(side.in_a.R.col(2));
     if (is_round(side_a()) && is_round(side_b())) try_axes_of_both();
     try_both_ways(pair_.b_in_a.point(pair_.b.centre) - pair_.a.centre);
     improve();
-    if (settled()) return best_;
+    if (settled()) return;
     try_all_round_axes();
     improve();
-    if (!settled() && best_.s > 0) {
-      ask_fcl(fcl);
-      settled();
-    }
-    return best_;
+    if (settled() || best_.s <= 0) return;
+    if (!asked_) ask_fcl(fcl);
+    if (!fcl_says_) return;
+    try_direction(fcl_says_->n);
+    improve();
+    settled();
   }
 
- private:
+  void ask_fcl(FclShapes& fcl) {
+    ++counts_.fcl_queries;
+    asked_ = true;
+    const std::optional<Vec3> direction = fcl.direction(pair_, best_.s > k_none ? best_.s > 0 : likely_apart(pair_));
+    if (!direction) {
+      ++counts_.fallbacks;
+      return;
+    }
+    fcl_says_ = Axis{*direction, separation(pair_, *direction)};
+  }
+
   struct Side {
     const Part& part;
     const RelativePose& in_a;
@@ -169,28 +203,20 @@ class CylinderSearch {
     }
   }
 
-  void ask_fcl(FclShapes& fcl) {
-    ++counts_.fcl_queries;
-    const std::optional<Vec3> direction = fcl.direction(pair_, best_.s > 0);
-    if (!direction) {
-      ++counts_.fallbacks;
-      return;
-    }
-    try_direction(*direction);
-    improve();
-  }
-
   const PairView& pair_;
   FacingSurfaces& facing_;
   AxisSearchCounts& counts_;
   const RelativePose own_frame_;
   Axis best_;
+  bool asked_ = false;
+  std::optional<Axis> fcl_says_;
 };
 
 }  // namespace
 
-Axis find_cylinder_axis(const PairView& pair, FclShapes& fcl, AxisSearchRoom& room, AxisSearchCounts& counts) {
-  return CylinderSearch(pair, room, counts).find(fcl);
+Axis find_cylinder_axis(const PairView& pair, const RememberedAxis& remembered, FclShapes& fcl, bool ask_first,
+                        AxisSearchRoom& room, AxisSearchCounts& counts) {
+  return CylinderSearch(pair, room, counts).find(remembered, fcl, ask_first);
 }
 
 }  // namespace nilas

@@ -4,8 +4,10 @@
 
 namespace nilas {
 
-/// As find_axis. Candidates: faces and caps, the perpendiculars from the cylinder's axis and rims to the other part's
-/// supporting vertices and edges, and FCL's direction when the best of them is not proven.
-Axis find_cylinder_axis(const PairView& pair, FclShapes& fcl, AxisSearchRoom& room, AxisSearchCounts& counts);
+/// As find_axis, but no axis is remembered beyond that there was one. Candidates: faces and caps, the perpendiculars
+/// from the cylinder's axis and rims to the other part's supporting vertices and edges, and FCL's direction when the
+/// best of them is not proven.
+Axis find_cylinder_axis(const PairView& pair, const RememberedAxis& remembered, FclShapes& fcl, bool ask_first,
+                        AxisSearchRoom& room, AxisSearchCounts& counts);
 
 }  // namespace nilas

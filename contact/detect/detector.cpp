@@ -30,8 +30,12 @@ struct alignas(64) Stretch {
 
   void count(const PairContacts& contacts) {
     counts.cached_separations += contacts.separated_by_memory ? 1 : 0;
+    counts.closed_forms += contacts.closed_form ? 1 : 0;
     counts.kept_axes += contacts.search.kept;
     counts.fcl_queries += contacts.search.fcl_queries;
+    counts.by_fcl += contacts.search.by_fcl;
+    counts.corrected += contacts.search.corrected;
+    counts.searched += contacts.search.searched;
     counts.fallbacks += contacts.search.fallbacks;
   }
 };
@@ -72,6 +76,7 @@ void demand_finite(const Bodies& bodies, int threads) {
 
 struct ContactDetector::Implementation {
   int threads = 1;
+  NarrowPhase narrow = NarrowPhase::nilas;
   KnownParts known;
   BroadPhase broad;
   FclShapes fcl;
@@ -100,9 +105,10 @@ struct ContactDetector::Implementation {
 };
 
 void ContactDetector::Implementation::forget_all() {
-  const int kept = threads;
+  const auto [kept_threads, kept_narrow] = std::pair(threads, narrow);
   *this = {};
-  threads = kept;
+  threads = kept_threads;
+  narrow = kept_narrow;
 }
 
 /// The tree is made anew where bodies are gone, as it is for new bodies.
@@ -159,7 +165,7 @@ void ContactDetector::Implementation::search_pairs(const Bodies& bodies, const s
       const auto first = static_cast<std::ptrdiff_t>(stretch.points.size());
       const PairContacts contacts =
           find_pair_contacts(bodies, known.parts[now.pairs[i].part_a], known.parts[now.pairs[i].part_b], margins[i],
-                             fcl, stretch.room, now.memory[i], stretch.points);
+                             {narrow, fcl}, stretch.room, now.memory[i], stretch.points);
       found[i] = {static_cast<int>(s), contacts.count, false, first, contacts.left_depth};
       stretch.count(contacts);
     }
@@ -177,12 +183,7 @@ void ContactDetector::Implementation::list_left_out() {
 void ContactDetector::Implementation::add_up_counts() {
   counts = {};
   counts.candidate_pairs = static_cast<long>(now.pairs.size());
-  for (const Stretch& stretch : stretches) {
-    counts.cached_separations += stretch.counts.cached_separations;
-    counts.kept_axes += stretch.counts.kept_axes;
-    counts.fcl_queries += stretch.counts.fcl_queries;
-    counts.fallbacks += stretch.counts.fallbacks;
-  }
+  for (const Stretch& stretch : stretches) counts += stretch.counts;
 }
 
 /// Whether the parts of a pair, whose contact is for other parts, are so far in each other that those may not have it
@@ -202,8 +203,8 @@ void ContactDetector::Implementation::find_deep(const Bodies& bodies, std::size_
   for (std::size_t i = first; i < last; ++i) {
     PairMemory none;
     if (is_deep(i))
-      find_pair_contacts(bodies, known.parts[now.pairs[i].part_a], known.parts[now.pairs[i].part_b], margin, fcl, room,
-                         none, deep, true);
+      find_pair_contacts(bodies, known.parts[now.pairs[i].part_a], known.parts[now.pairs[i].part_b], margin,
+                         {narrow, fcl}, room, none, deep, true);
   }
   double shallowest = -std::numeric_limits<double>::infinity();
   Vec3 n = Vec3::Zero();
@@ -257,8 +258,10 @@ std::vector<ContactPoint> ContactDetector::Implementation::collect(const Bodies&
   return points;
 }
 
-ContactDetector::ContactDetector(int threads) : implementation_(std::make_unique<Implementation>()) {
+ContactDetector::ContactDetector(int threads, NarrowPhase narrow)
+    : implementation_(std::make_unique<Implementation>()) {
   implementation_->threads = threads;
+  implementation_->narrow = narrow;
 }
 ContactDetector::~ContactDetector() = default;
 ContactDetector::ContactDetector(ContactDetector&&) noexcept = default;
@@ -304,27 +307,28 @@ std::vector<PartsOnTheirWay> ContactDetector::Implementation::parts_of(const Bod
 }
 
 std::vector<SweptPair> ContactDetector::sweep(const Bodies& bodies, const std::vector<BodyMotion>& motions,
-                                              const std::vector<FastPair>& fast, double depth) {
+                                              const std::vector<FastPair>& fast, const SoughtOverlap& overlap) {
   if (fast.empty()) return {};
   Implementation& work = *implementation_;
   work.learn_bodies(bodies);
   const std::vector<PartsOnTheirWay> on_ways = work.parts_of(bodies, fast);
   std::vector<SweptPair> swept(on_ways.size());
   constexpr std::ptrdiff_t k_pairs_per_chunk = 8;
-  parallel_chunks(
-      static_cast<std::ptrdiff_t>(on_ways.size()), k_pairs_per_chunk, work.threads,
-      [&](std::ptrdiff_t, std::ptrdiff_t first, std::ptrdiff_t last) {
-        AxisSearchRoom room;
-        for (std::ptrdiff_t k = first; k < last; ++k) {
-          const Part &a = *on_ways[k].a, &b = *on_ways[k].b;
-          swept[k] = {a.body,
-                      b.body,
-                      a.index,
-                      b.index,
-                      time_of_impact(a, motions[a.body], b, motions[b.body], work.fcl, room, depth * on_ways[k].width),
-                      {}};
-        }
-      });
+  parallel_chunks(static_cast<std::ptrdiff_t>(on_ways.size()), k_pairs_per_chunk, work.threads,
+                  [&](std::ptrdiff_t, std::ptrdiff_t first, std::ptrdiff_t last) {
+                    AxisSearchRoom room;
+                    for (std::ptrdiff_t k = first; k < last; ++k) {
+                      const Part &a = *on_ways[k].a, &b = *on_ways[k].b;
+                      const double width = on_ways[k].width;
+                      swept[k] = {a.body,
+                                  b.body,
+                                  a.index,
+                                  b.index,
+                                  time_of_impact(a, motions[a.body], b, motions[b.body], work.fcl, room,
+                                                 {overlap.deeper * width, overlap.most * width}),
+                                  {}};
+                    }
+                  });
   for (const SweptPair& pair : swept) {
     work.counts.fcl_queries += pair.first.search.fcl_queries;
     work.counts.fallbacks += pair.first.search.fallbacks;
@@ -341,7 +345,8 @@ std::vector<SweptPair> ContactDetector::sweep(const Bodies& bodies, const std::v
     }
     PairMemory none;
     const double margin = std::max((1 - first.t) * on_ways[k].way, 2 * std::abs(first.distance));
-    find_pair_contacts(there, *on_ways[k].a, *on_ways[k].b, margin, work.fcl, room, none, swept[k].points);
+    find_pair_contacts(there, *on_ways[k].a, *on_ways[k].b, margin, {NarrowPhase::nilas, work.fcl}, room, none,
+                       swept[k].points);
   }
   return swept;
 }

@@ -7,20 +7,14 @@
 #include <vector>
 
 #include "contact/detect/contact_point.h"
+#include "contact/detect/detector_counts.h"
 #include "contact/detect/fast_pairs.h"
+#include "contact/detect/narrow_phase_choice.h"
 #include "contact/detect/swept.h"
 #include "core/base/state.h"
 #include "core/bodies/bodies.h"
 
 namespace nilas {
-
-struct DetectorCounts {
-  long candidate_pairs = 0;     ///< pairs of parts whose boxes overlap
-  long cached_separations = 0;  ///< pairs set aside by last step's separating axis
-  long kept_axes = 0;           ///< pairs whose axis of the last call served again
-  long fcl_queries = 0;
-  long fallbacks = 0;  ///< times the library threw or gave an unusable answer and the face axes decided alone
-};
 
 /// Two parts of different bodies on their way through a step.
 struct SweptPair {
@@ -33,13 +27,14 @@ struct SweptPair {
 /// Of two bodies, a < b. Called from several threads, for each pair of their parts: the answer must be the same.
 using PairFilter = std::function<bool(int, int)>;
 
-/// Keeps geometry and coherence caches between calls. Results depend on the poses; where two axes of a pair lie within
-/// its tolerance of each other, on the one it had at the last call; and where several sets of corners of one common
-/// area are nearly as good (k_kept_area, k_kept_depth), on the set it had; the deepest is always among them. They come
-/// in an order of (a, b, part_a, part_b, key).
+/// Finds the contacts of pairs with the narrow phase of its constructor. Keeps geometry and coherence caches between
+/// calls. Results depend on the poses; where two axes of a pair lie within its tolerance of each other, on the one it
+/// had at the last call; and where several sets of corners of one common area are nearly as good (k_kept_area,
+/// k_kept_depth), on the set it had; the deepest is always among them. They come in an order of (a, b, part_a, part_b,
+/// key).
 class ContactDetector {
  public:
-  explicit ContactDetector(int threads = 1);
+  explicit ContactDetector(int threads = 1, NarrowPhase narrow = NarrowPhase::nilas);
   ~ContactDetector();
   ContactDetector(ContactDetector&&) noexcept;
   ContactDetector& operator=(ContactDetector&&) noexcept;
@@ -55,11 +50,11 @@ class ContactDetector {
   /// Of the last detect(): those that its filter named, among the pairs whose boxes overlap; in rising order.
   const std::vector<std::pair<int, int>>& pairs_left() const;
   /// When the parts of these pairs first touch on the bodies' ways (one motion per body; only those of the pairs are
-  /// read), and the points that the rest of their ways may close; with `depth` > 0, when they overlap by this share of
-  /// the width that made the pair a fast one. Parts too far apart to meet are left out. Keeps nothing; in an order of
-  /// (a, b, part_a, part_b).
+  /// read), and the points that the rest of their ways may close; with `overlap`, when they overlap so deep, its
+  /// lengths being shares of the width that made the pair a fast one. Parts too far apart to meet are left out. Keeps
+  /// nothing; in an order of (a, b, part_a, part_b).
   std::vector<SweptPair> sweep(const Bodies& bodies, const std::vector<BodyMotion>& motions,
-                               const std::vector<FastPair>& pairs, double depth = 0);
+                               const std::vector<FastPair>& pairs, const SoughtOverlap& overlap = {});
   /// Takes notice of bodies that came or went, as the calls above do; what is remembered of pairs of others stays.
   /// Needed before save() alone.
   void follow(const Bodies& bodies);

@@ -53,32 +53,38 @@ Vec3 try_face(const FaceSearch& search, int f, Axis& best) {
 
 constexpr int k_few_faces = 32;
 
-void search_few_faces(const FaceSearch& search, double enough, Axis& best) {
+/// Bounds that a search stops at.
+struct Bounds {
+  double enough;  ///< no better axis is needed [m]
+  double least;   ///< some face of either part separates by as much [m]
+};
+
+void search_few_faces(const FaceSearch& search, const Bounds& bounds, Axis& best) {
   const FacetedGeometry& facets = *search.x().facets;
   Eigen::Array<double, Eigen::Dynamic, 1, 0, k_few_faces, 1> bound =
       heights_of(facets, search.y_in_x().point(search.y().centre)) - search.y().inner_radius;
   for (;;) {
     Eigen::Index f = 0;
-    if (!(bound.maxCoeff(&f) >= best.s - search.pair.tolerance)) return;
+    if (!(bound.maxCoeff(&f) >= std::max(best.s, bounds.least) - search.pair.tolerance)) return;
     const Vec3 nearest = try_face(search, static_cast<int>(f), best);
-    if (best.s > enough) return;
+    if (best.s > bounds.enough) return;
     bound = bound.min(heights_of(facets, nearest));
     bound[f] = -std::numeric_limits<double>::infinity();
   }
 }
 
 /// As above, with a list of the faces still in question.
-void search_many_faces(const FaceSearch& search, double enough, Axis& best) {
+void search_many_faces(const FaceSearch& search, const Bounds& bounds, Axis& best) {
   const FacetedGeometry& facets = *search.x().facets;
   Eigen::ArrayXd bound = heights_of(facets, search.y_in_x().point(search.y().centre)) - search.y().inner_radius;
   Eigen::Index first = 0;
-  bound.maxCoeff(&first);
+  if (!(bound.maxCoeff(&first) >= std::max(best.s, bounds.least) - search.pair.tolerance)) return;
   bound = bound.min(heights_of(facets, try_face(search, static_cast<int>(first), best)));
   std::vector<int> open;
-  const auto in_question = [&](int f) { return bound[f] >= best.s - search.pair.tolerance; };
+  const auto in_question = [&](int f) { return bound[f] >= std::max(best.s, bounds.least) - search.pair.tolerance; };
   for (int f = 0; f < static_cast<int>(bound.size()); ++f)
     if (f != first && in_question(f)) open.push_back(f);
-  while (!open.empty() && best.s <= enough) {
+  while (!open.empty() && best.s <= bounds.enough) {
     const auto highest = std::max_element(open.begin(), open.end(), [&](int f, int g) { return bound[f] < bound[g]; });
     const int f = *highest;
     open.erase(highest);
@@ -90,13 +96,13 @@ void search_many_faces(const FaceSearch& search, double enough, Axis& best) {
   }
 }
 
-void search_faces(const PairView& pair, AxisKind kind, double enough, Axis& best) {
+void search_faces(const PairView& pair, AxisKind kind, const Bounds& bounds, Axis& best) {
   const FaceSearch search{pair, kind};
-  if (!search.x().facets || best.s > enough) return;
+  if (!search.x().facets || best.s > bounds.enough) return;
   if (search.x().facets->normals.rows() <= k_few_faces)
-    search_few_faces(search, enough, best);
+    search_few_faces(search, bounds, best);
   else
-    search_many_faces(search, enough, best);
+    search_many_faces(search, bounds, best);
 }
 
 }  // namespace
@@ -107,13 +113,13 @@ Axis face_axis(const PairView& pair, AxisKind kind, int face) {
   return axis;
 }
 
-Axis best_face_axis(const PairView& pair, double enough) {
+Axis best_face_axis(const PairView& pair, double enough, double least) {
   Axis best;
   // The fewer faces first: they leave few of the many in question.
   const auto count = [](const Part& part) { return part.facets ? part.facets->normals.rows() : Eigen::Index{0}; };
   const bool a_first = count(pair.a) <= count(pair.b);
-  search_faces(pair, a_first ? AxisKind::face_a : AxisKind::face_b, enough, best);
-  search_faces(pair, a_first ? AxisKind::face_b : AxisKind::face_a, enough, best);
+  search_faces(pair, a_first ? AxisKind::face_a : AxisKind::face_b, {enough, least}, best);
+  search_faces(pair, a_first ? AxisKind::face_b : AxisKind::face_a, {enough, least}, best);
   return best;
 }
 

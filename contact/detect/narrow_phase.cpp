@@ -7,6 +7,8 @@
 
 #include "contact/detect/contact_key.h"
 #include "contact/detect/cylinder_axis.h"
+#include "contact/detect/fcl_contacts.h"
+#include "contact/detect/pair_points.h"
 #include "contact/detect/primitive_contacts.h"
 #include "contact/detect/way_out.h"
 
@@ -29,37 +31,13 @@ bool separated_by_memory(const Bodies& bodies, const Part& a, const Part& b, dou
   return s > margin + k_coordinate_rounding * (a.bounding_radius + b.bounding_radius + between.norm());
 }
 
-std::uint64_t pair_key(const Bodies& bodies, const Part& a, const Part& b) {
-  std::uint64_t key = mix(0, static_cast<std::uint64_t>(bodies.id[a.body]));
-  key = mix(key, static_cast<std::uint64_t>(a.index));
-  key = mix(key, static_cast<std::uint64_t>(bodies.id[b.body]));
-  return mix(key, static_cast<std::uint64_t>(b.index));
-}
-
 using Points = std::vector<ContactPoint>;
-
-ContactPoint& add_point(const Part& a, const Part& b, Points& points) {
-  ContactPoint& point = points.emplace_back();
-  point.a = a.body;
-  point.b = b.body;
-  point.part_a = a.index;
-  point.part_b = b.index;
-  return point;
-}
 
 /// Two features of one pair with the same name would need a collision of 64 bits; then the later one is renamed.
 void order_by_key(std::span<ContactPoint> points) {
   std::sort(points.begin(), points.end(), [](const ContactPoint& p, const ContactPoint& q) { return p.key < q.key; });
   for (std::size_t i = 1; i < points.size(); ++i)
     if (points[i].key <= points[i - 1].key) points[i].key = points[i - 1].key + 1;
-}
-
-/// Leaves in `kept` what met at the first `count` of `points`.
-template <class AnyPoint>
-void remember(const std::vector<AnyPoint>& points, std::size_t count, std::vector<Feature>& kept) {
-  kept.clear();
-  if (count < k_spread_points) return;
-  for (std::size_t k = 0; k < count; ++k) kept.push_back(points[k].feature);
 }
 
 void primitive_pair(const Bodies& bodies, const Part& a, const Part& b, double margin, PairMemory& memory,
@@ -87,13 +65,14 @@ void primitive_pair(const Bodies& bodies, const Part& a, const Part& b, double m
 }
 
 /// Depth by which the parts overlap where their contact is left to others, else 0.
-double polytope_or_cylinder_pair(const Bodies& bodies, const Part& a, const Part& b, double margin, FclShapes& fcl,
-                                 AxisSearchRoom& room, PairMemory& memory, AxisSearchCounts& counts, Points& points,
-                                 bool alone) {
+double polytope_or_cylinder_pair(const Bodies& bodies, const Part& a, const Part& b, double margin,
+                                 const PairSearch& search, AxisSearchRoom& room, PairMemory& memory,
+                                 AxisSearchCounts& counts, Points& points, bool alone) {
   const PairView pair = view_pair(a, b, pose_of_b_in_a(bodies, a.body, b.body), margin);
   const bool both_faceted = a.facets && b.facets;
-  Axis axis = both_faceted ? find_axis(pair, memory.contact_axis, fcl, room, counts)
-                           : find_cylinder_axis(pair, fcl, room, counts);
+  const bool ask_first = search.narrow == NarrowPhase::nilas;
+  Axis axis = both_faceted ? find_axis(pair, memory.contact_axis, search.fcl, ask_first, room, counts)
+                           : find_cylinder_axis(pair, memory.contact_axis, search.fcl, ask_first, room, counts);
   const Mat3& R = bodies.R_GB[a.body];
   std::vector<Feature> last = std::move(memory.kept);
   memory = {};
@@ -102,9 +81,11 @@ double polytope_or_cylinder_pair(const Bodies& bodies, const Part& a, const Part
     return 0;
   }
   const double depth = axis.s < -pair.tolerance ? -axis.s : 0;
+  memory.contact_axis.kind = AxisKind::unnamed;
   if ((a.cover || b.cover) && !find_way_out(pair, room, axis, alone)) return depth;
   const Vec3 n_G = R * axis.n;
-  if (axis.proven) memory.contact_axis = {axis.kind, axis.feature_a, axis.feature_b};
+  if (axis.proven && axis.kind != AxisKind::direction)
+    memory.contact_axis = {axis.kind, axis.feature_a, axis.feature_b};
   const std::size_t kept = select_points(pair, axis, last, room.facing);
   remember(room.facing.points, kept, last);
   memory.kept = std::move(last);
@@ -130,21 +111,46 @@ double polytope_or_cylinder_pair(const Bodies& bodies, const Part& a, const Part
 
 }  // namespace
 
-PairContacts find_pair_contacts(const Bodies& bodies, const Part& a, const Part& b, double margin, FclShapes& fcl,
-                                AxisSearchRoom& room, PairMemory& memory, std::vector<ContactPoint>& points,
-                                bool alone) {
+namespace {
+
+/// Nilas' own contacts of a pair that its memory does not separate.
+PairContacts find_exact_contacts(const Bodies& bodies, const Part& a, const Part& b, double margin,
+                                 const PairSearch& search, AxisSearchRoom& room, PairMemory& memory, Points& points,
+                                 bool alone) {
   PairContacts out;
-  const std::size_t before = points.size();
   const auto is_primitive = [](const Part& part) {
     return part.kind == PartKind::sphere || part.kind == PartKind::plane;
   };
-  if (is_primitive(a) || is_primitive(b)) {
+  out.closed_form = is_primitive(a) || is_primitive(b);
+  if (out.closed_form)
     primitive_pair(bodies, a, b, margin, memory, points);
-  } else if (!memory.separating.isZero(0) && separated_by_memory(bodies, a, b, margin, memory)) {
+  else
+    out.left_depth = polytope_or_cylinder_pair(bodies, a, b, margin, search, room, memory, out.search, points, alone);
+  return out;
+}
+
+}  // namespace
+
+PairContacts find_pair_contacts(const Bodies& bodies, const Part& a, const Part& b, double margin,
+                                const PairSearch& search, AxisSearchRoom& room, PairMemory& memory,
+                                std::vector<ContactPoint>& points, bool alone) {
+  PairContacts out;
+  const std::size_t before = points.size();
+  if (!memory.separating.isZero(0) && separated_by_memory(bodies, a, b, margin, memory)) {
     out.separated_by_memory = true;
     return out;
+  }
+  if (search.narrow == NarrowPhase::fcl) {
+    out = find_fcl_contacts(bodies, a, b, margin, search.fcl, room, memory, points);
+    if (out.search.fallbacks > 0) {
+      const AxisSearchCounts asked = out.search;
+      out = find_exact_contacts(bodies, a, b, margin, {NarrowPhase::nilas_alone, search.fcl}, room, memory, points,
+                                alone);
+      out.search = asked;
+      ++out.search.corrected;
+    }
   } else {
-    out.left_depth = polytope_or_cylinder_pair(bodies, a, b, margin, fcl, room, memory, out.search, points, alone);
+    out = find_exact_contacts(bodies, a, b, margin, search, room, memory, points, alone);
   }
   out.count = static_cast<int>(points.size() - before);
   order_by_key(std::span(points).subspan(before));

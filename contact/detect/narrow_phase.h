@@ -5,6 +5,7 @@
 #include "contact/detect/axis_search.h"
 #include "contact/detect/contact_key.h"
 #include "contact/detect/contact_point.h"
+#include "contact/detect/narrow_phase_choice.h"
 #include "contact/detect/point_reduction.h"
 
 namespace nilas {
@@ -17,16 +18,23 @@ struct PairMemory {
 };
 
 struct PairContacts {
-  int count = 0;  ///< points added
+  int count = 0;             ///< points added
+  bool closed_form = false;  ///< a pair with a plane or a sphere, by Nilas
   bool separated_by_memory = false;
   double left_depth = 0;  ///< of the overlap of parts whose contact is for other parts of the two bodies, else 0 [m]
   AxisSearchCounts search;
 };
 
+/// Who searches.
+struct PairSearch {
+  NarrowPhase narrow;
+  FclShapes& fcl;
+};
+
 /// Appends the points of parts a and b (body a < body b) with gap < margin [m] to `points`, in rising order of key.
 /// `alone`: no other parts of the two bodies have a point that overlaps, see find_way_out.
-PairContacts find_pair_contacts(const Bodies& bodies, const Part& a, const Part& b, double margin, FclShapes& fcl,
-                                AxisSearchRoom& room, PairMemory& memory, std::vector<ContactPoint>& points,
-                                bool alone = false);
+PairContacts find_pair_contacts(const Bodies& bodies, const Part& a, const Part& b, double margin,
+                                const PairSearch& search, AxisSearchRoom& room, PairMemory& memory,
+                                std::vector<ContactPoint>& points, bool alone = false);
 
 }  // namespace nilas

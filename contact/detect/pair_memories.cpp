@@ -17,6 +17,7 @@ bool is_of(const RememberedAxis& axis, const Part& a, const Part& b) {
       return b.facets && has(b.facets->polytope->faces, axis.feature_b);
     case AxisKind::edges:
       return a.facets && b.facets && has(a.facets->edges, axis.feature_a) && has(b.facets->edges, axis.feature_b);
+    case AxisKind::unnamed:
     case AxisKind::direction:
       return true;
   }

@@ -53,8 +53,15 @@ inline double separation(const PairView& pair, const Vec3& n) {
   return n.dot(pair.b_in_a.p) - extent(pair.b, -(pair.b_in_a.R.transpose() * n)) - extent(pair.a, n);
 }
 
-/// What a candidate axis was made from.
-enum class AxisKind { face_a, face_b, edges, direction };
+/// Whether the line of centres separates the pair.
+inline bool likely_apart(const PairView& pair) {
+  const Vec3 line = pair.b_in_a.point(pair.b.centre) - pair.a.centre;
+  return !line.isZero(0) && separation(pair, line.normalized()) > 0;
+}
+
+/// What a candidate axis was made from. `unnamed`: an axis of the last call that no feature makes again, since a
+/// cylinder has none or since it was not proven.
+enum class AxisKind { face_a, face_b, edges, direction, unnamed };
 
 /// A direction in A's frame, from A to B, and the separation along it.
 struct Axis {

@@ -79,8 +79,8 @@ void part_heights(const Part& part, const Mat3& R, const Vec3& turn, const Vec3&
 class Advance {
  public:
   Advance(const Part& a, const BodyMotion& motion_a, const Part& b, const BodyMotion& motion_b, FclShapes& fcl,
-          AxisSearchRoom& room, double depth)
-      : a_(a), b_(b), motion_a_(motion_a), motion_b_(motion_b), fcl_(fcl), room_(room), depth_(depth) {}
+          AxisSearchRoom& room, const SoughtOverlap& overlap)
+      : a_(a), b_(b), motion_a_(motion_a), motion_b_(motion_b), fcl_(fcl), room_(room), overlap_(overlap) {}
 
   TimeOfImpact find() {
     TimeOfImpact out;
@@ -89,6 +89,7 @@ class Advance {
     for (;;) {
       place(t);
       const Axis axis = separating_axis();
+      if (t == 0 && overlap_.deeper > 0) depth_ = std::min(overlap_.deeper - std::min(axis.s, 0.0), overlap_.most);
       const bool touches = axis.s + depth_ <= k_touching * tolerance_;
       out.search = counts_;
       if (touches || out.advances == k_most_advances) {
@@ -128,8 +129,8 @@ class Advance {
       asked.s = separation(pair, asked.n);
       if (asked.s > k_near * size_) return asked;
     }
-    return a_.facets && b_.facets ? find_axis(pair, {}, fcl_, room_, counts_)
-                                  : find_cylinder_axis(pair, fcl_, room_, counts_);
+    return a_.facets && b_.facets ? find_axis(pair, {}, fcl_, false, room_, counts_)
+                                  : find_cylinder_axis(pair, {}, fcl_, false, room_, counts_);
   }
 
   Axis of_plane(const RelativePose& guest_in_host, const Part& guest, double sign) const {
@@ -226,7 +227,8 @@ class Advance {
   const BodyMotion& motion_b_;
   FclShapes& fcl_;
   AxisSearchRoom& room_;
-  double depth_;
+  SoughtOverlap overlap_;
+  double depth_ = 0;  ///< sought [m]
   Mat3 R_a_, R_b_;
   Vec3 between_;  ///< from A's origin to B's, in G
   RelativePose b_in_a_;
@@ -244,8 +246,8 @@ Mat3 BodyMotion::attitude(double t) const {
 }
 
 TimeOfImpact time_of_impact(const Part& a, const BodyMotion& motion_a, const Part& b, const BodyMotion& motion_b,
-                            FclShapes& fcl, AxisSearchRoom& room, double depth) {
-  return Advance(a, motion_a, b, motion_b, fcl, room, depth).find();
+                            FclShapes& fcl, AxisSearchRoom& room, const SoughtOverlap& overlap) {
+  return Advance(a, motion_a, b, motion_b, fcl, room, overlap).find();
 }
 
 }  // namespace nilas

@@ -27,13 +27,19 @@ struct TimeOfImpact {
   AxisSearchCounts search;
 };
 
+/// Depth to which parts overlap.
+struct SoughtOverlap {
+  double deeper = 0;  ///< than at the start, where they may overlap already; 0: the first contact is sought [m]
+  double most = 0;    ///< parts that overlap as deep at the start are a hit at t = 0 [m]
+};
+
 /// Conservative advancement: along an axis that separates the parts, the time before which they cannot touch follows
 /// from the places, velocities and accelerations of their vertices; there the next axis is sought. FCL gives the axis
 /// while the parts are well apart, judged by the separation along it alone, the pair's own axis search when they are
 /// near or FCL fails: no answer of the library can lose a contact. A contact is a distance below four times the pair's
 /// tolerance. A plane must not turn, or it is never hit.
-/// With `depth` > 0 [m] it is sought when the parts overlap by as much.
+/// `overlap`: in place of a contact, an overlap is sought.
 TimeOfImpact time_of_impact(const Part& a, const BodyMotion& motion_a, const Part& b, const BodyMotion& motion_b,
-                            FclShapes& fcl, AxisSearchRoom& room, double depth = 0);
+                            FclShapes& fcl, AxisSearchRoom& room, const SoughtOverlap& overlap = {});
 
 }  // namespace nilas

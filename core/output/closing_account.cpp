@@ -35,15 +35,28 @@ std::string worst_line(const char* label, const RunStatistics& statistics, const
   return fmt::format("{:<22}{:.3g} {} at {:g} s\n", label, worst.value, unit, worst.time);
 }
 
+/// Who settled the pairs of convex parts; nothing where no pair came near.
+std::string detection_lines(const DetectorCounts& counts) {
+  if (counts.candidate_pairs == 0) return {};
+  const auto share = [&](long count) {
+    return k_percent * static_cast<double>(count) / static_cast<double>(counts.candidate_pairs);
+  };
+  return fmt::format(
+      "{:<22}{} in all: {:.3g} % by a kept axis, {:.3g} % by FCL,\n{:<22}{:.3g} % corrected after FCL, {:.3g} % by "
+      "other searches\n",
+      "pairs of parts", counts.candidate_pairs, share(counts.cached_separations + counts.kept_axes),
+      share(counts.by_fcl), "", share(counts.corrected), share(counts.searched + counts.closed_forms));
+}
+
 /// One line for each thing that fell short, none in a healthy run.
-std::string shortfall_lines(const Shortfalls& shortfalls, long steps) {
+std::string shortfall_lines(const Shortfalls& shortfalls, const DetectorCounts& detection, long steps) {
   std::string text;
   const auto line = [&](long count, const char* label, const std::string& rest) {
     if (count > 0) text += fmt::format("{:<22}{} {}\n", label, count, rest);
   };
   line(shortfalls.unconverged_steps, "solver short", fmt::format("of {} steps above its tolerance", steps));
   line(shortfalls.uncorrected_steps, "correction short", fmt::format("of {} steps above its tolerance", steps));
-  line(shortfalls.detection_fallbacks, "collision library", "queries without a usable answer; other axes decided");
+  line(detection.fallbacks, "collision library", "queries without a usable answer; the exact search decided");
   return text;
 }
 
@@ -84,6 +97,7 @@ std::string closing_account(const RunStatistics& statistics, double wall_s, cons
   text += fmt::format("{:<22}{}, {:.3g} x real time\n", "wall-clock", duration_text(wall_s),
                       wall_s > 0 ? simulated / wall_s : 0);
   text += phase_table(statistics, wall_s);
+  text += detection_lines(statistics.detection());
   text += worst_line("worst law residual", statistics, "law_map_m_s", "m/s");
   text += penetration_lines(statistics, ice.has_value() && ice->crushes);
   const Worst& imbalance = statistics.worst("imbalance_J");
@@ -97,7 +111,7 @@ std::string closing_account(const RunStatistics& statistics, double wall_s, cons
                         ice->floes, ice->floes_end, "ice lost", ice->crushed_mass, ice->brash_mass);
   if (ice && ice->extruded_mass > 0)
     text += fmt::format("{:<22}{:.3g} kg of the crushed ice\n", "cut out", ice->extruded_mass);
-  text += shortfall_lines(statistics.shortfalls(), statistics.steps());
+  text += shortfall_lines(statistics.shortfalls(), statistics.detection(), statistics.steps());
   if (const std::string slower = statistics.slowdown(); !slower.empty())
     text += fmt::format("{:<22}{}\n", "slower", wrapped(slower, k_label_width));
   return text + fmt::format("{:<22}{}\n", "outputs", outputs.string());

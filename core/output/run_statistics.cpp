@@ -54,7 +54,7 @@ void RunStatistics::add(const StepRecord& record, const std::vector<double>& ves
   for (std::size_t p = 0; p < total_ms_.size(); ++p) total_ms_[p] += record.ms[p];
   shortfalls_.unconverged_steps += record.solver_short;
   shortfalls_.uncorrected_steps += !record.positions_corrected;
-  shortfalls_.detection_fallbacks += record.detection_fallbacks;
+  detection_ += record.detection;
   h_ = record.h;
   costs_.add(record);
   if (!load_series_.empty()) add_vessel(record, vessel_values);
@@ -123,7 +123,9 @@ void RunStatistics::save(StateWriter out) const {
   out.add("total_ms", total_ms_);
   out.add("unconverged_steps", shortfalls_.unconverged_steps);
   out.add("uncorrected_steps", shortfalls_.uncorrected_steps);
-  out.add("detection_fallbacks", shortfalls_.detection_fallbacks);
+  std::vector<long> counts;
+  for (const auto count : k_detector_counts) counts.push_back(detection_.*count);
+  out.add("detection", counts);
 }
 
 void RunStatistics::restore(const StateReader& in) {
@@ -161,7 +163,9 @@ void RunStatistics::restore(const StateReader& in) {
   in.get("total_ms", total_ms_);
   in.get("unconverged_steps", shortfalls_.unconverged_steps);
   in.get("uncorrected_steps", shortfalls_.uncorrected_steps);
-  in.get("detection_fallbacks", shortfalls_.detection_fallbacks);
+  std::vector<long> counts;
+  in.get("detection", counts, k_detector_counts.size());
+  for (std::size_t k = 0; k < counts.size(); ++k) detection_.*k_detector_counts[k] = counts[k];
 }
 
 const Worst& RunStatistics::worst(const std::string& name) const {

@@ -25,7 +25,6 @@ struct Worst {
 struct Shortfalls {
   long unconverged_steps = 0;    ///< the solver ended above its tolerance
   long uncorrected_steps = 0;    ///< the split impulse ended above its tolerance
-  long detection_fallbacks = 0;  ///< pairs for which FCL gave no usable answer, so that face and edge axes decided
 };
 
 class RunStatistics {
@@ -51,6 +50,8 @@ class RunStatistics {
   const std::array<double, k_num_phases>& total_ms() const { return total_ms_; }
   double mean_ms(Phase phase) const;
   const Shortfalls& shortfalls() const { return shortfalls_; }
+  /// Of all steps.
+  const DetectorCounts& detection() const { return detection_; }
 
   const std::vector<std::string>& load_names() const { return load_names_; }
   const std::vector<double>& load_series(std::size_t channel) const { return load_series_[channel]; }
@@ -99,6 +100,7 @@ class RunStatistics {
   long steps_ = 0;
   std::array<double, k_num_phases> total_ms_{};
   Shortfalls shortfalls_;
+  DetectorCounts detection_;
 };
 
 }  // namespace nilas

@@ -27,10 +27,22 @@ Json worst_json(const RunStatistics& statistics) {
   return worst;
 }
 
-Json shortfalls_json(const Shortfalls& shortfalls) {
-  return {{"unconverged_steps", shortfalls.unconverged_steps},
-          {"uncorrected_steps", shortfalls.uncorrected_steps},
-          {"detection_fallbacks", shortfalls.detection_fallbacks}};
+Json shortfalls_json(const RunStatistics& statistics) {
+  return {{"unconverged_steps", statistics.shortfalls().unconverged_steps},
+          {"uncorrected_steps", statistics.shortfalls().uncorrected_steps},
+          {"detection_fallbacks", statistics.detection().fallbacks}};
+}
+
+Json detection_json(const DetectorCounts& counts) {
+  return {{"pairs", counts.candidate_pairs},
+          {"kept_separating_axis", counts.cached_separations},
+          {"kept_contact_axis", counts.kept_axes},
+          {"settled_by_fcl", counts.by_fcl},
+          {"corrected_after_fcl", counts.corrected},
+          {"exact_search_alone", counts.searched},
+          {"closed_form", counts.closed_forms},
+          {"asked_fcl", counts.fcl_queries},
+          {"fcl_without_answer", counts.fallbacks}};
 }
 
 Json loads_json(const RunStatistics& statistics) {
@@ -86,7 +98,8 @@ Json summary_json(const RunInfo& info, const RunStatistics& statistics, const Su
                     {"extruded_kg", input.extruded_mass},
                     {"concentration", info.concentration}};
   summary["worst"] = worst_json(statistics);
-  summary["shortfalls"] = shortfalls_json(statistics.shortfalls());
+  summary["shortfalls"] = shortfalls_json(statistics);
+  summary["detection"] = detection_json(statistics.detection());
   const TwinStatistics* const twins = input.twins ? &*input.twins : nullptr;
   if (info.has_vessel) summary["window"] = window_json(statistics.window());
   if (input.ice_load) {

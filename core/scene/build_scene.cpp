@@ -31,6 +31,7 @@ static ContactScene build_contact(const SceneElement& element) {
   assign(contact.theta, element, "theta");
   assign(contact.gyroscopic, element, "gyroscopic");
   assign(contact.detection, element, "detection");
+  assign(contact.narrow_phase, element, "narrow_phase");
   assign(contact.substeps, element, "substeps");
   assign(contact.margin, element, "margin");
   assign(contact.stabilisation, element, "stabilisation");

@@ -38,6 +38,7 @@ struct ContactScene {
   double slop = 0;         ///< penetration left alone [m]
   double max_speed = 1.0;  ///< of the correction [m/s]
   std::string detection = "continuous";
+  std::string narrow_phase = "nilas";
   double margin = 0;  ///< gap within which contacts enter the problem [m]; 0: what the bodies can reach in the step
   bool gyroscopic = true;
   double axes_deg = 0;  ///< turns the contact tangents about the normal

@@ -78,6 +78,14 @@ static std::vector<AttributeSpec> time_stepping() {
               "thinner body's thickness, so that what goes farther in a step can pass (discrete, as in older tools); "
               "all that the step can close (speculative); the same, and for pairs that move more than half their "
               "thickness against each other, what they meet on their way (continuous: nothing passes)."},
+      {.name = "narrow_phase",
+       .type = ValueType::choice,
+       .choices = {"nilas", "fcl", "nilas-alone"},
+       .default_value = "nilas",
+       .doc =
+           "Who finds the contacts of two convex parts: the exact search, which FCL's first answer shortens (nilas); "
+           "FCL's own points, normals and depths, completed to manifolds (fcl); the exact search without FCL in "
+           "front of it (nilas-alone). Hulls that crush ice and the reference integrator have searches of their own."},
       {.name = "substeps",
        .type = ValueType::integer,
        .range = within(0, 1000),

@@ -18,6 +18,13 @@ void ContactModel::set_step(double h) {
   correction.h = h;
 }
 
+NarrowPhase narrow_phase(const ContactScene& contact) {
+  if (contact.narrow_phase == "fcl") return NarrowPhase::fcl;
+  if (contact.narrow_phase == "nilas-alone") return NarrowPhase::nilas_alone;
+  NILAS_DEMAND(contact.narrow_phase == "nilas");
+  return NarrowPhase::nilas;
+}
+
 static void demand_cuts(const ContactScene& contact) {
   if (contact.substeps > 1 && contact.detection == "continuous" && contact.integrator == "moreau")
     throw InputError(

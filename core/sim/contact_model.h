@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "contact/assemble.h"
+#include "contact/detect/narrow_phase_choice.h"
 #include "contact/position_correction.h"
 #include "contact/solver.h"
 #include "contact/static_friction.h"
@@ -38,6 +39,8 @@ struct ContactModel {
   /// Leaves in `problem.mu` the coefficient that each contact had.
   ContactSolution solve(ContactProblem& problem, const VecX& guess);
 };
+
+NarrowPhase narrow_phase(const ContactScene& contact);
 
 /// Throws InputError naming file and element where the solver does not take the law, or the integrator no cut.
 void demand_contact_choices(const Scene& scene);

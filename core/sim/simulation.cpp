@@ -128,8 +128,10 @@ void Simulation::World::break_ice(StepRecord& record) {
   follow_bodies(new_pieces);
 }
 
-/// A whole step, or with `may_cut` up to the first impact of a fast pair.
-void Simulation::World::part_of_step(bool may_cut, StepRecord& record, MomentumBalance& balance, Stopwatch& watch) {
+/// The rest of the step, or less of it: `longest` at most [s], and with `may_cut` up to the first impact of a fast
+/// pair. Returns how long the next part may be.
+double Simulation::World::part_of_step(double longest, bool may_cut, StepRecord& record, MomentumBalance& balance,
+                                       Stopwatch& watch) {
   h = whole_step - elapsed;
   // what moves before the impulses (moreau), then loads other than contact, at that pose
   move_before_impulses();
@@ -138,13 +140,13 @@ void Simulation::World::part_of_step(bool may_cut, StepRecord& record, MomentumB
   watch.lap(Phase::hydro);
 
   // contacts that can close in this step, or in the part of it up to an impact
-  const double left = h;
-  h = may_cut ? until_first_impact(left) : left;
-  cut = h < left;
+  const double left = h, part = std::min(left, longest);
+  h = may_cut ? until_first_impact(part) : part;
+  cut = h < part;
   model.set_step(h);
   std::vector<ContactPoint> points = find_contacts();
   if (elapsed == 0) note_penetration(points, record);
-  record.detection_fallbacks += detector.counts().fallbacks;
+  record.detection += detector.counts();
   watch.lap(Phase::detection);
   if (crushing) {
     add_crush_points(points);
@@ -157,20 +159,25 @@ void Simulation::World::part_of_step(bool may_cut, StepRecord& record, MomentumB
   watch.lap(Phase::assembly);
 
   // impulses, judged by the one yardstick; again where they lead fast pairs into each other
+  const std::optional<StaticFriction> slipped = model.static_friction;
   ContactSolution solution = solve(contacts, points, record);
-  for (int round = 0; add_missed(contacts, solution, vessel_block, round, points); ++round) {
+  std::vector<int> misses;
+  while (add_missed(solved_velocities(contacts, solution, vessel_block), misses, points)) {
     contacts = assemble(parts.bodies, free, points, parts.friction, model.assembly, vessel_block);
     solution = solve(contacts, points, record);
   }
   watch.lap(Phase::solver);
-  if (!held && !may_cut && can_be_cut(record)) return part_of_step(true, record, balance, watch);
-  if (!held) warn_of_missed();
+  if (!unheld.empty() && can_be_halved()) {
+    model.static_friction = slipped;
+    return part_of_step(h / 2, may_cut, record, balance, watch);
+  }
+  if (!unheld.empty()) judge_unheld(solved_velocities(contacts, solution, vessel_block));
 
   // new velocities, then new poses, then the position correction that the scene chose
   StepMotion motion = velocity_step(contacts, solution, free, std::move(points));
   advance_poses(motion);
   const Velocities pseudo = correct_positions(motion, contacts, record);
-  elapsed = cut ? elapsed + h : whole_step;
+  elapsed = h < left ? elapsed + h : whole_step;
   record.contacts = std::max(record.contacts, contacts.problem.num_points());
   record.islands = std::max(record.islands, static_cast<int>(find_islands(contacts.problem).size()));
   keep_solved(contacts.problem, solution, motion);
@@ -193,6 +200,7 @@ void Simulation::World::part_of_step(bool may_cut, StepRecord& record, MomentumB
   if (breaking) breaking->note_loads(parts.bodies, *parts.ice_properties, motion);
   ++record.parts;
   watch.lap(Phase::output);
+  return 2 * std::min(longest, left);
 }
 
 StepRecord Simulation::step() {
@@ -202,8 +210,9 @@ StepRecord Simulation::step() {
   Stopwatch watch(record.ms);
   MomentumBalance balance;
   world.solved.clear();
-  while (world.elapsed < world.whole_step)
-    world.part_of_step(record.parts + 1 < world.model.most_substeps, record, balance, watch);
+  double longest = world.whole_step;
+  for (int cuts = 1; world.elapsed < world.whole_step; cuts += world.cut ? 1 : 0)
+    longest = world.part_of_step(longest, cuts < world.model.most_substeps, record, balance, watch);
   world.elapsed = 0;
   ++world.steps;
   if (world.pieces) {

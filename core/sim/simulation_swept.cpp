@@ -16,8 +16,14 @@ namespace {
 
 /// Pairs that go less than this share of the thinner body's thickness against each other cannot get past its middle.
 constexpr double k_fast_share = 0.5;
-/// What a solved step leaves of a way into a body; the next step finds it as a penetration [of the thickness].
-constexpr double k_left_share = 0.02;
+/// Overlaps that a solved step must not lead to, since what reaches half of the thickness can leave on the other side
+/// [of the thickness]. What is left of a way into a body, the next step finds as a penetration.
+constexpr SoughtOverlap k_passing{0.02, k_fast_share};
+/// Solutions of one step in which a body may turn out to have missed a contact. A step that can be halved is halved
+/// then.
+constexpr int k_most_misses = 8, k_most_misses_whole = 40;
+/// A step is not halved into shorter parts than this [of the step].
+constexpr double k_shortest_half = 1.0 / 65536;
 /// A step is not cut into shorter parts than this: impacts that early are contacts of the part [of the step].
 constexpr double k_shortest_part = 1e-3;
 /// Parts end at an impact up to this error [of the step].
@@ -69,14 +75,19 @@ std::vector<BodyMotion> Simulation::World::ways(const Velocities& velocities, co
   return motions;
 }
 
-/// Fast pairs, where they would touch with these velocities, or overlap by `depth` of the thinner one. Pairs that crush
-/// may overlap, and are none.
-std::vector<SweptPair> Simulation::World::sweep(const Velocities& velocities, double exact, double horizon,
-                                                double depth) {
+/// Pairs that crush may overlap, and are none.
+std::vector<FastPair> Simulation::World::list_fast_pairs(const Velocities& velocities, double horizon) const {
   std::vector<FastPair> pairs = fast_pairs(parts.bodies, {velocities.v, velocities.w, horizon}, width, k_fast_share);
   if (crushing) std::erase_if(pairs, [&](const FastPair& pair) { return crushing->crushes(pair.a, pair.b); });
+  return pairs;
+}
+
+/// Fast pairs, where they would touch with these velocities or, with `overlap`, reach it.
+std::vector<SweptPair> Simulation::World::sweep(const Velocities& velocities, double exact, double horizon,
+                                                const SoughtOverlap& overlap) {
+  const std::vector<FastPair> pairs = list_fast_pairs(velocities, horizon);
   if (pairs.empty()) return {};
-  return detector.sweep(parts.bodies, ways(velocities, pairs, exact, horizon), pairs, depth);
+  return detector.sweep(parts.bodies, ways(velocities, pairs, exact, horizon), pairs, overlap);
 }
 
 /// The velocities that a part of the step as long as `h` would end with, its impacts still to come left out. The vessel
@@ -200,12 +211,9 @@ std::vector<ContactPoint> Simulation::World::points_at_the_end(const StepMotion&
   return points;
 }
 
-/// True when the velocities that were solved for still lead a fast pair into each other: its contacts there are added.
-bool Simulation::World::add_missed(const AssembledContacts& contacts, const ContactSolution& solution,
-                                   const std::vector<ArticulatedBlock>& vessel, int round,
-                                   std::vector<ContactPoint>& points) {
-  held = true;
-  if (model.detection != Detection::continuous) return false;
+/// The velocities that were solved for, of all bodies.
+Velocities Simulation::World::solved_velocities(const AssembledContacts& contacts, const ContactSolution& solution,
+                                                const std::vector<ArticulatedBlock>& vessel) const {
   Velocities after = new_velocities(contacts, solution, free_loads);
   for (const ArticulatedBlock& block : vessel) {
     Vec6 twist = block.prescribed;
@@ -218,35 +226,64 @@ bool Simulation::World::add_missed(const AssembledContacts& contacts, const Cont
     after.v[b] = twist.head<3>();
     after.w[b] = twist.tail<3>();
   }
-  std::vector<ContactPoint> missed;
-  for (const SweptPair& pair : sweep(after, h, h, k_left_share)) {
+  return after;
+}
+
+/// True when the velocities that were solved for still lead fast pairs into each other: their contacts there are added.
+/// Each body has its own number of solutions in which it may miss some, so that strangers do not use them up.
+bool Simulation::World::add_missed(const Velocities& after, std::vector<int>& misses,
+                                   std::vector<ContactPoint>& points) {
+  unheld.clear();
+  if (model.detection != Detection::continuous) return false;
+  misses.resize(size());
+  const int most = can_be_halved() ? k_most_misses : k_most_misses_whole;
+  std::vector<char> missed(size(), 0);
+  bool added = false;
+  for (const SweptPair& pair : sweep(after, h, h, k_passing)) {
     if (!pair.first.hit || pair.first.t == 0) continue;
+    const auto a = static_cast<std::size_t>(pair.a), b = static_cast<std::size_t>(pair.b);
+    const int before = std::max(misses[a], misses[b]);
+    if (before >= most) {
+      unheld.emplace_back(pair.a, pair.b);
+      continue;
+    }
+    missed[a] = missed[b] = 1;
     for (const ContactPoint& met : pair.points) {
-      missed.push_back(as_gap(met, pair.first.t, after));
-      missed.back().key = mix(met.key, static_cast<std::uint64_t>(round) + 1);
+      points.push_back(as_gap(met, pair.first.t, after));
+      points.back().key = mix(met.key, static_cast<std::uint64_t>(before) + 1);
+      on_the_way.push_back(points.back().key);
+      added = true;
     }
   }
-  held = missed.empty();
-  if (held || round + 1 == k_most_solutions) return false;
-  for (const ContactPoint& point : missed) {
-    points.push_back(point);
-    on_the_way.push_back(point.key);
+  for (std::size_t b = 0; b < size(); ++b) misses[b] += missed[b];
+  if (added) sort_as_detected(points);
+  return added;
+}
+
+/// Nothing has moved yet when the solutions turn out not to hold the step.
+bool Simulation::World::can_be_halved() const {
+  return model.theta == 1 && (!parts.vessel || parts.vessel->fixed()) && h > k_shortest_half * whole_step;
+}
+
+/// A body that would reach the middle of another could leave on the other side.
+void Simulation::World::refuse_passing(const Velocities& velocities, double horizon) {
+  for (const SweptPair& pair : sweep(velocities, horizon, horizon, {k_fast_share, k_fast_share})) {
+    if (!pair.first.hit || pair.first.t == 0) continue;
+    const auto& name = parts.bodies.name;
+    throw SimulationError(fmt::format(
+        "at {:g} s body '{}' would pass through body '{}' within one step; try a smaller <time step>{}", time(),
+        name[static_cast<std::size_t>(pair.b)], name[static_cast<std::size_t>(pair.a)],
+        model.theta < 1 ? ", or <contact integrator=\"semi-implicit-euler\">, which divides such steps" : ""));
   }
-  sort_as_detected(points);
-  return true;
 }
 
-/// A step that its solutions could not hold is cut at an impact although the scene did not ask for it, where it can be.
-bool Simulation::World::can_be_cut(const StepRecord& record) const {
-  constexpr int k_most_parts = 30;
-  return record.parts < k_most_parts && model.theta == 1 && (!parts.vessel || parts.vessel->fixed());
-}
-
-void Simulation::World::warn_of_missed() {
+/// What the last solution could not hold stays as a penetration, or is refused.
+void Simulation::World::judge_unheld(const Velocities& after) {
+  refuse_passing(after, h);
   warnings.warn("steps with impacts that were not resolved",
-                fmt::format("at {:g} s bodies still meet on their way after {} solutions of the step; try a smaller "
+                fmt::format("at {:g} s bodies overlap on their way after all solutions of the step; try a smaller "
                             "<time step>",
-                            time(), k_most_solutions));
+                            time()));
 }
 
 }  // namespace nilas

@@ -28,7 +28,7 @@ Simulation::World::World(const Scene& scene, int thread_count, WarningCounts& wa
       h(scene.time.step),
       gravity(scene.gravity),
       gyroscopic(scene.contact.gyroscopic),
-      detector(thread_count),
+      detector(thread_count, narrow_phase(scene.contact)),
       model(build_contact_model(scene.contact, scene.time.step, thread_count)),
       energy(parts.info.work_names, 0, 0) {
   list_step_modules(scene, parts);
@@ -60,6 +60,8 @@ double Simulation::World::potential() {
 }
 
 void Simulation::World::move_before_impulses() {
+  if (model.theta < 1 && model.detection == Detection::continuous)
+    refuse_passing({parts.bodies.v_GB, parts.bodies.w_GB}, (1 - model.theta) * h);
   if (model.theta < 1)
     advance(parts.bodies, {parts.bodies.v_GB, parts.bodies.w_GB}, (1 - model.theta) * h, gyroscopic, threads);
   const bool vessel_moves = parts.vessel && !parts.vessel->fixed();

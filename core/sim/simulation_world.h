@@ -24,9 +24,6 @@ struct VesselStart {
   Mat3 inertia = Mat3::Zero();              ///< in G [kg m^2]
 };
 
-/// Solutions of one step, each with the contacts that the one before turned out to miss.
-constexpr int k_most_solutions = 8;
-
 /// In the order that ContactDetector gives points.
 void sort_as_detected(std::vector<ContactPoint>& points);
 
@@ -47,16 +44,20 @@ struct Simulation::World {
   bool will_bounce_when_met(const ContactPoint& c);
   std::vector<BodyMotion> ways(const Velocities& velocities, const std::vector<FastPair>& pairs, double exact,
                                double horizon) const;
-  std::vector<SweptPair> sweep(const Velocities& velocities, double exact, double horizon, double depth = 0);
+  std::vector<FastPair> list_fast_pairs(const Velocities& velocities, double horizon) const;
+  std::vector<SweptPair> sweep(const Velocities& velocities, double exact, double horizon,
+                               const SoughtOverlap& overlap = {});
   Velocities velocities_until_impact();
   double until_first_impact(double left);
   ContactPoint as_gap(const ContactPoint& met, double t, const Velocities& velocities) const;
   void follow_fast_pairs(std::vector<ContactPoint>& points);
   std::vector<ContactPoint> points_at_the_end(const StepMotion& motion) const;
-  bool add_missed(const AssembledContacts& contacts, const ContactSolution& solution,
-                  const std::vector<ArticulatedBlock>& vessel, int round, std::vector<ContactPoint>& points);
-  bool can_be_cut(const StepRecord& record) const;
-  void warn_of_missed();
+  Velocities solved_velocities(const AssembledContacts& contacts, const ContactSolution& solution,
+                               const std::vector<ArticulatedBlock>& vessel) const;
+  bool add_missed(const Velocities& after, std::vector<int>& misses, std::vector<ContactPoint>& points);
+  bool can_be_halved() const;
+  void refuse_passing(const Velocities& velocities, double horizon);
+  void judge_unheld(const Velocities& after);
   Velocities new_velocities(const AssembledContacts& contacts, const ContactSolution& solution,
                             const Wrenches& free) const;
   StepMotion velocity_step(const AssembledContacts& contacts, const ContactSolution& solution, const Wrenches& free,
@@ -72,7 +73,7 @@ struct Simulation::World {
   StepRecord reference_step();
   void keep_solved(ContactProblem& problem, ContactSolution& solution, const StepMotion& motion);
   const SolvedProblem& last() const;
-  void part_of_step(bool may_cut, StepRecord& record, MomentumBalance& balance, Stopwatch& watch);
+  double part_of_step(double longest, bool may_cut, StepRecord& record, MomentumBalance& balance, Stopwatch& watch);
   ContactSolution solve(AssembledContacts& contacts, const std::vector<ContactPoint>& points, StepRecord& record);
   std::vector<FloeBreak> take_breaks();
   void break_ice(StepRecord& record);
@@ -91,9 +92,10 @@ struct Simulation::World {
   WarningCounts& warnings;
   int threads;
   double whole_step, start;
-  double h;                               ///< of the part of the step at work: all of it unless it is cut [s]
-  double elapsed = 0;                     ///< of the step, in the parts before [s]
-  bool held = true;                       ///< the last solution leads no fast pair into each other
+  double h;            ///< of the part of the step at work: all of it unless it is cut [s]
+  double elapsed = 0;  ///< of the step, in the parts before [s]
+  /// Fast pairs that the last solution leads into each other although all their solutions were spent.
+  std::vector<std::pair<int, int>> unheld;
   bool cut = false;                       ///< the part at work ends with an impact
   std::vector<std::uint64_t> on_the_way;  ///< keys of contacts whose gap is what closes until then, no distance
   long steps = 0;

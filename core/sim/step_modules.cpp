@@ -29,10 +29,10 @@ bool clears_crushed_ice(const Scene& scene, const WorldParts& parts) {
 void list_step_modules(const Scene& scene, WorldParts& parts) {
   const ContactScene& contact = scene.contact;
   const bool two_coefficients = build_contact_model(contact, scene.time.step, 1).static_friction.has_value();
-  parts.info.modules.emplace_back("contact", "law " + contact.law + ", solver " + contact.solver + ", stabilisation " +
-                                                 contact.stabilisation + ", detection " + contact.detection +
-                                                 ", integrator " + contact.integrator +
-                                                 (two_coefficients ? ", static friction above kinetic" : ""));
+  parts.info.modules.emplace_back(
+      "contact", "law " + contact.law + ", solver " + contact.solver + ", stabilisation " + contact.stabilisation +
+                     ", detection " + contact.detection + ", narrow phase " + contact.narrow_phase + ", integrator " +
+                     contact.integrator + (two_coefficients ? ", static friction above kinetic" : ""));
   if (has_crushing(scene, parts))
     parts.info.modules.emplace_back("crushing", crushing_description(scene, parts.bodies));
   if (has_breaking(scene, parts)) parts.info.modules.emplace_back("breaking", breaking_description(scene));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contact/detect/contact_point.h"
+#include "contact/detect/detector_counts.h"
 #include "contact/measure.h"
 #include "contact/solver.h"
 #include "core/base/error.h"
@@ -96,7 +97,7 @@ struct StepRecord {
   bool solver_short = false;        ///< the solver missed the tolerance that the scene asks for
   std::string solver_message;       ///< what the solver says where it did not converge
   bool positions_corrected = true;  ///< the split impulse reached its tolerance
-  long detection_fallbacks = 0;     ///< pairs for which FCL gave no usable answer
+  DetectorCounts detection;         ///< how pairs were settled, summed over the parts; none by the reference
   Residuals residuals;
   double penetration_max = 0, penetration_mean = 0;  ///< over contact points with gap < 0 at the step's start [m]
   Ledger ledger;

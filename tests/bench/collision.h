@@ -1,11 +1,12 @@
 #pragma once
 /// The tables of `./dev bench collision`. Each prints itself and returns false where something that must hold does not.
+#include "contact/detect/narrow_phase_choice.h"
 
 namespace nilas::bench {
 
 /// Every class of tests/support/pair_classes.h against the oracle, `batches` of 1000 pairs each, or the one class
-/// named.
-bool class_table(int batches, int threads, const char* only);
+/// named, with one narrow phase.
+bool class_table(int batches, int threads, NarrowPhase narrow, const char* only);
 /// Time per pair and correctness of Nilas, FCL and Bullet on the same `pairs` of each class without round parts.
 bool peer_table(int pairs, int rounds);
 /// Detection in a packed field of so many floes that moves.

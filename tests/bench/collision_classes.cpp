@@ -20,7 +20,7 @@ bool is_right(const pairs::Tally& t) { return t.missed + t.surplus + t.wrong_nor
 
 }  // namespace
 
-bool class_table(int batches, int threads, const char* only) {
+bool class_table(int batches, int threads, NarrowPhase narrow, const char* only) {
   std::printf("%-25s %-10s %7s %8s %6s %7s %7s %6s %8s %6s %9s %9s %9s %8s\n", "class", "pair is", "pairs", "contacts",
               "missed", "surplus", "normals", "ties", "unjudged", "depths", "depth/sz", "in ulps", "place/sz", "kept");
   bool right = true;
@@ -28,7 +28,7 @@ bool class_table(int batches, int threads, const char* only) {
     if (only != nullptr && std::string_view(c.name) != only) continue;
     std::vector<std::array<pairs::Tally, 2>> of_batch(static_cast<std::size_t>(batches));
     parallel_for(batches, threads, [&](std::ptrdiff_t k) {
-      of_batch[static_cast<std::size_t>(k)] = pairs::tally_batch(c, static_cast<int>(k));
+      of_batch[static_cast<std::size_t>(k)] = pairs::tally_batch(c, static_cast<int>(k), narrow);
     });
     std::array<pairs::Tally, 2> sums;
     for (const auto& tallies : of_batch)

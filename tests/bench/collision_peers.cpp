@@ -27,7 +27,7 @@ class OwnPair {
   void forget() { memory_ = {}; }
   Answer query(AxisSearchRoom& room, std::vector<ContactPoint>& points) {
     points.clear();
-    find_pair_contacts(bodies_, a_, b_, 0, fcl_, room, memory_, points);
+    find_pair_contacts(bodies_, a_, b_, 0, {NarrowPhase::nilas, fcl_}, room, memory_, points);
     Answer deepest;
     for (const ContactPoint& p : points)
       if (!deepest || p.gap < deepest->gap) deepest = {p.n, p.gap};

@@ -70,13 +70,16 @@ solvers() {
 collision() {
   local bench=$bin/bench_collision threads=${THREADS:-$(nproc)} table
   case "${1:-all}" in
-    classes) "$bench" classes "${BATCHES:-100}" "$threads" ${CLASS:+"$CLASS"} ;;
+    classes) "$bench" classes "${BATCHES:-100}" "$threads" nilas ${CLASS:+"$CLASS"} ;;
+    classes-fcl) "$bench" classes "${BATCHES:-100}" "$threads" fcl ${CLASS:+"$CLASS"} || true ;;  # FCL's errors are what it shows
+    narrow) "$bin/bench_narrow_phase" "${UNTIL:-5}" ${SCENES:-apps/scenes/*.xml} ;;
+    plates) for crowd in 1 150; do "$bin/bench_thin_plates" "${PAIRS:-100000}" "$crowd"; done ;;
     peers) "$bench" peers "${PAIRS:-1000}" "${ROUNDS:-5}" ;;
     steps) "$bench" steps "${STEPS:-100}" ${SIZES:-1000 4000 10000} ;;
     threads) "$bench" threads "${SIZES:-4000}" "${THREADS:-2}" "${STEPS:-100}" ;;
     swept) "$bin/bench_collision_swept" "${PAIRS:-100000}" ;;
-    all) for table in peers steps threads swept classes; do collision "$table"; done ;;
-    *) echo "collision knows the tables classes, peers, steps, threads and swept" >&2 && return 2 ;;
+    all) for table in peers steps threads swept plates narrow classes classes-fcl; do collision "$table"; done ;;
+    *) echo "collision knows the tables classes, classes-fcl, narrow, peers, plates, steps, swept and threads" >&2 && return 2 ;;
   esac
 }
 
@@ -96,7 +99,8 @@ case "${1:-packed}" in
   *) echo "usage: ./dev bench [packed|exact|solvers|scaling|threads|collision [TABLE]|field|presawn|level-ice [TABLE]|hull [SHAPE ...]|cut|kernels]
 collision: classes (against the oracle, BATCHES=100 of 1000 pairs in each class, CLASS=name for one), peers (beside FCL and
 Bullet, PAIRS=1000 of each class), steps (a field that moves, SIZES, STEPS=100), threads, swept (missed and false first
-contacts of PAIRS=100000 random pairs on their way); without TABLE all; field: packing time (SIZES); presawn: TWINS=n further
+contacts of PAIRS=100000 random pairs on their way), plates (PAIRS=100000 thin plates that fly at others, alone and in crowds),
+narrow (shipped scenes with each narrow phase, UNTIL=5 s, SCENES="..."), classes-fcl (FCL's contacts against the oracle); without TABLE all; field: packing time (SIZES); presawn: TWINS=n further
 runs of each scene (7), with pieces moved by up to a micrometre; level-ice: loads (thicknesses and speeds, beside Lindqvist, with a picture),
 steps, meshes, field (broken ice that may and may not break), TWINS=n (2); hull: wedge, cone, moon-pool, semi-submersible, ship-with-bulb,
 on THREADS (all cores), ends with 1 where 18 000 triangles take over 60 s or parts stand further off than recorded; cut: CUTS=100000 random cuts of floes;

@@ -163,13 +163,13 @@ inline void judge(const KnownPair& known, double margin, const std::vector<Conta
 }
 
 /// A detector that saw the pair a little apart from where it is now, and remembers the axis it had there.
-inline ContactDetector saw_nearby(const KnownPair& known, double margin, RandomStream& random) {
+inline ContactDetector saw_nearby(const KnownPair& known, double margin, NarrowPhase narrow, RandomStream& random) {
   const double nudge = std::pow(10.0, random.uniform(-5, -1));
   Bodies earlier = known.bodies;
   const Vec3 way(random.normal(), random.normal(), random.normal());
   const Quat turn(Eigen::AngleAxisd(nudge * random.normal(), Vec3(random.normal(), random.normal(), 1).normalized()));
   earlier.set_pose(1, earlier.p_GB[1] + 0.1 * nudge * known.size * way, turn * earlier.q_GB[1]);
-  ContactDetector detector;
+  ContactDetector detector(1, narrow);
   detector.detect(earlier, margin + 0.1 * nudge * known.size);
   return detector;
 }
@@ -178,14 +178,14 @@ constexpr int k_batch = 1000;
 
 /// The class's batch number `batch` of pairs through the detector: each as one it has never seen, and by one that
 /// remembers it from a pose nearby.
-inline std::array<Tally, 2> tally_batch(const PairClass& c, int batch) {
+inline std::array<Tally, 2> tally_batch(const PairClass& c, int batch, NarrowPhase narrow = NarrowPhase::nilas) {
   RandomStream random(7, c.name + std::string("/") + std::to_string(batch));
   std::array<Tally, 2> tallies;
   for (int k = 0; k < k_batch; ++k) {
     const KnownPair known = find_truth(c, draw_pair(c, random));
     const double margin = k_margin * c.size;
-    judge(known, margin, ContactDetector().detect(known.bodies, margin), tallies[0]);
-    ContactDetector remembering = saw_nearby(known, margin, random);
+    judge(known, margin, ContactDetector(1, narrow).detect(known.bodies, margin), tallies[0]);
+    ContactDetector remembering = saw_nearby(known, margin, narrow, random);
     judge(known, margin, remembering.detect(known.bodies, margin), tallies[1]);
     tallies[1].kept_axes += remembering.counts().kept_axes;
   }

@@ -94,11 +94,11 @@ TEST(RunStatistics, CountsWhatFellShort) {
   EXPECT_EQ(statistics.shortfalls().uncorrected_steps, 0);
   record.solver_short = true;
   record.positions_corrected = false;
-  record.detection_fallbacks = 3;
+  record.detection.fallbacks = 3;
   for (int k = 0; k < 2; ++k) statistics.add(record, values);
   EXPECT_EQ(statistics.shortfalls().unconverged_steps, 2);
   EXPECT_EQ(statistics.shortfalls().uncorrected_steps, 2);
-  EXPECT_EQ(statistics.shortfalls().detection_fallbacks, 6);
+  EXPECT_EQ(statistics.detection().fallbacks, 6);
 }
 
 TEST(RunStatistics, AValueThatIsNotANumberIsTheWorst) {

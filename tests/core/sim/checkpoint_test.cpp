@@ -28,7 +28,7 @@ class Bits {
  public:
   explicit Bits(const StepRecord& record) {
     add(record.step, record.floes, record.contacts, record.islands, record.iterations, record.solver_short,
-        record.positions_corrected, record.detection_fallbacks, static_cast<int>(record.status));
+        record.positions_corrected, record.detection.fallbacks, static_cast<int>(record.status));
     words_.push_back(record.state_hash);
     for (const auto& residual : residual_columns()) add(record.residuals.*residual.member);
     const Ledger& l = record.ledger;
