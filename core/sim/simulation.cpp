@@ -57,16 +57,26 @@ StepRecord Simulation::World::reference_step() {
   return record;
 }
 
+/// Of every contact, and of every moment that of its contact.
+static std::vector<Mat3> orthonormal_frames(const AssembledContacts& contacts) {
+  std::vector<Mat3> frames = contacts.C;
+  for (std::size_t c = 0; c < frames.size(); ++c)
+    if (contacts.problem.is_moment(static_cast<int>(c)))
+      frames[c] = contacts.C[static_cast<std::size_t>(contacts.problem.moments[c].contact)];
+  return frames;
+}
+
 ContactSolution Simulation::World::solve(AssembledContacts& contacts, const std::vector<ContactPoint>& points,
                                          StepRecord& record) {
   ContactProblem& problem = contacts.problem;
+  const std::vector<Mat3> frames = orthonormal_frames(contacts);
   VecX guess;
   if (model.warm_start) {
-    guess = warm.guess(problem.key);
+    guess = warm.guess(problem.key, frames);
     broken_contacts.add_to(parts.bodies, points, contacts.C, guess);
   }
   ContactSolution solution = model.solve(problem, guess);
-  warm.keep(problem.key, solution.r);
+  warm.keep(problem.key, frames, solution.r);
   broken_contacts.forget();
   note_residuals(measure(problem, solution.r, solution.v, contact_d), record);
   note_solution(solution, record);

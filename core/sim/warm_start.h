@@ -1,5 +1,6 @@
 #pragma once
-/// Last step's impulses, found again by contact key.
+/// Last step's impulses, found again by contact key. They are kept in G: the tangents of a contact may turn from step
+/// to step, since another axis of its body may have become the better one.
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -11,9 +12,10 @@ namespace nilas {
 
 class WarmStart {
  public:
-  /// 3 nc impulses: those of last step for keys that persist, zero for new contacts.
-  VecX guess(const std::vector<std::uint64_t>& keys) const;
-  void keep(const std::vector<std::uint64_t>& keys, const VecX& r);
+  /// 3 nc impulses: those of last step for keys that persist, zero for new contacts. `frames`: of the contacts now,
+  /// with orthonormal columns n, t1, t2 in G.
+  VecX guess(const std::vector<std::uint64_t>& keys, const std::vector<Mat3>& frames) const;
+  void keep(const std::vector<std::uint64_t>& keys, const std::vector<Mat3>& frames, const VecX& r);
 
   void save(StateWriter out) const;
   void restore(const StateReader& in);
