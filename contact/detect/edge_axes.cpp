@@ -111,6 +111,23 @@ void for_each_crossing(const EdgeChoice& edges, const Use& use) {
     }
 }
 
+/// Nearest points of p0 + t d0 and p1 + u d1, least <= t, u <= 1.
+NearestOnSegments nearest_between(const Vec3& p0, const Vec3& d0, const Vec3& p1, const Vec3& d1, double least) {
+  const Vec3 r = p0 - p1;
+  const double a = d0.squaredNorm(), e = d1.squaredNorm();
+  const double b = d0.dot(d1), c = d0.dot(r), f = d1.dot(r);
+  // b f - c e over a e - b b, without their cancellation
+  const Vec3 across = d0.cross(d1);
+  const double denominator = across.squaredNorm();
+  NearestOnSegments nearest;
+  // Parallel segments: any t serves; the clamps below then find an end that lies opposite.
+  if (denominator > k_parallel_sine * k_parallel_sine * a * e)
+    nearest.t = std::clamp(across.dot(d1.cross(r)) / denominator, least, 1.0);
+  nearest.u = std::clamp((b * nearest.t + f) / e, least, 1.0);
+  nearest.t = std::clamp((b * nearest.u - c) / a, least, 1.0);
+  return nearest;
+}
+
 }  // namespace
 
 void choose_facing_edges(const PairView& pair, double at_least, const NearPoints& near, EdgeChoice& edges) {
@@ -153,15 +170,18 @@ void try_nearest_edges(const PairView& pair, const EdgeChoice& edges, Axis& best
   constexpr double k_infinite = std::numeric_limits<double>::infinity();
   double distance = k_infinite;
   Vec3 shortest = Vec3::Zero();
-  // Edges that meet in a vertex, or run alongside, are equally near: then what a mirrored pair shares decides.
+  // Edges that meet in a vertex, or run alongside, are equally near: then what a mirrored pair shares decides. Places
+  // on them count from their middles, since the image of an edge may run the other way.
   std::tuple<double, double, double, double> least{k_infinite, 0, 0, 0};
   for (const EdgeInA& a : edges.of_a) {
-    const double high_a = guide.dot(a.start) + std::max(0.0, guide.dot(a.along));
+    const Vec3 half_a = 0.5 * a.along;
+    const double high_a = guide.dot(a.middle) + std::abs(guide.dot(half_a));
     for (const EdgeInA& b : edges.of_b) {
       // Segments farther apart along the best axis so far than the nearest pair is are not nearer.
-      if (guide.dot(b.start) + std::min(0.0, guide.dot(b.along)) - high_a >= distance + pair.tolerance) continue;
-      const NearestOnSegments nearest = nearest_on_segments(a.start, a.along, b.start, b.along);
-      const Vec3 between = b.start + nearest.u * b.along - a.start - nearest.t * a.along;
+      const Vec3 half_b = 0.5 * b.along;
+      if (guide.dot(b.middle) - std::abs(guide.dot(half_b)) - high_a >= distance + pair.tolerance) continue;
+      const NearestOnSegments nearest = nearest_between(a.middle, half_a, b.middle, half_b, -1);
+      const Vec3 between = b.middle - a.middle + (nearest.u * half_b - nearest.t * half_a);
       const double squared = between.squaredNorm();
       const std::tuple rank(squared, std::abs(between.x()), std::abs(between.y()), std::abs(between.z()));
       if (rank >= least) continue;
@@ -177,19 +197,7 @@ void try_nearest_edges(const PairView& pair, const EdgeChoice& edges, Axis& best
 }
 
 NearestOnSegments nearest_on_segments(const Vec3& p0, const Vec3& d0, const Vec3& p1, const Vec3& d1) {
-  const Vec3 r = p0 - p1;
-  const double a = d0.squaredNorm(), e = d1.squaredNorm();
-  const double b = d0.dot(d1), c = d0.dot(r), f = d1.dot(r);
-  // b f - c e over a e - b b, without their cancellation
-  const Vec3 across = d0.cross(d1);
-  const double denominator = across.squaredNorm();
-  NearestOnSegments nearest;
-  // Parallel segments: any t serves; the clamps below then find an end that lies opposite.
-  if (denominator > k_parallel_sine * k_parallel_sine * a * e)
-    nearest.t = std::clamp(across.dot(d1.cross(r)) / denominator, 0.0, 1.0);
-  nearest.u = std::clamp((b * nearest.t + f) / e, 0.0, 1.0);
-  nearest.t = std::clamp((b * nearest.u - c) / a, 0.0, 1.0);
-  return nearest;
+  return nearest_between(p0, d0, p1, d1, 0);
 }
 
 }  // namespace nilas

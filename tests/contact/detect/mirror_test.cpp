@@ -40,7 +40,13 @@ struct MirrorCase {
   const char* name;
   double tilt;               ///< of the floes [rad]
   double nearest, farthest;  ///< distance of the centres in radii
+  bool rectangles = false;   ///< which are their own images, so that an edge's image may run the other way
 };
+
+std::vector<Vec2> rectangle(RandomStream& random) {
+  const double x = random.uniform(0.4, 1), y = random.uniform(0.4, 1);
+  return {{-x, -y}, {x, -y}, {x, y}, {-x, y}};
+}
 
 class MirroredPair : public testing::TestWithParam<MirrorCase> {};
 
@@ -53,7 +59,7 @@ TEST_P(MirroredPair, HasMirroredPoints) {
     const double distance = random.uniform(GetParam().nearest, GetParam().farthest);
     Vec3 p(1.7, 0.3, 0.1);
     for (int body = 0; body < 2; ++body) {
-      const auto outline = random_outline(random, 1);
+      const auto outline = GetParam().rectangles ? rectangle(random) : random_outline(random, 1);
       const Quat q = random_tilt(random, GetParam().tilt);
       add_body(port, floe_shape(outline, thickness), p, q);
       add_body(starboard, floe_shape(mirrored(outline, static_cast<std::size_t>(k)), thickness), mirrored(p),
@@ -73,7 +79,10 @@ TEST_P(MirroredPair, HasMirroredPoints) {
 
 INSTANTIATE_TEST_SUITE_P(Floes, MirroredPair,
                          testing::Values(MirrorCase{"flat", 0, 1.4, 2.1}, MirrorCase{"afloat", 0.01, 1.4, 2.1},
-                                         MirrorCase{"tilted", 0.6, 1.2, 2.1}, MirrorCase{"deep", 0.3, 0.6, 1.4}),
+                                         MirrorCase{"tilted", 0.6, 1.2, 2.1}, MirrorCase{"deep", 0.3, 0.6, 1.4},
+                                         MirrorCase{"flat_rectangles", 0, 1.2, 2.1, true},
+                                         MirrorCase{"rectangles", 0.01, 1.2, 2.1, true},
+                                         MirrorCase{"tilted_rectangles", 0.6, 1, 2.1, true}),
                          [](const testing::TestParamInfo<MirrorCase>& one) { return std::string(one.param.name); });
 
 }  // namespace
