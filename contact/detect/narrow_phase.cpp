@@ -9,6 +9,7 @@
 #include "contact/detect/cylinder_axis.h"
 #include "contact/detect/fcl_contacts.h"
 #include "contact/detect/pair_points.h"
+#include "contact/detect/mirror_pair.h"
 #include "contact/detect/primitive_contacts.h"
 #include "contact/detect/way_out.h"
 
@@ -80,6 +81,13 @@ double polytope_or_cylinder_pair(const Bodies& bodies, const Part& a, const Part
     memory.separating = R * axis.n;
     return 0;
   }
+  bool across = false;  // images of each other that touch along the axis across the plane between them
+  if (are_images(bodies, a, b)) {
+    const Axis own = axis_across(bodies, pair);
+    if (own.s > margin) return 0;
+    across = serves_instead(own, axis);
+    if (across) face_each_other(pair, axis = own, room.facing);
+  }
   const double depth = axis.s < -pair.tolerance ? -axis.s : 0;
   memory.contact_axis.kind = AxisKind::unnamed;
   if ((a.cover || b.cover) && !find_way_out(pair, room, axis, alone)) return depth;
@@ -98,8 +106,11 @@ double polytope_or_cylinder_pair(const Bodies& bodies, const Part& a, const Part
     point.n = n_G;
     point.gap = p.gap;
     const bool deepest = p.gap <= axis.s + pair.tolerance;  // there the axis itself is the normal
-    if (room.facing.curved && !deepest &&
-        p.slope.u * p.slope.u + p.slope.v * p.slope.v <= k_most_slope * k_most_slope) {
+    if (across) {
+      point.p.y() = middle_plane(bodies, a, b);
+      point.n = Vec3(0, std::copysign(1.0, n_G.y()), 0);
+    } else if (room.facing.curved && !deepest &&
+               p.slope.u * p.slope.u + p.slope.v * p.slope.v <= k_most_slope * k_most_slope) {
       const Vec3 n = plane.n - p.slope.u * plane.t1 - p.slope.v * plane.t2;
       point.n = R * n.normalized();
       point.gap = std::max(p.gap / n.norm(), axis.s);  // no place is nearer than the axis separates

@@ -85,5 +85,42 @@ INSTANTIATE_TEST_SUITE_P(Floes, MirroredPair,
                                          MirrorCase{"tilted_rectangles", 0.6, 1, 2.1, true}),
                          [](const testing::TestParamInfo<MirrorCase>& one) { return std::string(one.param.name); });
 
+/// Two floes that touch across the plane, one the image of the other: their points lie on it and press across it, so
+/// that neither is favoured. Otherwise a face of one is as good an axis as its image, a face of the other.
+TEST(MirroredPair, ImagesOfEachOtherTouchOnThePlaneBetweenThem) {
+  RandomStream random(3, "across");
+  int touching = 0;
+  for (int k = 0; k < 5000; ++k) {
+    const double thickness = random.uniform(0.02, 0.6);
+    const auto outline = random_outline(random, 1);
+    const Quat q = random_tilt(random, k % 2 == 0 ? 0.01 : 0.2);
+    Bodies bodies;
+    const Shape one = floe_shape(outline, thickness);
+    double lowest = 0;
+    for (const Vec3& x : one.parts.at(0).vertices) lowest = std::min(lowest, (q * x).y());
+    const Vec3 p(1.7, random.uniform(-0.004, 0.02) - lowest, 0.1);
+    const bool near_first = k % 3 == 0;
+    const auto add = [&](bool near) {
+      if (near)
+        add_body(bodies, floe_shape(outline, thickness), p, q);
+      else
+        add_body(bodies, floe_shape(mirrored(outline, static_cast<std::size_t>(k)), thickness), mirrored(p),
+                 mirrored(q));
+    };
+    add(near_first);
+    add(!near_first);
+    ContactDetector detector;
+    for (int call = 0; call < 2; ++call)
+      for (const ContactPoint& c : detector.detect(bodies, 0.05)) {
+        ++touching;
+        EXPECT_EQ(c.p.y(), 0) << "pair " << k;
+        EXPECT_EQ(c.n, Vec3(0, near_first ? -1 : 1, 0)) << "pair " << k;
+        const double closest = 2 * (p.y() + lowest);
+        EXPECT_GE(c.gap, closest - 1e-9) << "pair " << k;
+      }
+  }
+  EXPECT_GT(touching, 5000);
+}
+
 }  // namespace
 }  // namespace nilas
