@@ -5,7 +5,7 @@
 
 #include "contact/islands.h"
 #include "contact/operators.h"
-#include "contact/solvers/eg.h"
+#include "contact/solvers/newton_order_free.h"
 #include "core/base/error.h"
 
 namespace nilas {
@@ -146,11 +146,10 @@ PositionCorrection order_free_correction(const AssembledContacts& contacts, cons
                                          const std::vector<std::vector<int>>& groups,
                                          const std::vector<ContactPoint>& points, const CorrectionSettings& settings) {
   const ContactProblem own = correction_problem(contacts, graph, groups, points, settings);
-  EgSettings eg;
-  eg.shared.tolerance = settings.tolerance;
-  eg.shared.max_iterations = settings.max_sweeps;
-  eg.order_free = true;
-  const ContactSolution solution = EgSolver(eg).solve(own, {});
+  SolverSettings shared;
+  shared.tolerance = settings.tolerance;
+  shared.max_iterations = settings.max_sweeps;
+  const ContactSolution solution = OrderFreeNewtonSolver(shared).solve(own, {});
   PositionCorrection out;
   out.v = VecX::Zero(contacts.problem.num_velocities());
   out.v.head(own.num_velocities()) = solution.v;

@@ -15,9 +15,9 @@ struct CorrectionSettings {
   double slop = 0;          ///< penetration left alone [m]
   double max_speed = 1;     ///< of the separation [m/s]
   double tolerance = 1e-4;  ///< on u_N; 1e-4 m/s is 1 um in a step of 0.01 s [m/s]
-  int max_sweeps = 50;      ///< or extragradient steps
-  /// By eg-order-free instead of Gauss-Seidel: the bits depend neither on the order of contacts and bodies nor, but for
-  /// the sign, on a mirror.
+  int max_sweeps = 50;      ///< or factorisations and extragradient steps
+  /// By newton-order-free instead of Gauss-Seidel: the bits depend neither on the order of contacts and bodies nor, but
+  /// for the sign, on a mirror.
   bool order_free = false;
 };
 

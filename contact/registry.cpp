@@ -10,6 +10,7 @@
 #include "contact/solvers/enumerate.h"
 #include "contact/solvers/ipm.h"
 #include "contact/solvers/newton.h"
+#include "contact/solvers/newton_order_free.h"
 #include "contact/solvers/nsgs.h"
 #include "contact/solvers/pgs.h"
 #ifdef NILAS_PEER_SOLVERS
@@ -33,6 +34,10 @@ static std::unique_ptr<ContactSolver> make(const SolverSettings& shared) {
 
 static std::unique_ptr<ContactSolver> make_order_free(const SolverSettings& shared) {
   return std::make_unique<EgSolver>(EgSettings{.shared = shared, .order_free = true});
+}
+
+static std::unique_ptr<ContactSolver> make_order_free_newton(const SolverSettings& shared) {
+  return std::make_unique<OrderFreeNewtonSolver>(shared);
 }
 
 #ifdef NILAS_PEER_SOLVERS
@@ -85,6 +90,11 @@ const std::vector<SolverEntry>& solver_registry() {
        "Proximal semismooth Newton, one sparse factorisation of the loaded contacts per iteration, 5 to 30 iterations; "
        "the reference: for accuracy, stacks, jams, redundant contacts and mass ratios.",
        all_laws, make<NewtonSolver, NewtonSettings>},
+      {"newton-order-free",
+       "newton whose steps are solved to many more digits than are kept: mirror images, permuted bodies and contacts "
+       "and any number of threads give the same bits, at about three times the cost of newton; for studies of "
+       "symmetry in ice that jams.",
+       convex_sets, make_order_free_newton, false, true},
       {"auto",
        "Climbs from nsgs over admm and newton to ipm until the tolerance holds, island by island, and says what it "
        "used; the "

@@ -11,8 +11,6 @@ namespace nilas {
 
 namespace {
 
-/// The proximal weight stays between these; below the first it is lost in rounding beside W', whose diagonal is 1.
-constexpr double k_least_weight = 1e-13;
 constexpr double k_most_weight = 10;
 /// Factors of the weight after a middling and a failed inner solve.
 constexpr double k_rise = 3, k_retreat = 10;
@@ -36,7 +34,7 @@ struct Iterate {
 class Island {
  public:
   Island(const LocalProblem& problem, const NewtonSettings& settings)
-      : problem_(problem), settings_(settings), system_(problem) {}
+      : problem_(problem), settings_(settings), system_(problem, settings.order_free) {}
 
   ContactSolution solve(const VecX& guess) {
     r_ = guess.size() > 0 ? system_.scaled(guess) : VecX(VecX::Zero(problem_.q.size()));
@@ -51,7 +49,7 @@ class Island {
   /// Measures, keeps the best.
   void judge(const VecX& scaled_r) {
     const VecX r = system_.impulses(scaled_r);
-    const double law_map = measure(problem_, r).law_map_m_s;
+    const double law_map = settings_.order_free ? system_.law_map(scaled_r) : measure(problem_, r).law_map_m_s;
     if (out_.r.size() == 0 || law_map < best_) {
       best_ = law_map;
       out_.r = r;
@@ -82,7 +80,8 @@ class Island {
       r_ = r;
       const int taken = out_.iterations - steps_before;
       if (taken <= k_quick_steps)
-        weight_ = std::max((taken <= k_very_quick_steps ? settings_.plunge : settings_.fall) * weight_, k_least_weight);
+        weight_ = std::max((taken <= k_very_quick_steps ? settings_.plunge : settings_.fall) * weight_,
+                           settings_.least_weight);
     } else if (after <= k_middling * before) {
       r_ = r;
       weight_ *= k_rise;

@@ -22,12 +22,14 @@ namespace nilas {
 struct NewtonSettings {
   SolverSettings shared;
   double first_weight = 1e-3;        ///< a at the start [-]
+  double least_weight = 1e-13;       ///< below it a is lost in rounding beside W', whose diagonal is 1 [-]
   double plunge = 0.01, fall = 0.3;  ///< factors of the weight after a good inner solve in very few or few steps
   double inner_share = 1e-2;         ///< an inner solve ends when |F| fell to this share
   int inner_steps = 30;              ///< most Newton steps of one inner solve
   int free_steps = 10;               ///< undamped steps in a row that may pass without |F| falling to half
   int halvings = 10;                 ///< of t, then the inner solve ends
   int max_factorisations = 400;      ///< per island
+  bool order_free = false;           ///< as in newton_system.h
 };
 
 class NewtonSolver final : public IslandSolver {

@@ -1,6 +1,12 @@
 #include "contact/solvers/newton_system.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
+
+#include "contact/law_map.h"
+#include "contact/solvers/rounded_solve.h"
+#include "core/base/order_free_sum.h"
 
 namespace nilas {
 
@@ -14,7 +20,8 @@ Eigen::Index row_of(int c) { return 3 * static_cast<Eigen::Index>(c); }
 
 }  // namespace
 
-NewtonSystem::NewtonSystem(const LocalProblem& island) : island_(island), block_(island.block), q_(island.q) {
+NewtonSystem::NewtonSystem(const LocalProblem& island, bool order_free)
+    : island_(island), order_free_(order_free), block_(island.block), q_(island.q) {
   const int nc = island.num_contacts();
   for (int a = 0; a < nc; ++a) {
     const double d = (island.diagonal(a).trace() + island.compliance[at(a)]) / 3;
@@ -44,14 +51,24 @@ VecX NewtonSystem::impulses(const VecX& scaled_r) const {
   return out;
 }
 
+Vec3 NewtonSystem::row_product(int a, const VecX& r) const {
+  Vec3 sum = Vec3::Zero();
+  for (int k = island_.row_start[at(a)]; k < island_.row_start[at(a) + 1]; ++k)
+    sum.noalias() += block_[at(k)] * r.segment<3>(row_of(island_.column[at(k)]));
+  return sum;
+}
+
+Vec3 NewtonSystem::order_free_row_product(int a, const VecX& r) const {
+  OrderFreeVectorSum sum;
+  for (int k = island_.row_start[at(a)]; k < island_.row_start[at(a) + 1]; ++k)
+    sum.add(block_[at(k)] * r.segment<3>(row_of(island_.column[at(k)])));
+  return sum.value();
+}
+
 VecX NewtonSystem::product(const VecX& r) const {
   VecX out(r.size());
-  for (int a = 0; a < island_.num_contacts(); ++a) {
-    Vec3 sum = Vec3::Zero();
-    for (int k = island_.row_start[at(a)]; k < island_.row_start[at(a) + 1]; ++k)
-      sum.noalias() += block_[at(k)] * r.segment<3>(row_of(island_.column[at(k)]));
-    out.segment<3>(row_of(a)) = sum;
-  }
+  for (int a = 0; a < island_.num_contacts(); ++a)
+    out.segment<3>(row_of(a)) = order_free_ ? order_free_row_product(a, r) : row_product(a, r);
   return out;
 }
 
@@ -60,19 +77,38 @@ LawSlopes NewtonSystem::slopes(int a, const VecX& r, const VecX& u) const {
                     u.segment<3>(row_of(a)));
 }
 
+/// Of the vector whose components' squares these are.
+double NewtonSystem::length(const std::vector<double>& squares) const {
+  if (!order_free_) return std::sqrt(std::accumulate(squares.begin(), squares.end(), 0.0));
+  OrderFreeSum sum;
+  for (const double square : squares) sum.add(square);
+  return std::sqrt(sum.value());
+}
+
 double NewtonSystem::linearise(const VecX& r, const VecX& u) {
-  double square = 0;
+  std::vector<double> squares;
   for (int a = 0; a < island_.num_contacts(); ++a) {
     slopes_[at(a)] = slopes(a, r, u);
-    square += slopes_[at(a)].value.squaredNorm();
+    squares.push_back(slopes_[at(a)].value.squaredNorm());
   }
-  return std::sqrt(square);
+  return length(squares);
 }
 
 double NewtonSystem::map_size(const VecX& r, const VecX& u) const {
-  double square = 0;
-  for (int a = 0; a < island_.num_contacts(); ++a) square += slopes(a, r, u).value.squaredNorm();
-  return std::sqrt(square);
+  std::vector<double> squares;
+  for (int a = 0; a < island_.num_contacts(); ++a) squares.push_back(slopes(a, r, u).value.squaredNorm());
+  return length(squares);
+}
+
+double NewtonSystem::law_map(const VecX& r) const {
+  const VecX u = velocities(r);
+  double worst = 0;
+  for (int a = 0; a < island_.num_contacts(); ++a) {
+    const Vec3 impulse = scale_[at(a)] * r.segment<3>(row_of(a)), velocity = u.segment<3>(row_of(a)) / scale_[at(a)];
+    const double map = nilas::law_map(island_.law, island_.facets, contact_scale(island_, a), impulse, velocity);
+    if (!(map <= worst)) worst = map;  // a NaN stays
+  }
+  return worst;
 }
 
 void NewtonSystem::choose_contacts() {
@@ -139,7 +175,8 @@ bool NewtonSystem::step(double weight, const VecX& r, VecX& dr) {
     if (slopes_[at(planned_[i])].open) x.segment<3>(3 * static_cast<Eigen::Index>(i)).setZero();
   fill(weight);
   if (!planned_.empty() && !factors_.factorise(matrix_)) return false;
-  if (!planned_.empty()) factors_.solve(x);
+  if (!planned_.empty() && order_free_ && !solve_rounded({row_start_, column_, matrix_}, factors_, x)) return false;
+  if (!planned_.empty() && !order_free_) factors_.solve(x);
   for (std::size_t i = 0; i < planned_.size(); ++i)
     dr.segment<3>(row_of(planned_[i])) += x.segment<3>(3 * static_cast<Eigen::Index>(i));
   return dr.allFinite();

@@ -10,6 +10,9 @@
 /// Rows of open contacts say dr' = -r' and are taken out, so the matrix has only contacts that carry something. W' is
 /// that of the problem as stored, asymmetric or not. The plan of the factors is kept while the contacts that are not
 /// open stay among those that it was made for.
+///
+/// `order_free`: sums over contacts are OrderFreeSums and steps are those of rounded_solve.h, so that the numbers given
+/// do not depend on the order of contacts and, but for the sign, on a mirror.
 #include "contact/local_problem.h"
 #include "contact/solvers/block_lu.h"
 #include "contact/solvers/law_slopes.h"
@@ -19,7 +22,7 @@ namespace nilas {
 class NewtonSystem {
  public:
   /// `island`: every contact of it can move, or has compliance. It must outlive the system.
-  explicit NewtonSystem(const LocalProblem& island);
+  explicit NewtonSystem(const LocalProblem& island, bool order_free = false);
 
   VecX scaled(const VecX& r) const;           ///< r' of r
   VecX impulses(const VecX& scaled_r) const;  ///< r of r'
@@ -30,16 +33,22 @@ class NewtonSystem {
   double linearise(const VecX& r, const VecX& u);
   /// |F| at another place.
   double map_size(const VecX& r, const VecX& u) const;
+  /// Largest residual of any contact [m/s]; `r`: scaled.
+  double law_map(const VecX& r) const;
   /// Newton's step from the last place linearised. False when the matrix is singular.
   bool step(double weight, const VecX& r, VecX& dr);
 
  private:
   LawSlopes slopes(int a, const VecX& r, const VecX& u) const;
+  Vec3 row_product(int a, const VecX& r) const;
+  Vec3 order_free_row_product(int a, const VecX& r) const;
+  double length(const std::vector<double>& squares) const;
   void choose_contacts();
   void plan();
   void fill(double weight);
 
   const LocalProblem& island_;
+  bool order_free_;
   std::vector<double> scale_;  ///< e_a
   std::vector<Mat3> block_;    ///< of W'
   VecX q_;

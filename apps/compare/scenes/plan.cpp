@@ -17,9 +17,12 @@ constexpr double k_share = 0.85;
 
 /// Roughly, a solve's time over that of nsgs in fields of floes: for estimates before anything was run.
 double time_of(const std::string& solver) {
-  static const std::map<std::string, double> weights{{"pgs", 0.6},          {"nsgs", 1},     {"auto", 1.2}, {"eg", 10},
-                                                     {"apgd", 5},           {"admm", 8},     {"newton", 5}, {"ipm", 25},
-                                                     {"eg-order-free", 20}, {"enumerate", 1}};
+  static const std::map<std::string, double> weights{{"pgs", 0.6},          {"nsgs", 1},
+                                                     {"auto", 1.2},         {"eg", 10},
+                                                     {"apgd", 5},           {"admm", 8},
+                                                     {"newton", 5},         {"ipm", 25},
+                                                     {"eg-order-free", 20}, {"newton-order-free", 15},
+                                                     {"enumerate", 1}};
   const auto found = weights.find(solver);
   return found == weights.end() ? 1 : found->second;
 }

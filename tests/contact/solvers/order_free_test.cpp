@@ -1,4 +1,5 @@
-/// eg-order-free: the same bits whatever the order of contacts and bodies, the thread count, and for mirror images.
+/// eg-order-free and newton-order-free: the same bits whatever the order of contacts and bodies, the thread count, and
+/// for mirror images.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,8 +21,6 @@ ContactSolution solve(const ContactProblem& problem, const std::string& name, in
       .make({.tolerance = 1e-6, .max_iterations = iterations, .threads = threads})
       ->solve(problem, {});
 }
-
-ContactSolution solve(const ContactProblem& problem) { return solve(problem, "eg-order-free"); }
 
 std::vector<int> shuffled(int count, std::uint64_t seed) {
   std::vector<int> order(static_cast<std::size_t>(count));
@@ -90,7 +89,18 @@ std::vector<ContactProblem> subjects() {
   return all;
 }
 
-TEST(OrderFree, PermutedContactsGiveTheSameBits) {
+class OrderFree : public testing::TestWithParam<const char*> {
+ protected:
+  ContactSolution solve(const ContactProblem& problem) const { return nilas::solve(problem, GetParam()); }
+};
+INSTANTIATE_TEST_SUITE_P(Solvers, OrderFree, testing::Values("eg-order-free", "newton-order-free"),
+                         [](const auto& one) {
+                           std::string name = one.param;
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+TEST_P(OrderFree, PermutedContactsGiveTheSameBits) {
   for (const ContactProblem& problem : subjects()) {
     const ContactSolution one = solve(problem);
     for (std::uint64_t seed = 0; seed < 5; ++seed) {
@@ -104,7 +114,7 @@ TEST(OrderFree, PermutedContactsGiveTheSameBits) {
   }
 }
 
-TEST(OrderFree, PermutedBodiesAndSwappedSidesGiveTheSameBits) {
+TEST_P(OrderFree, PermutedBodiesAndSwappedSidesGiveTheSameBits) {
   for (const ContactProblem& problem : subjects()) {
     const ContactSolution one = solve(problem);
     const auto order = shuffled(problem.num_blocks(), 9);
@@ -115,7 +125,7 @@ TEST(OrderFree, PermutedBodiesAndSwappedSidesGiveTheSameBits) {
   }
 }
 
-TEST(OrderFree, MirrorImagesGiveTheMirroredBits) {
+TEST_P(OrderFree, MirrorImagesGiveTheMirroredBits) {
   for (const ContactProblem& problem : subjects()) {
     if (problem.law == Law::pyramid_k) continue;  // its corners are not mirrored
     const ContactSolution one = solve(problem), two = solve(mirrored(problem));
@@ -125,8 +135,18 @@ TEST(OrderFree, MirrorImagesGiveTheMirroredBits) {
   }
 }
 
+/// The plain method does not get there in so many steps, and the answers are solutions.
+TEST_P(OrderFree, ReachesTheTolerance) {
+  const ContactProblem problem = test::random_heap(7, 40, 200, 0.4);
+  const ContactSolution found = solve(problem);
+  if (std::string(GetParam()) == "newton-order-free") {
+    EXPECT_EQ(found.status, SolveStatus::converged);
+  }
+  EXPECT_EQ(found.status == SolveStatus::converged, measure(problem, found.r).law_map_m_s <= 1e-6);
+}
+
 /// A particle (three velocities) against a body (six): the body's rows begin at an odd place.
-TEST(OrderFree, BlocksOfUnlikeSize) {
+TEST(OrderFreeSolvers, BlocksOfUnlikeSize) {
   ContactProblem problem;
   problem.h = 0.01;
   problem.add_block(2 * Mat3::Identity());
@@ -137,12 +157,12 @@ TEST(OrderFree, BlocksOfUnlikeSize) {
   problem.add_contact(0, particle, 1, test::body_rows(Mat3::Identity(), Vec3(0.1, 0.2, 0.3), body.p, -1), 1);
   problem.mu[0] = problem.mu_static[0] = 0.3;
   const ContactSolution expected = solve(problem, "enumerate");
-  for (const char* name : {"eg", "eg-order-free", "apgd", "nsgs"})
+  for (const char* name : {"eg", "eg-order-free", "newton-order-free", "apgd", "nsgs"})
     EXPECT_LT((solve(problem, name).v - expected.v).norm(), 1e-5) << name;
   EXPECT_GT(expected.r[0], 0);
 }
 
-TEST(OrderFree, ThePlainSolverDoesNotHaveThisProperty) {
+TEST(OrderFreeSolvers, ThePlainSolverDoesNotHaveThisProperty) {
   const ContactProblem problem = test::random_heap(7, 40, 200, 0.4);
   const auto order = shuffled(problem.num_contacts(), 1);
   EXPECT_NE(solve(problem, "eg").v, solve(test::with_order(problem, order), "eg").v);

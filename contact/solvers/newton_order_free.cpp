@@ -1,0 +1,49 @@
+#include "contact/solvers/newton_order_free.h"
+
+#include "contact/islands.h"
+#include "contact/solvers/eg.h"
+#include "contact/solvers/newton.h"
+#include "contact/solvers/order_free_velocities.h"
+
+namespace nilas {
+
+namespace {
+
+constexpr std::initializer_list<Law> k_laws{Law::coulomb, Law::ccp, Law::pyramid_k, Law::frictionless};
+/// Newton's systems then have a condition of 1e8 at most, where nothing else limits it [-].
+constexpr double k_least_weight = 1e-8;
+IslandSolve island_solve(const SolverSettings& shared) {
+  NewtonSettings settings;
+  settings.shared = shared;
+  settings.least_weight = k_least_weight;
+  settings.order_free = true;
+  return [settings](const LocalProblem& island, const VecX& start) { return newton_island(island, start, settings); };
+}
+
+}  // namespace
+
+ContactSolution OrderFreeNewtonSolver::solve(const ContactProblem& problem, const VecX& guess) const {
+  demand_known("newton-order-free", k_laws, problem.law);
+  demand_no_moments(name(), problem);
+  const SolverSettings shared = shared_.started();
+  const auto newton = [&](const VecX& start) {
+    return solve_islands(problem, find_islands(problem), start, island_solve(with_margin(shared)));
+  };
+  ContactSolution solution = newton(guess);
+  if (solution.status == SolveStatus::iteration_limit || solution.status == SolveStatus::stalled) {
+    const ContactSolution nearer = EgSolver({.shared = shared, .order_free = true}).solve(problem, solution.r);
+    const int done = solution.iterations + nearer.iterations;
+    solution = newton(nearer.r);
+    solution.iterations += done;
+  }
+  solution.v = order_free_velocities(problem, solution.r);
+  solution.u = contact_velocities(problem, solution.v);
+  return solution;
+}
+
+ContactSolution OrderFreeNewtonSolver::solve(const LocalProblem& problem, const VecX& guess) const {
+  demand_known("newton-order-free", k_laws, problem.law);
+  return solve_islands(problem, guess, island_solve(shared_.started()));
+}
+
+}  // namespace nilas

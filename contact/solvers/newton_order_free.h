@@ -1,0 +1,28 @@
+#pragma once
+/// newton with bits that do not depend on the order of contacts and bodies nor, but for the sign, on a mirror.
+///
+/// Sums over contacts are OrderFreeSums, Newton's steps are solved to so many digits that rounding them forgets the
+/// order of elimination (rounded_solve.h), and the residual is its own. Where Newton stops above the tolerance,
+/// eg-order-free goes on from there, and Newton once more from where that ends. The proximal weight does not fall below
+/// 1e-8, so that the systems of hyperstatic contact stay regular enough for that.
+///
+/// Laws: coulomb, ccp, pyramid-k, frictionless. Nominal tolerance 1e-6 m/s. Islands are solved apart; cost per
+/// iteration about three times that of newton.
+#include "contact/solver.h"
+
+namespace nilas {
+
+class OrderFreeNewtonSolver final : public ContactSolver {
+ public:
+  explicit OrderFreeNewtonSolver(const SolverSettings& shared) : shared_(shared) {}
+  std::string name() const override { return "newton-order-free"; }
+  /// As newton. iterations: factorisations of the island that took most, and steps of eg-order-free.
+  ContactSolution solve(const ContactProblem& problem, const VecX& guess) const override;
+  /// The order of contacts does not show here either; Newton alone.
+  ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;
+
+ private:
+  SolverSettings shared_;
+};
+
+}  // namespace nilas
