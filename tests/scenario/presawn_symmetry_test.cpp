@@ -1,5 +1,6 @@
-/// presawn-a is mirror-symmetric, and chaotic: rounding grows. How fast does it lose its symmetry, beside the growth of
-/// a perturbation of 1e-12 m, and do port and starboard loads agree on average?
+/// The pre-sawn scenes are mirror-symmetric, and chaotic: rounding grows. Are they built as their own images, and do
+/// they stay so where nothing rounds differently on the two sides? How fast does presawn-a lose its symmetry otherwise,
+/// beside the growth of a perturbation of 1e-12 m, and do port and starboard loads agree on average?
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "tests/support/mirror_images.h"
 #include "tests/support/presawn.h"
 
 namespace {
@@ -86,6 +88,35 @@ TEST(PresawnSymmetry, PortAndStarboardLoadsAgreeOnAverage) {
               standard_error);
   ASSERT_GT(size, 0) << "the pieces never met the hull";
   EXPECT_LE(std::abs(mean), std::max(0.05 * size, 3 * standard_error));
+}
+
+/// As long as the test may take; bench_presawn_symmetry goes on to the ends of the scenes.
+struct Exact {
+  char letter;
+  double end;  ///< [s]
+};
+class PresawnImages : public testing::TestWithParam<Exact> {};
+INSTANTIATE_TEST_SUITE_P(Cases, PresawnImages, testing::Values(Exact{'a', 5}, Exact{'b', 3.5}, Exact{'c', 4.5}),
+                         [](const auto& one) { return std::string(1, one.param.letter); });
+
+TEST_P(PresawnImages, StayImagesToTheLastBitWithoutRoundingInTheOrderOfContacts) {
+  Scene scene = test::shipped_presawn(GetParam().letter);
+  scene.contact.solver = "newton-order-free";
+  WarningCounts warnings(make_logger("off", ""));
+  Simulation simulation(scene, 1, warnings);
+  const test::MirrorImages images(simulation.bodies());
+  ASSERT_TRUE(images.paired());
+  EXPECT_TRUE(images.built_as_images(simulation.bodies()));
+  int across = 0;
+  for (const long steps = std::lround(GetParam().end / scene.time.step); simulation.steps() < steps;) {
+    const StepRecord record = simulation.step();
+    EXPECT_FALSE(record.solver_short) << record.t;
+    EXPECT_TRUE(record.positions_corrected) << record.t;
+    ASSERT_EQ(images.measure(simulation).first_stage(), "") << record.t;
+    EXPECT_EQ(record.vessel->contact.force.y(), 0) << record.t;
+    for (const ContactPoint& c : simulation.last_problem().points) across += images.image(c.a) == c.b ? 1 : 0;
+  }
+  EXPECT_GT(across, 50) << "no pieces met across the plane";
 }
 
 }  // namespace

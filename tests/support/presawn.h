@@ -17,10 +17,15 @@
 
 namespace nilas::test {
 
-/// Scene presawn-<letter> with its grid as single floes, each moved by up to `amount` [m]; seed 0 moves nothing.
+/// Scene presawn-<letter> as shipped.
+inline Scene shipped_presawn(char letter) {
+  return read_scene(std::string(NILAS_SOURCE_DIR) + "/apps/scenes/presawn-" + letter + ".xml");
+}
+
+/// The same with its grid as single floes, each moved by up to `amount` [m]; seed 0 moves nothing.
 /// `triangles`: of a generated hull in place of the scene's.
 inline Scene presawn(char letter, std::uint64_t seed = 0, double amount = 0, std::optional<int> triangles = {}) {
-  Scene scene = read_scene(std::string(NILAS_SOURCE_DIR) + "/apps/scenes/presawn-" + letter + ".xml");
+  Scene scene = shipped_presawn(letter);
   if (triangles) {
     scene.vessel->hull.clear();
     scene.vessel->generate = {"icebreaker", {{"triangles", *triangles}}};
