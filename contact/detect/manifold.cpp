@@ -82,13 +82,21 @@ SupportSet support_set(const PatchView& view, const ContactPlane& plane, double 
   return set;
 }
 
-int least_name(const SupportSet& set) {
-  int name = set.corners.front().vertex;
-  for (const LoopCorner& c : set.corners) name = std::min(name, c.vertex);
-  return name;
-}
-
 Vec3 in_plane(const LoopCorner& c) { return {c.u, c.v, 0}; }
+
+/// The corner nearest to where the features meet, whichever comes first in the numbers of its part: a corner that met
+/// alone keeps its name when the edge beside it joins in, and so does its image. In the middle the lower number.
+int name_of(const SupportSet& set, const Vec3& meeting) {
+  constexpr double k_middle_share = 1e-3;  // of the distance
+  const LoopCorner* nearest = &set.corners.front();
+  const auto distance = [&](const LoopCorner& c) { return (in_plane(c) - meeting).head<2>().norm(); };
+  for (const LoopCorner& c : set.corners) {
+    const double difference = distance(c) - distance(*nearest);
+    const bool as_near = std::abs(difference) <= k_middle_share * distance(*nearest);
+    if (as_near ? c.vertex < nearest->vertex : difference < 0) nearest = &c;
+  }
+  return nearest->vertex;
+}
 
 /// Place along p's segment in the middle of what lies beside q's [-].
 double middle_of_overlap(const Vec3& p, const Vec3& along_p, const Vec3& q, const Vec3& along_q) {
@@ -179,7 +187,7 @@ std::size_t select_points(const PairView& pair, const Axis& axis, std::span<cons
     reduce_to_ends(a, pair.tolerance);
     reduce_to_ends(b, pair.tolerance);
     const Vec3 p = meeting_point(a, b);
-    const Feature feature{FeatureKind::support_sets, least_name(a), least_name(b)};
+    const Feature feature{FeatureKind::support_sets, name_of(a, p), name_of(b, p)};
     points.push_back({p.x(), p.y(), feature, a.height, axis.s});
   }
   const double cover =
