@@ -61,6 +61,17 @@ Json loads_json(const RunStatistics& statistics) {
   return loads;
 }
 
+/// Under the names that the readings have in vessel.csv.
+Json tare_json(const CarriageLoads& tare, bool has_cells) {
+  const Wrench& joint = tare.about_joint;
+  Json json{{"carriage_fx_N", joint.force.x()},   {"carriage_fy_N", joint.force.y()},
+            {"carriage_fz_N", joint.force.z()},   {"carriage_mx_Nm", joint.torque.x()},
+            {"carriage_my_Nm", joint.torque.y()}, {"carriage_mz_Nm", joint.torque.z()}};
+  for (std::size_t k = 0; has_cells && k < tare.cells.size(); ++k)
+    json["cell" + std::to_string(k + 1) + "_N"] = tare.cells[k];
+  return json;
+}
+
 Json modules_json(const RunInfo& info, const RunStatistics& statistics) {
   Json built = Json::array(), ms = Json::object();
   for (const auto& [name, reason] : info.modules) built.push_back({{"name", name}, {"reason", reason}});
@@ -89,6 +100,7 @@ Json summary_json(const RunInfo& info, const RunStatistics& statistics, const Su
   summary["wall_s"] = input.wall_s;
   summary["real_time_factor"] = input.wall_s > 0 ? (statistics.end_time() - statistics.start_time()) / input.wall_s : 0;
   if (info.has_vessel) summary["vessel"] = vessel_json(info.vessel_mass);
+  if (info.tare) summary["tare"] = tare_json(*info.tare, info.has_cells);
   summary["ice"] = {{"floes", info.floes},
                     {"floes_end", input.floes_end},
                     {"mass_kg", info.ice_mass},

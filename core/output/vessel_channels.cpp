@@ -23,8 +23,12 @@ VesselChannels::VesselChannels(const RunInfo& info)
     name_wrench("carriage");
     name_wrench("hull");
   }
-  if (has_cells_)
-    for (int cell = 1; cell <= 6; ++cell) names_.push_back("cell" + std::to_string(cell) + "_N");
+  first_cell_ = names_.size();
+  if (has_cells_) {
+    for (const char* kind : {"_N", "_tared_N"})
+      for (int cell = 1; cell <= k_num_cells; ++cell) names_.push_back("cell" + std::to_string(cell) + kind);
+  }
+  if (info.tare) tare_ = info.tare->cells;
   if (has_hydro_) name_wrench("hydro");
   num_global_loads_ = names_.size();
   for (const char* name : {"x_m", "y_m", "z_m", "yaw_deg", "pitch_deg", "roll_deg", "vx_m_s", "vy_m_s", "vz_m_s",
@@ -34,17 +38,18 @@ VesselChannels::VesselChannels(const RunInfo& info)
 }
 
 template <class Value>
-static std::vector<Value> loads_among(const std::vector<Value>& channels, std::size_t num_global_loads) {
-  std::vector<Value> loads(channels.begin(), channels.begin() + static_cast<std::ptrdiff_t>(num_global_loads));
+std::vector<Value> VesselChannels::loads_among(const std::vector<Value>& channels) const {
+  NILAS_DEMAND(channels.size() == names_.size());
+  const auto at = [&](std::size_t k) { return channels.begin() + static_cast<std::ptrdiff_t>(k); };
+  std::vector<Value> loads(channels.begin(), at(first_cell_));
+  // of the cells without their raw readings
+  loads.insert(loads.end(), at(first_cell_ + (has_cells_ ? k_num_cells : 0)), at(num_global_loads_));
   loads.insert(loads.end(), channels.end() - k_num_course_loads, channels.end());
   return loads;
 }
 
-std::vector<std::string> VesselChannels::load_names() const { return loads_among(names_, num_global_loads_); }
-std::vector<double> VesselChannels::loads(const std::vector<double>& values) const {
-  NILAS_DEMAND(values.size() == names_.size());
-  return loads_among(values, num_global_loads_);
-}
+std::vector<std::string> VesselChannels::load_names() const { return loads_among(names_); }
+std::vector<double> VesselChannels::loads(const std::vector<double>& values) const { return loads_among(values); }
 
 void VesselChannels::name_wrench(const std::string& source) {
   for (const char* axis : {"x", "y", "z"}) names_.push_back(source + "_f" + axis + "_N");
@@ -60,7 +65,11 @@ bool VesselChannels::read(const VesselRecord& record, std::vector<double>& value
     add(record.carriage->about_joint, values);
     add(record.carriage->about_com, values);
   }
-  if (has_cells_) values.insert(values.end(), record.carriage->cells.begin(), record.carriage->cells.end());
+  if (has_cells_) {
+    const auto& cells = record.carriage->cells;
+    values.insert(values.end(), cells.begin(), cells.end());
+    for (std::size_t k = 0; k < cells.size(); ++k) values.push_back(cells[k] - tare_[k]);
+  }
   if (has_hydro_) add(*record.hydro, values);
 
   const VesselState& state = record.state;

@@ -1,5 +1,6 @@
 #pragma once
 /// What the outputs say about the vessel after each step: the one table of names and values.
+#include <array>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,8 @@ class VesselChannels {
   explicit VesselChannels(const RunInfo& info);
 
   const std::vector<std::string>& names() const { return names_; }
-  /// Names of the channels that are loads: those along the global axes, then those along and across the course.
+  /// Names of the channels that are loads: those along the global axes, the tared cells, then those along and across
+  /// the course.
   std::vector<std::string> load_names() const;
   /// Their values, from all values as read().
   std::vector<double> loads(const std::vector<double>& values) const;
@@ -25,9 +27,15 @@ class VesselChannels {
   bool read(const VesselRecord& record, std::vector<double>& values) const;
 
  private:
+  static constexpr int k_num_cells = 6;
+
   void name_wrench(const std::string& source);
+  template <class Value>
+  std::vector<Value> loads_among(const std::vector<Value>& channels) const;
 
   std::vector<std::string> names_;
+  std::array<double, k_num_cells> tare_{};
+  std::size_t first_cell_ = 0;
   std::size_t num_global_loads_ = 0;
   bool has_carriage_ = false, has_cells_ = false, has_hydro_ = false;
 };

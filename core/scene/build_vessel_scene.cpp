@@ -42,6 +42,7 @@ static CarriageScene build_carriage(const SceneElement& element) {
   const auto& axes = find_attribute(*find_element("carriage"), "free")->choices;
   for (const auto& axis : words_of(element, "free"))
     carriage.free.at(static_cast<std::size_t>(std::find(axes.begin(), axes.end(), axis) - axes.begin())) = true;
+  assign(carriage.start, element, "start");
   if (const auto* path = child_of(element, "path")) assign(carriage.path, *path, "file");
   if (const auto* balance = child_of(element, "force_balance")) carriage.balance = build_balance(*balance);
   return carriage;

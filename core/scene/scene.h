@@ -100,10 +100,11 @@ struct ForceBalanceScene {
 };
 struct CarriageScene {
   double speed = 0, ramp = 0;
-  double heading_deg = 0;      ///< direction of motion in G
-  std::optional<Vec3> joint;   ///< in V [m]; default: the centre of mass
-  std::array<bool, 6> free{};  ///< surge sway heave roll pitch yaw
-  std::string path;            ///< absolute path, or empty
+  double heading_deg = 0;             ///< direction of motion in G
+  std::optional<Vec3> joint;          ///< in V [m]; default: the centre of mass
+  std::array<bool, 6> free{};         ///< surge sway heave roll pitch yaw
+  std::string start = "equilibrium";  ///< or as-placed
+  std::string path;                   ///< absolute path, or empty
   ForceBalanceScene balance;
 };
 /// <hull generate=...>: parameters of the generated form; unnamed ones keep the generator's defaults.

@@ -128,7 +128,14 @@ static std::vector<ElementSpec> carriage() {
                        .max_count = 6,
                        .choices = {"surge", "sway", "heave", "roll", "pitch", "yaw"},
                        .default_note = "none",
-                       .doc = "Axes along and about which the joint is free, blank-separated."}}},
+                       .doc = "Axes along and about which the joint is free, blank-separated."},
+                      {.name = "start",
+                       .type = ValueType::choice,
+                       .choices = {"equilibrium", "as-placed"},
+                       .default_value = "equilibrium",
+                       .doc = "equilibrium: the vessel starts at rest under weight and buoyancy, the cells deflected; "
+                              "axes that are free and that water balances (heave, roll, pitch) are in balance too. "
+                              "as-placed: at its position and upright, the cells unloaded."}}},
       {.name = "path",
        .parent = "carriage",
        .doc = "A prescribed motion in place of a speed; heading_deg and ramp of the carriage have no effect with it.",

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/sim/vessel_rest.h"
 #include "core/sim/world.h"
 #include "core/vessel/hull.h"
 #include "hydro/equilibrium.h"
@@ -157,6 +158,8 @@ int build_vessel(const Scene& scene, WorldParts& parts) {
   spec.shape = hull_shape(hull, model.mass.com);
   spec.mass = model.mass.mass;
   spec.inertia_B = model.mass.inertia;
+  spec.pose = parts.vessel->state().pose;
+  settle_vessel(scene, spec, parts);
   const VesselState& state = parts.vessel->state();
   spec.pose = state.pose;
   spec.v = state.v;

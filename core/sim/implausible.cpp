@@ -68,10 +68,7 @@ class Doubts {
       doubt("vessel", "the vessel has weight but no buoyancy, so it falls; add <hydro><buoyancy/>");
   }
 
-  bool held_in_heave() const {
-    constexpr std::size_t k_heave = 2;
-    return parts_.carriage && parts_.carriage->balance != BalanceKind::prismatic && !parts_.carriage->free[k_heave];
-  }
+  bool held_in_heave() const { return parts_.carriage && !parts_.carriage->free_in_heave(); }
 
   /// Whether the scene itself sets something in motion.
   bool drives() const {

@@ -153,8 +153,10 @@ struct RunInfo {
   double concentration = 0;  ///< 0 when there is no field
   bool has_vessel = false, has_carriage = false, has_cells = false, has_hydro = false;
   MassProperties vessel_mass;  ///< com, inertia in V
-  double ice_thickness = 0;    ///< [m]
-  double vessel_length = 0;    ///< along x of V [m]
+  /// What the carriage carries of the vessel at rest, without current; nothing where no rest was found.
+  std::optional<CarriageLoads> tare;
+  double ice_thickness = 0;  ///< [m]
+  double vessel_length = 0;  ///< along x of V [m]
   CourseKind course = CourseKind::heading;
   Vec2 drift_course = Vec2::UnitX();  ///< against the drift of ice or water where a vessel or structure is fixed
   std::optional<double> ramp_end;     ///< of a carriage with a ramp [s]

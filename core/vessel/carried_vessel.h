@@ -17,6 +17,7 @@ class CarriedVessel : public VesselMotion {
   /// The momenta balance between the two ends of the step, so this is the velocity at its end.
   Vec6 velocity_after_impulses() const override;
   void displace(const Vec6&, double) override {}
+  std::optional<CarriageLoads> settle(const RestModel& rest, bool start_there) override;
   double spring_energy() const override { return 0.5 * q_.dot(stiffness_ * q_); }
   VecX coordinates() const override;
 
@@ -49,7 +50,14 @@ class CarriedVessel : public VesselMotion {
 
  private:
   void build_cells(const CarriageModel& carriage);
+  /// Coordinates that come to rest: those that cells hold, and free ones that water balances.
+  std::vector<int> settling_coordinates(bool afloat) const;
+  /// Of the coordinates at q, without any motion; leaves the tree there.
+  VecX static_force(const RestModel& rest, const VecX& q);
+  /// The q at which the settling coordinates carry nothing unbalanced.
+  VecX equilibrium(const RestModel& rest);
 
+  std::vector<int> axes_;                           ///< of the coordinates, as of TreeJoint
   std::optional<Eigen::PartialPivLU<Mat6>> cells_;  ///< wrench of unit tensions, six-cells only
   bool has_three_angles_ = false;                   ///< then they are the first three coordinates
 };

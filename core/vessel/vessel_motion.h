@@ -18,6 +18,8 @@ class VesselMotion {
   virtual Vec6 velocity_after_impulses() const = 0;
   virtual void displace(const Vec6& pseudo_twist, double h) = 0;
   virtual double spring_energy() const { return 0; }
+  /// As VesselSystem::settle(); nothing without a carriage.
+  virtual std::optional<CarriageLoads> settle(const RestModel&, bool /*start_there*/) { return std::nullopt; }
   virtual VecX coordinates() const = 0;
 
   const VesselState& state() const { return state_; }

@@ -137,6 +137,9 @@ bool VesselSystem::fixed() const { return implementation_->fixed; }
 bool VesselSystem::on_carriage() const { return implementation_->on_carriage; }
 std::vector<std::string> VesselSystem::built() const { return implementation_->built; }
 
+std::optional<CarriageLoads> VesselSystem::settle(const RestModel& rest, bool start_there) {
+  return implementation_->motion->settle(rest, start_there);
+}
 void VesselSystem::move_before_impulses(double h) { implementation_->motion->move_before_impulses(h); }
 VesselBlock VesselSystem::begin(const Wrench& free, double h) { return implementation_->motion->begin(free, h); }
 void VesselSystem::finish(const Wrench& contact_impulse) { implementation_->motion->finish(contact_impulse); }

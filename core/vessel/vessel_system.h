@@ -1,6 +1,7 @@
 #pragma once
 /// The vessel with its carriage and force balance as one Simbody tree, behind plain matrices.
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -65,6 +66,8 @@ struct CarriageModel {
   double stiffness = 0;  ///< of each cell [N/m]
   double damping = 0;    ///< of each cell [N s/m]
   std::array<LoadCell, 6> cells{};
+
+  bool free_in_heave() const { return balance == BalanceKind::prismatic || free[2]; }
 };
 
 struct VesselModel {
@@ -108,6 +111,16 @@ struct CarriageLoads {
   std::array<double, 6> cells{};  ///< six-cells only: the readings that balance about_joint [N]
 };
 
+/// What acts on a vessel at rest beside its carriage, and the scales of it.
+struct RestModel {
+  /// Weight and buoyancy about the centre of mass in G, at a pose of its frame.
+  std::function<Wrench(const Pose&)> load;
+  double weight = 0;    ///< scale of the forces [N]
+  double length = 1;    ///< scale of the moves [m]
+  bool afloat = false;  ///< water balances heave, roll and pitch where the joint leaves them free
+  double heave = 0;     ///< along a free heave, where the search begins a second time if the first fails [m]
+};
+
 /// One step is: move_before_impulses() (theta only), begin(), solve contacts, finish(). At a step's end the momenta
 /// obey, to rounding,
 ///   m (v+ - v-) = h (carriage + free) + contact impulse,
@@ -130,6 +143,12 @@ class VesselSystem {
   bool on_carriage() const;
   /// Names of what was built: "vessel", "carriage", "force balance six-cells" ...
   std::vector<std::string> built() const;
+
+  /// On a carriage, before the first step: the static equilibrium of the cells' deflections and of the free axes that
+  /// water balances; other free axes stay. Returns what the carriage carries there, its torques and readings as of a
+  /// step at rest; nothing where a free axis carries more than 1 % of the weight unbalanced, as a vessel that falls, or
+  /// without a carriage. `start_there`: moves the vessel to it. Throws InputError when no equilibrium is found.
+  std::optional<CarriageLoads> settle(const RestModel& rest, bool start_there);
 
   /// The first part of a step of length h [s], up to the pose where loads and contacts act: (1 - theta) h with the
   /// velocities that the vessel has. state() is then that of the middle pose, the carriage's velocity that of its

@@ -51,8 +51,8 @@ CarriedVessel::CarriedVessel(const VesselModel& model, double t0)
     : VesselMotion(model, t0), motion_(model.carriage->motion), tree_(model.mass, tree_joint(model)) {
   const CarriageModel& carriage = *model.carriage;
   const int n = tree_.size();
-  const std::vector<int> axes = coordinate_axes(carriage);
-  has_three_angles_ = axes.size() >= 3 && axes[2] == 2;
+  axes_ = coordinate_axes(carriage);
+  has_three_angles_ = axes_.size() >= 3 && axes_[2] == 2;
   stiffness_ = MatX::Zero(n, n);
   if (carriage.balance == BalanceKind::six_cells) {
     build_cells(carriage);

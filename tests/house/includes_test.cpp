@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 const std::map<std::string, std::set<std::string>>& allowed() {
   static const std::set<std::string> base{"core/base"};
   static const std::set<std::string> middle{"core/base", "core/bodies"};
-  static const std::set<std::string> water{"core/base", "core/bodies", "core/numerics"};
+  static const std::set<std::string> solving{"core/base", "core/bodies", "core/numerics"};
   static const std::set<std::string> sim{"core/base", "core/bodies", "core/numerics", "core/scene", "contact",
                                          "hydro",     "fracture",    "core/vessel",   "core/field"};
   static const std::set<std::string> output = [] {
@@ -33,9 +33,10 @@ const std::map<std::string, std::set<std::string>>& allowed() {
     return s;
   }();
   static const std::map<std::string, std::set<std::string>> table{
-      {"core/base", {}},       {"core/numerics", base}, {"core/scene", middle}, {"core/bodies", base},
-      {"core/vessel", middle}, {"core/field", middle},  {"contact", middle},    {"hydro", water},
-      {"core/mesh", middle},   {"fracture", middle},    {"core/sim", sim},      {"core/output", output},
+      {"core/base", {}},     {"core/numerics", base},  {"core/scene", middle},
+      {"core/bodies", base}, {"core/vessel", solving}, {"core/field", middle},
+      {"contact", middle},   {"hydro", solving},       {"core/mesh", middle},
+      {"fracture", middle},  {"core/sim", sim},        {"core/output", output},
       {"apps", apps}};
   return table;
 }

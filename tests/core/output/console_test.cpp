@@ -97,7 +97,7 @@ TEST(Console, SaysNothingWhenSilent) {
 TEST(ClosingAccount, ShowsWhereTheTimeWentAndTheWorstValues) {
   RunStatistics statistics(test::full_run());
   statistics.start(0, Ledger{.works = {0, 0}});
-  statistics.add(test::full_record(), std::vector<double>(47, 1));
+  statistics.add(test::full_record(), std::vector<double>(53, 1));
   const std::string text = closing_account(statistics, 0.056, "runs/sample");
   EXPECT_EQ(text,
             "simulated             0.01 s in 1 steps\n"

@@ -149,6 +149,11 @@ TEST(RunFolder, SummaryTellsTheRun) {
   EXPECT_EQ(summary["vessel"]["mass_kg"], 1500);
   EXPECT_EQ(summary["vessel"]["cog_m"], (std::vector<double>{2, 0, 0.25}));
   EXPECT_EQ(summary["vessel"]["inertia_kg_m2"], (std::vector<double>{10, 20, 30, -4, -5, -6}));
+  EXPECT_EQ(summary["tare"]["carriage_fz_N"], 7);
+  EXPECT_EQ(summary["tare"]["carriage_my_Nm"], -2);
+  EXPECT_EQ(summary["tare"]["cell6_N"], -0.5);
+  EXPECT_TRUE(summary["loads"].contains("cell6_tared_N"));
+  EXPECT_FALSE(summary["loads"].contains("cell6_N"));
   EXPECT_EQ(summary["ice"]["floes"], 2);
   EXPECT_EQ(summary["ice"]["mass_kg"], 30);
   EXPECT_EQ(summary["ice"]["mass_end_kg"], 10) << "the fixed floe does not count";

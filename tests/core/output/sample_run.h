@@ -48,6 +48,9 @@ inline RunInfo full_run() {
   info.vessel_mass.mass = 1500;
   info.vessel_mass.com = Vec3(2, 0, 0.25);
   info.vessel_mass.inertia << 10, -4, -5, -4, 20, -6, -5, -6, 30;
+  info.tare.emplace();
+  info.tare->about_joint = {Vec3(0, 0, 7), Vec3(1, -2, 0)};
+  info.tare->cells = {3, 2, 0, 1, 2, -0.5};
   return info;
 }
 

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/output/load_statistics.h"
 #include "core/output/run_statistics.h"
+#include "core/output/summary_json.h"
 #include "tests/core/output/sample_run.h"
 
 namespace nilas {
@@ -39,7 +40,7 @@ TEST(RunStatistics, GoOnAsSaved) {
     record.ledger.works = {std::sin(k), std::cos(k)};
     record.ledger.imbalance = k == 5 ? std::numeric_limits<double>::quiet_NaN() : 1e-9 * k;
     record.solver_short = k % 3 == 0;
-    whole.add(record, std::vector<double>(47, std::sin(0.1 * k)));
+    whole.add(record, std::vector<double>(53, std::sin(0.1 * k)));
   }
   RunStatistics rest(full_run());
   rest.restore(StateReader(state));
@@ -49,7 +50,7 @@ TEST(RunStatistics, GoOnAsSaved) {
     record.ledger.works = {std::sin(k), std::cos(k)};
     record.ledger.imbalance = 1e-9 * k;
     record.solver_short = k % 3 == 0;
-    rest.add(record, std::vector<double>(47, std::sin(0.1 * k)));
+    rest.add(record, std::vector<double>(53, std::sin(0.1 * k)));
   }
   EXPECT_EQ(rest.steps(), whole.steps());
   EXPECT_EQ(rest.end_time(), whole.end_time());
@@ -65,11 +66,32 @@ TEST(RunStatistics, GoOnAsSaved) {
   EXPECT_THROW(RunStatistics(other).restore(StateReader(state)), InputError);
 }
 
+/// What rings while the carriage starts is no reading of the test.
+TEST(RunStatistics, CellsAreTaredAndLeaveTheRampOut) {
+  RunInfo info = full_run();
+  info.ramp_end = 0.1;
+  RunStatistics statistics(info);
+  statistics.start(0, Ledger{.works = {0, 0}});
+  StepRecord record = full_record();
+  record.vessel->touches_ice = false;
+  const VesselChannels channels(info);
+  for (int k = 0; k < 20; ++k) {
+    record.t = 0.01 * (k + 1);
+    record.vessel->carriage->cells[0] = k < 10 ? 1000 : info.tare->cells[0] + 5;
+    std::vector<double> values;
+    channels.read(*record.vessel, values);
+    statistics.add(record, values);
+  }
+  const auto loads = summary_json(info, statistics, {})["loads"];
+  EXPECT_EQ(loads["cell1_tared_N"]["mean"], 5);
+  EXPECT_EQ(loads["cell1_tared_N"]["max"], 5);
+}
+
 TEST(RunStatistics, KeepsTheWorstWithItsTime) {
   RunStatistics statistics(full_run());
   statistics.start(0, Ledger{});
   StepRecord record = full_record();
-  const std::vector<double> values(47, 1);
+  const std::vector<double> values(53, 1);
   for (const double x : {1.0, -3.0, 2.0}) {
     record.ledger.imbalance = x;
     record.residuals.natural_map_m_s = std::abs(x);
@@ -88,7 +110,7 @@ TEST(RunStatistics, KeepsTheWorstWithItsTime) {
 TEST(RunStatistics, CountsWhatFellShort) {
   RunStatistics statistics(full_run());
   StepRecord record = full_record();
-  const std::vector<double> values(47, 1);
+  const std::vector<double> values(53, 1);
   statistics.add(record, values);
   EXPECT_EQ(statistics.shortfalls().unconverged_steps, 0);
   EXPECT_EQ(statistics.shortfalls().uncorrected_steps, 0);
@@ -104,7 +126,7 @@ TEST(RunStatistics, CountsWhatFellShort) {
 TEST(RunStatistics, AValueThatIsNotANumberIsTheWorst) {
   RunStatistics statistics(full_run());
   StepRecord record = full_record();
-  const std::vector<double> values(47, 1);
+  const std::vector<double> values(53, 1);
   record.residuals.law_map_m_s = std::numeric_limits<double>::quiet_NaN();
   statistics.add(record, values);
   record.residuals.law_map_m_s = 1;
@@ -119,7 +141,7 @@ TEST(RunStatistics, EnergyPutInAddsTheAbsoluteWorksOfAllSteps) {
   start.works = {0, 0};
   statistics.start(0, start);
   StepRecord record = full_record();
-  const std::vector<double> values(47, 1);
+  const std::vector<double> values(53, 1);
   record.ledger.works = {1, -4};
   statistics.add(record, values);
   record.ledger.works = {0, -4};

@@ -32,6 +32,7 @@ TEST(VesselCsv, HasTheColumnsOfEveryModuleInOrder) {
             "carriage_fx_N,carriage_fy_N,carriage_fz_N,carriage_mx_Nm,carriage_my_Nm,carriage_mz_Nm,"
             "hull_fx_N,hull_fy_N,hull_fz_N,hull_mx_Nm,hull_my_Nm,hull_mz_Nm,"
             "cell1_N,cell2_N,cell3_N,cell4_N,cell5_N,cell6_N,"
+            "cell1_tared_N,cell2_tared_N,cell3_tared_N,cell4_tared_N,cell5_tared_N,cell6_tared_N,"
             "hydro_fx_N,hydro_fy_N,hydro_fz_N,hydro_mx_Nm,hydro_my_Nm,hydro_mz_Nm,"
             "x_m,y_m,z_m,yaw_deg,pitch_deg,roll_deg,vx_m_s,vy_m_s,vz_m_s,"
             "roll_rate_deg_s,pitch_rate_deg_s,yaw_rate_deg_s,wx_rad_s,wy_rad_s,wz_rad_s,"
@@ -61,22 +62,48 @@ TEST(VesselCsv, WritesEachValueUnderItsName) {
   ASSERT_EQ(rows.size(), 2u);
   const auto names = cells(rows[0]), values = cells(rows[1]);
   ASSERT_EQ(values.size(), names.size());
-  const std::vector<double> expected{0.01, 1,  2,  3,  4,  5,   6,  11, 12, 13, 14,          15, 16, 21,  22, 23,
-                                     24,   25, 26, 31, 32, 33,  34, 35, 36, 41, 42,          43, 44, 45,  46, 51,
-                                     52,   53, 30, 0,  0,  0.3, 0,  62, 0,  0,  0.5 / k_deg, 0,  0,  0.5, -1, 2};
+  const std::vector<double> expected{0.01, 1,   2,    3,  4,  5,  6,           11, 12, 13,  14, 15, 16, 21,
+                                     22,   23,  24,   25, 26, 31, 32,          33, 34, 35,  36, 28, 30, 33,
+                                     33,   33,  36.5, 41, 42, 43, 44,          45, 46, 51,  52, 53, 30, 0,
+                                     0,    0.3, 0,    62, 0,  0,  0.5 / k_deg, 0,  0,  0.5, -1, 2};
   ASSERT_EQ(values.size(), expected.size());
   for (std::size_t k = 0; k < values.size(); ++k) {
     EXPECT_NEAR(std::stod(values[k]), expected[k], 1e-12 + 1e-15 * expected[k]) << names[k];
     EXPECT_EQ(values[k].size() - values[k].find('.'), 13u) << names[k];
   }
-  EXPECT_EQ(values[38], "0.000000000000") << "a velocity that rounds to zero has no sign";
+  EXPECT_EQ(values[44], "0.000000000000") << "a velocity that rounds to zero has no sign";
 }
 
 TEST(VesselCsv, LoadsComeBeforeMotion) {
   const VesselChannels channels(full_run());
   ASSERT_EQ(channels.load_names().size(), 32u);
-  EXPECT_EQ(channels.names()[29], "hydro_mz_Nm");
-  EXPECT_EQ(channels.names()[30], "x_m");
+  EXPECT_EQ(channels.names()[35], "hydro_mz_Nm");
+  EXPECT_EQ(channels.names()[36], "x_m");
+}
+
+TEST(VesselCsv, LoadsHoldTheTaredCellsWithoutTheRawOnes) {
+  const VesselChannels channels(full_run());
+  const std::vector<std::string> names = channels.load_names();
+  std::vector<double> values;
+  channels.read(*full_record().vessel, values);
+  const std::vector<double> loads = channels.loads(values);
+  ASSERT_EQ(loads.size(), names.size());
+  const auto place = [&](const std::string& name) {
+    return std::find(names.begin(), names.end(), name) - names.begin();
+  };
+  EXPECT_EQ(place("cell1_N"), static_cast<std::ptrdiff_t>(names.size()));
+  EXPECT_EQ(loads.at(static_cast<std::size_t>(place("cell2_tared_N"))), 32 - 2);
+  EXPECT_EQ(loads.at(static_cast<std::size_t>(place("hydro_fx_N"))), 41);
+  EXPECT_EQ(loads.back(), full_record().vessel->ice.y());
+}
+
+TEST(VesselCsv, ARunWithoutRestHasNothingToTare) {
+  RunInfo info = full_run();
+  info.tare.reset();
+  const VesselChannels channels(info);
+  std::vector<double> values;
+  channels.read(*full_record().vessel, values);
+  for (std::size_t k = 0; k < 6; ++k) EXPECT_EQ(values[18 + k], values[24 + k]);
 }
 
 TEST(VesselCsv, TellsOfGimbalLockAndWritesZeroRates) {

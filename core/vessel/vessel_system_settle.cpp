@@ -1,0 +1,109 @@
+/// The vessel at rest on its carriage: where cells, weight and buoyancy balance, and what the carriage carries there.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/numerics/nonlinear_solve.h"
+#include "core/vessel/carried_vessel.h"
+
+namespace nilas {
+
+namespace {
+
+constexpr int k_roll = 0, k_pitch = 1, k_heave = 5;
+constexpr int k_first_translation = 3;
+/// Share of the weight along an axis that is left free above which the vessel falls or swings rather than rests.
+constexpr double k_unbalanced = 0.01;
+
+CarriageMotion::State standing(CarriageMotion::State carriage) {
+  carriage.v.setZero();
+  carriage.yaw_rate = 0;
+  return carriage;
+}
+
+}  // namespace
+
+std::vector<int> CarriedVessel::settling_coordinates(bool afloat) const {
+  std::vector<int> settling;
+  for (int i = 0; i < tree_.size(); ++i) {
+    const bool held = std::find(free_coordinates_.begin(), free_coordinates_.end(), i) == free_coordinates_.end();
+    const int axis = axes_[static_cast<std::size_t>(i)];
+    if (held || (afloat && (axis == k_roll || axis == k_pitch || axis == k_heave))) settling.push_back(i);
+  }
+  return settling;
+}
+
+VecX CarriedVessel::static_force(const RestModel& rest, const VecX& q) {
+  tree_.set_coordinates(q);
+  tree_.set_carriage(standing(now_));
+  tree_.set_speeds(VecX::Zero(tree_.size()));
+  return tree_.force(rest.load(tree_.pose()), {}) - stiffness_ * q;
+}
+
+VecX CarriedVessel::equilibrium(const RestModel& rest) {
+  const std::vector<int> settling = settling_coordinates(rest.afloat);
+  const auto n = static_cast<Eigen::Index>(settling.size());
+  if (n == 0) return q_;
+  // one of each is a large force and a large move: of what cells hold, the deflection under the weight
+  VecX force(n), move(n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const int i = settling[static_cast<std::size_t>(k)];
+    const bool shifts = axes_[static_cast<std::size_t>(i)] >= k_first_translation;
+    force[k] = shifts ? rest.weight : rest.weight * rest.length;
+    move[k] = shifts ? rest.length : 1;
+    if (stiffness_(i, i) > 0) move[k] = std::min(move[k], force[k] / stiffness_(i, i));
+  }
+  const auto at = [&](const VecX& x) {
+    VecX q = q_;
+    q(settling) += VecX(move.cwiseProduct(x));
+    return q;
+  };
+  const NonlinearEquations balance = [&](const VecX& x, VecX& f) {
+    f = static_force(rest, at(x))(settling).cwiseQuotient(force);
+  };
+  NonlinearSolution found = solve_nonlinear(balance, VecX::Zero(n));
+  if (!found.converged && rest.heave != 0) {  // above the water, nothing tells which way it is
+    VecX start = VecX::Zero(n);
+    for (Eigen::Index k = 0; k < n; ++k)
+      if (axes_[static_cast<std::size_t>(settling[static_cast<std::size_t>(k)])] == k_heave)
+        start[k] = rest.heave / move[k];
+    found = solve_nonlinear(balance, start);
+  }
+  if (!found.converged)
+    throw InputError(fmt::format("the vessel finds no rest on its carriage: {:.1e} of its weight stays unbalanced ({})",
+                                 found.residual, found.message));
+  return at(found.x);
+}
+
+std::optional<CarriageLoads> CarriedVessel::settle(const RestModel& rest, bool start_there) {
+  NILAS_DEMAND(h_ == 0);
+  if (rest.weight == 0) return CarriageLoads{};
+  const VecX q = equilibrium(rest);
+  const VecX left = static_force(rest, q);
+  bool rests = true;
+  for (const int i : free_coordinates_) {
+    const double lever = axes_[static_cast<std::size_t>(i)] < k_first_translation ? rest.length : 1;
+    rests = rests && std::abs(left[i]) <= k_unbalanced * rest.weight * lever;
+  }
+  // the tree stands at q: the carriage holds against all that acts there
+  const Pose pose = tree_.pose();
+  const Wrench load = rest.load(pose);
+  Vec6 reaction = Vec6::Zero();
+  reaction.head<3>() -= load.force;
+  reaction.tail<3>() -= load.torque;
+  const CarriageLoads before = loads_;
+  read_loads(reaction, pose.p, now_);
+  const CarriageLoads carried = loads_;
+  const bool moves = rests && start_there;
+  if (moves)
+    q_ = q;
+  else
+    loads_ = before;
+  place(now_, u_);
+  if (!rests) return std::nullopt;
+  return carried;
+}
+
+}  // namespace nilas

@@ -1,0 +1,181 @@
+/// The vessel at rest on its carriage: where it starts and what its balance reads there.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/scene/read_scene.h"
+#include "core/sim/simulation.h"
+#include "core/vessel/cells.h"
+#include "hydro/equilibrium.h"
+#include "tests/support/scratch_folder.h"
+
+namespace {
+
+using namespace nilas;
+
+struct Rig {
+  explicit Rig(const std::string& body, int threads = 1)
+      : file(folder.write("scene.xml", "<scene version='1'>" + body + "</scene>")),
+        simulation(read_scene(file), threads, warnings) {}
+  std::size_t vessel() const { return static_cast<std::size_t>(simulation.vessel_index()); }
+  Vec3 place() const { return simulation.bodies().p_GB[vessel()]; }
+  Quat attitude() const { return simulation.bodies().q_GB[vessel()]; }
+  double mass() const { return simulation.info().vessel_mass.mass; }
+  const CarriageLoads& tare() const { return simulation.info().tare.value(); }
+
+  test::ScratchFolder folder;
+  std::filesystem::path file;
+  WarningCounts warnings{make_logger("off", "")};
+  Simulation simulation;
+};
+
+const std::string k_water = "<water density='1000' level='0'/><hydro><buoyancy/><drag/></hydro>";
+const std::string k_six_cells = "<force_balance kind='six-cells' stiffness='1e7' damping='1e4'/>";
+
+std::string integrator(const std::string& name) {
+  return "<time step='0.01' end='1000'/><contact integrator='" + name + "'/>";
+}
+
+/// An icebreaker of 4 m, its centre of mass that of the whole hull: upright it is not in trim.
+std::string ship(const std::string& carriage, const std::string& balance,
+                 const std::string& mass = "<mass draught='0.3'/>", const std::string& position = "1 2") {
+  return "<vessel name='ship' position='" + position +
+         "' heading_deg='20'><hull generate='icebreaker' length='4' beam='1' draught='0.3' depth='0.6' "
+         "triangles='600'/>" +
+         mass + "<carriage joint='2 0.1 0.4' " + carriage + ">" + balance + "</carriage></vessel>";
+}
+
+/// A step's readings put together again: torque about the joint and force, in G.
+Wrench reassembled(const CarriageLoads& loads, double length) {
+  const Vec6 wrench = cell_wrenches(default_cells(0.25 * length)) * Eigen::Map<const Vec6>(loads.cells.data());
+  const Quat R(Eigen::AngleAxisd(20 * k_deg, Vec3::UnitZ()));
+  return {R * wrench.tail<3>(), R * wrench.head<3>()};
+}
+
+double largest_difference(const std::array<double, 6>& a, const std::array<double, 6>& b) {
+  double most = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) most = std::max(most, std::abs(a[k] - b[k]));
+  return most;
+}
+
+class VesselAtRest : public testing::TestWithParam<std::string> {};
+
+TEST_P(VesselAtRest, ItsCellsReadTheStaticsWithoutRinging) {
+  const auto deviation = [&](const std::string& start, double& largest) {
+    Rig rig(integrator(GetParam()) + k_water + ship("free='heave'" + start, k_six_cells));
+    const double weight = 9.81 * rig.mass();
+    double most = 0;
+    largest = 0;
+    for (int k = 0; k < 100; ++k) {
+      const StepRecord record = rig.simulation.step();
+      const CarriageLoads& carried = *record.vessel->carriage;
+      most = std::max(most, largest_difference(carried.cells, rig.tare().cells));
+      for (const double reading : carried.cells) largest = std::max(largest, std::abs(reading));
+      const Wrench sum = reassembled(carried, 4);
+      EXPECT_NEAR((sum.force - carried.about_joint.force).norm(), 0, 1e-12 * weight);
+      EXPECT_NEAR((sum.torque - carried.about_joint.torque).norm(), 0, 1e-12 * weight);
+      if (!start.empty()) continue;
+      // at rest the carriage holds what buoyancy leaves of the weight
+      const Wrench& hydro = *record.vessel->hydro;
+      EXPECT_NEAR((carried.about_com.force + hydro.force - Vec3(0, 0, weight)).norm(), 0, 1e-10 * weight);
+      EXPECT_NEAR((carried.about_com.torque + hydro.torque).norm(), 0, 1e-10 * weight);
+    }
+    return most / weight;
+  };
+  double settled_peak = 0, placed_peak = 0;
+  const double settled = deviation("", settled_peak), placed = deviation(" start='as-placed'", placed_peak);
+  EXPECT_LT(settled, 1e-11) << "tared readings, over the weight: rounding of the buoyancy";
+  EXPECT_GT(placed, 1e-2) << "what starting upright brings";
+  EXPECT_GT(placed_peak, 1.5 * settled_peak);
+}
+
+TEST_P(VesselAtRest, AFreeHullStartsWhereItFloats) {
+  Rig rig(integrator(GetParam()) + k_water + ship("free='heave roll pitch'", "<force_balance kind='rigid'/>"));
+  const auto floating = floating_equilibrium(*rig.simulation.bodies().shape[rig.vessel()], rig.mass(),
+                                             Quat(Eigen::AngleAxisd(20 * k_deg, Vec3::UnitZ())), [] {
+                                               Water water;
+                                               water.density = 1000;
+                                               return water;
+                                             }());
+  EXPECT_GT(std::abs(floating.trim), 1e-3);
+  EXPECT_NEAR(rig.place().z(), floating.pose.p.z(), 1e-9);
+  const Vec3 bow = rig.attitude() * Vec3::UnitX(), floating_bow = floating.pose.q * Vec3::UnitX();
+  EXPECT_NEAR(bow.z(), floating_bow.z(), 1e-9);
+  const Vec3 start = rig.place();
+  for (int k = 0; k < 100; ++k) rig.simulation.step();
+  EXPECT_NEAR((rig.place() - start).norm(), 0, 1e-11);
+  EXPECT_NEAR(rig.simulation.bodies().w_GB[rig.vessel()].norm(), 0, 1e-11);
+}
+
+INSTANTIATE_TEST_SUITE_P(BothIntegrators, VesselAtRest, testing::Values("semi-implicit-euler", "moreau"),
+                         [](const auto& param) { return param.param == "moreau" ? "Moreau" : "Euler"; });
+
+TEST(VesselRest, AHullPlacedAboveTheWaterStartsInIt) {
+  Rig settled(integrator("moreau") + k_water + ship("free='heave'", k_six_cells, "<mass value='400'/>"));
+  Rig above(integrator("moreau") + k_water + ship("free='heave'", k_six_cells, "<mass value='400'/>", "1 2 3"));
+  EXPECT_NEAR(above.place().z(), settled.place().z(), 1e-9);
+  EXPECT_LT(largest_difference(above.tare().cells, settled.tare().cells), 1e-6);
+}
+
+TEST(VesselRest, AsPlacedIsUprightAtThePosition) {
+  const std::string mass = "<mass value='400' cog='2 0 0.3'/>";
+  Rig placed(integrator("moreau") + k_water + ship("free='heave pitch' start='as-placed'", k_six_cells, mass, "1 2 3"));
+  EXPECT_EQ(placed.place().z(), 3 + 0.3);
+  EXPECT_NEAR((placed.attitude() * Vec3::UnitX()).z(), 0, 1e-15);
+  Rig settled(integrator("moreau") + k_water + ship("free='heave pitch'", k_six_cells, mass, "1 2 3"));
+  EXPECT_EQ(placed.tare().cells, settled.tare().cells) << "the tare is that of rest, wherever the run begins";
+}
+
+/// Weight alone, aslant: forces along the carriage's axes and their moment about the joint are those of statics.
+TEST(VesselRest, TheTareIsThatOfStaticsUnderObliqueGravity) {
+  Rig rig("<gravity value='3 -2 -9'/>" + integrator("moreau") +
+          ship("", k_six_cells, "<mass value='400' cog='2.2 0.05 0.1'/>", "1 2 0"));
+  const Wrench sum = reassembled(rig.tare(), 4);
+  const Vec3 weight = 400 * Vec3(3, -2, -9);
+  const Vec3 arm = Quat(Eigen::AngleAxisd(20 * k_deg, Vec3::UnitZ())) * Vec3(0.2, -0.05, -0.3);
+  EXPECT_NEAR((sum.force + weight).norm(), 0, 1e-9 * weight.norm());
+  // the cells give way by a fraction of a millimetre
+  EXPECT_NEAR((sum.torque + arm.cross(weight)).norm(), 0, 2e-3 * weight.norm());
+  const StepRecord record = rig.simulation.step();
+  EXPECT_LT(largest_difference(record.vessel->carriage->cells, rig.tare().cells), 1e-10 * weight.norm());
+}
+
+TEST(VesselRest, WhatFallsHasNoTareAndWhatSinksIsRefused) {
+  Rig falling(integrator("moreau") + ship("free='heave'", k_six_cells, "<mass value='400'/>", "1 2 0"));
+  EXPECT_FALSE(falling.simulation.info().tare.has_value());
+  EXPECT_NEAR((falling.attitude() * Vec3::UnitX()).z(), 0, 1e-15) << "as placed";
+  const std::string heavy = "<mass value='1e5'/>";
+  try {
+    Rig(integrator("moreau") + k_water + ship("free='heave'", k_six_cells, heavy, "1 2 0"));
+    ADD_FAILURE() << "a vessel that sinks has no rest";
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("scene.xml: <vessel name='ship'>: there is no static equilibrium"), std::string::npos);
+    EXPECT_NE(message.find("would sink"), std::string::npos);
+    EXPECT_NE(message.find("start=\"as-placed\""), std::string::npos);
+  }
+  Rig sinking(integrator("moreau") + k_water + ship("free='heave' start='as-placed'", k_six_cells, heavy, "1 2 0"));
+  EXPECT_FALSE(sinking.simulation.info().tare.has_value());
+}
+
+TEST(VesselRest, ThreadsAndCheckpointsKeepItsBits) {
+  const std::string scene =
+      integrator("moreau") + k_water + ship("free='heave pitch' speed='0.3' ramp='0.1'", k_six_cells);
+  Rig one(scene), two(scene, 2), later(scene);
+  EXPECT_EQ(one.tare().cells, two.tare().cells);
+  for (int k = 0; k < 5; ++k) one.simulation.step();
+  State state;
+  one.simulation.save(StateWriter(state));
+  later.simulation.restore(StateReader(state));
+  EXPECT_EQ(one.tare().cells, later.tare().cells);
+  for (int k = 0; k < 5; ++k) {
+    const StepRecord a = one.simulation.step(), b = later.simulation.step();
+    EXPECT_EQ(a.state_hash, b.state_hash);
+    EXPECT_EQ(a.vessel->carriage->cells, b.vessel->carriage->cells);
+  }
+}
+
+}  // namespace
