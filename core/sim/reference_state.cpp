@@ -56,14 +56,15 @@ void ReferenceState::add_account(const VecX& y, ReferenceAccount& account) const
   account.angular_scale += sums[k_scales + 1];
 }
 
-void ReferenceState::derivative(const Bodies& bodies, const ReferenceLoads& loads, VecX& dy) const {
+void ReferenceState::derivative(const Bodies& bodies, const VecX& y, const ReferenceLoads& loads, VecX& dy) const {
   dy.setZero(account_ + works_ + k_sums);
   auto sums = dy.tail<k_sums>();
   Eigen::Index at = 0;
   for (const int k : free_) {
     const auto b = static_cast<std::size_t>(k);
     const Wrench& load = loads.total[b];
-    const Quat& q = bodies.q_GB[b];
+    // that of y itself, not the bodies', which is of unit length: what its length drifts by must not slow the turn
+    const Quat q(y[at + 3], y[at + 4], y[at + 5], y[at + 6]);
     const Vec3& w = bodies.w_GB[b];
     const Quat dq = Quat(0, w.x(), w.y(), w.z()) * q;
     dy.segment<k_per_body>(at) << bodies.v_GB[b], 0.5 * dq.w(), 0.5 * dq.vec(), load.force / bodies.mass[b],

@@ -38,7 +38,7 @@ class ReferenceState {
   /// Adds what y has accounted for.
   void add_account(const VecX& y, ReferenceAccount& account) const;
   /// Of `bodies` as unpacked from y, under `loads`.
-  void derivative(const Bodies& bodies, const ReferenceLoads& loads, VecX& dy) const;
+  void derivative(const Bodies& bodies, const VecX& y, const ReferenceLoads& loads, VecX& dy) const;
   /// Absolute tolerances that go with `relative`: as for poses and velocities of order one, in metres and seconds.
   VecX absolute_tolerances(const Bodies& bodies, double relative) const;
 
