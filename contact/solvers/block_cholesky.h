@@ -6,6 +6,9 @@
 /// and however far the blocks of P are apart (in ipm D is about 1, in admm P is 1 and D the penalty), so that the
 /// factorisation V^T V, V upper triangular, does not break down. One plan (block_fill.h) serves all; its dense last
 /// rows go to a dense Cholesky factor. Cost of a factorisation: half of BlockLu's.
+///
+/// Eigen's SimplicialLLT, which goes entry by entry, takes 4 to 5 times as long to the same residual: 499 ms against
+/// 106 of 19800 contacts in a field of floes, 843 against 155 of 4752 in a heap (tests/bench/library_twins.cpp).
 #include <Eigen/Cholesky>
 #include <Eigen/SparseCore>
 #include <vector>

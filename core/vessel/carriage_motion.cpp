@@ -7,7 +7,9 @@
 
 namespace nilas {
 
-/// Natural cubic spline through (x, y, yaw), all relative to the first row.
+/// Natural cubic spline through (x, y, yaw), all relative to the first row. SimTK's (SplineFitter with smoothing 0) is
+/// the same curve within 1e-11 m, but it takes four rows at least where a straight path has two, misses 20000 uneven
+/// rows by up to 6e-11 m, and takes 12 to 19 times as long (tests/bench/library_twins.cpp).
 struct CarriageMotion::Knots {
   std::vector<double> t;
   std::vector<Vec3> value;
