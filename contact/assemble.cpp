@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "contact/contact_frame.h"
 #include "contact/detect/contact_key.h"
@@ -38,22 +39,27 @@ class Assembly {
   }
 
  private:
-  const ArticulatedBlock* articulated_block(int body) const {
+  /// The system that a body belongs to, and its place there.
+  std::pair<const ArticulatedBlock*, const ArticulatedBody*> articulated(int body) const {
     for (const auto& block : articulated_)
-      if (block.body == body) return &block;
-    return nullptr;
+      for (const auto& one : block.bodies)
+        if (one.body == body) return {&block, &one};
+    return {nullptr, nullptr};
   }
 
   void add_blocks(const std::vector<ContactPoint>& points);
-  void place_block(int body, int size);
+  int place_block(int size);
   void fill_free_block(int body);
-  void fill_articulated_block(const ArticulatedBlock& articulated);
+  void fill_articulated_block(const ArticulatedBlock& articulated, std::size_t block);
   void reserve_contacts(std::size_t count);
   const FrictionPair& friction_of(const ContactPoint& point, FrictionTable& friction);
   void add_contact(const ContactPoint& point, FrictionTable& friction);
   void add_moment(int c, const ContactPoint& point, FrictionTable& friction);
   MatX moment_rows(int body, const Mat3& C, double sign, Vec3& w) const;
   Vec3 add_side(int body, const Mat3& C, const Vec3& p, double sign);
+  bool are_joined(const ContactPoint& point) const;
+  TwistRows twist_rows(int body, const Mat3& C, const Vec3& p, double sign) const;
+  Vec3 add_joined_sides(const ContactPoint& point, const Mat3& C);
   Vec3 point_velocity(int body, const Vec3& p) const;
   std::optional<double> bounce(const ContactPoint& point, double restitution) const;
   double speed_asked(const ContactPoint& point) const;
@@ -67,12 +73,12 @@ class Assembly {
   FrictionPair last_pair_;
 };
 
-void Assembly::place_block(int body, int size) {
+int Assembly::place_block(int size) {
   ContactProblem& problem = out_.problem;
-  out_.block_of_body[static_cast<std::size_t>(body)] = problem.num_blocks();
   problem.block_offset.push_back(problem.block_offset.back() + size);
   problem.mass_offset.push_back(problem.mass_offset.back() +
                                 static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
+  return problem.num_blocks() - 1;
 }
 
 void Assembly::add_blocks(const std::vector<ContactPoint>& points) {
@@ -91,18 +97,24 @@ void Assembly::add_blocks(const std::vector<ContactPoint>& points) {
       free_bodies.push_back(body);
       continue;
     }
-    const ArticulatedBlock* const block = articulated_block(body);
+    const ArticulatedBlock* const block = articulated(body).first;
     NILAS_DEMAND(block != nullptr);
-    if (block->f.size() > 0) moved.push_back(block);
+    if (block->f.size() > 0 && std::find(moved.begin(), moved.end(), block) == moved.end()) moved.push_back(block);
   }
-  for (const int body : free_bodies) place_block(body, k_free_size);
+  for (const int body : free_bodies) out_.block_of_body[static_cast<std::size_t>(body)] = place_block(k_free_size);
   out_.first_articulated_block = out_.problem.num_blocks();
-  for (const auto* block : moved) place_block(block->body, static_cast<int>(block->f.size()));
+  for (const auto* block : moved) {
+    const int place = place_block(static_cast<int>(block->f.size()));
+    for (const auto& one : block->bodies)
+      if (bodies_.motion[static_cast<std::size_t>(one.body)] != Motion::fixed)
+        out_.block_of_body[static_cast<std::size_t>(one.body)] = place;
+  }
 
   out_.problem.mass_data.assign(out_.problem.mass_offset.back(), 0.0);
   out_.problem.f.resize(out_.problem.num_velocities());
   for (const int body : free_bodies) fill_free_block(body);
-  for (const auto* block : moved) fill_articulated_block(*block);
+  for (std::size_t k = 0; k < moved.size(); ++k)
+    fill_articulated_block(*moved[k], static_cast<std::size_t>(out_.first_articulated_block) + k);
 }
 
 void Assembly::fill_free_block(int body) {
@@ -117,11 +129,11 @@ void Assembly::fill_free_block(int body) {
   f.tail<3>() = inertia * bodies_.w_GB[i] + settings_.h * free_[i].torque;
 }
 
-void Assembly::fill_articulated_block(const ArticulatedBlock& articulated) {
+void Assembly::fill_articulated_block(const ArticulatedBlock& articulated, std::size_t block) {
   const auto n = articulated.f.size();
-  NILAS_DEMAND(articulated.mass.rows() == n && articulated.mass.cols() == n && articulated.jacobian.cols() == n &&
-               articulated.jacobian.rows() == k_free_size);
-  const auto block = static_cast<std::size_t>(out_.block_of_body[static_cast<std::size_t>(articulated.body)]);
+  NILAS_DEMAND(articulated.mass.rows() == n && articulated.mass.cols() == n);
+  for (const auto& one : articulated.bodies)
+    NILAS_DEMAND(one.jacobian.cols() == n && one.jacobian.rows() == k_free_size);
   Eigen::Map<MatX>(out_.problem.mass_data.data() + out_.problem.mass_offset[block], n, n) = articulated.mass;
   out_.problem.f.segment(out_.problem.block_offset[block], n) = articulated.f;
 }
@@ -141,25 +153,45 @@ void Assembly::reserve_contacts(std::size_t count) {
   out_.speed_asked.reserve(count);
 }
 
+/// Of sign * u = C^T (v + w x r), r from the centre of mass.
+TwistRows Assembly::twist_rows(int body, const Mat3& C, const Vec3& p, double sign) const {
+  TwistRows rows;
+  const Vec3 r = p - bodies_.p_GB[static_cast<std::size_t>(body)];
+  for (int k = 0; k < 3; ++k) rows.row(k) << sign * C.col(k).transpose(), sign * r.cross(C.col(k)).transpose();
+  return rows;
+}
+
 /// Appends the rows of one side of a contact at p; returns what its prescribed motion adds to u.
 Vec3 Assembly::add_side(int body, const Mat3& C, const Vec3& p, double sign) {
-  const auto i = static_cast<std::size_t>(body);
-  if (bodies_.motion[i] == Motion::fixed) return Vec3::Zero();
-  TwistRows rows;  // of u = C^T (v + w x r), r from the centre of mass
-  const Vec3 r = p - bodies_.p_GB[i];
-  for (int k = 0; k < 3; ++k) rows.row(k) << sign * C.col(k).transpose(), sign * r.cross(C.col(k)).transpose();
-
+  if (bodies_.motion[static_cast<std::size_t>(body)] == Motion::fixed) return Vec3::Zero();
+  const TwistRows rows = twist_rows(body, C, p, sign);
   std::vector<double>& data = out_.problem.jacobian_data;
   if (bodies_.is_free(body)) {
     data.insert(data.end(), rows.data(), rows.data() + rows.size());
     return Vec3::Zero();
   }
-  const ArticulatedBlock& block = *articulated_block(body);
-  if (block.f.size() > 0) {
-    const ContactProblem::RowMajor reduced = rows * block.jacobian;
+  const auto [block, one] = articulated(body);
+  if (block->f.size() > 0) {
+    const ContactProblem::RowMajor reduced = rows * one->jacobian;
     data.insert(data.end(), reduced.data(), reduced.data() + reduced.size());
   }
-  return rows * block.prescribed;
+  return rows * one->prescribed;
+}
+
+/// Whether both bodies have the same block.
+bool Assembly::are_joined(const ContactPoint& point) const {
+  const int a = out_.block_of_body[static_cast<std::size_t>(point.a)];
+  return a >= 0 && a == out_.block_of_body[static_cast<std::size_t>(point.b)];
+}
+
+/// The same for two bodies of one system.
+Vec3 Assembly::add_joined_sides(const ContactPoint& point, const Mat3& C) {
+  const ArticulatedBody &a = *articulated(point.a).second, &b = *articulated(point.b).second;
+  const TwistRows on_a = twist_rows(point.a, C, point.p, -1), on_b = twist_rows(point.b, C, point.p, 1);
+  const ContactProblem::RowMajor reduced = on_a * a.jacobian + on_b * b.jacobian;
+  std::vector<double>& data = out_.problem.jacobian_data;
+  data.insert(data.end(), reduced.data(), reduced.data() + reduced.size());
+  return on_a * a.prescribed + on_b * b.prescribed;
 }
 
 Vec3 Assembly::point_velocity(int body, const Vec3& p) const {
@@ -197,8 +229,9 @@ void Assembly::add_contact(const ContactPoint& point, FrictionTable& friction) {
   const Mat3 C = contact_frame(point.n, bodies_.R_GB[a], settings_.axes);
   const FrictionPair& pair = friction_of(point, friction);
 
-  Vec3 w = add_side(point.a, C, point.p, -1);
-  w += add_side(point.b, C, point.p, 1);
+  const bool joined = are_joined(point);
+  Vec3 w = joined ? add_joined_sides(point, C) : add_side(point.a, C, point.p, -1);
+  if (!joined) w += add_side(point.b, C, point.p, 1);
   double asked = 0;
   if (const auto bounced = bounce(point, pair.restitution))
     w[0] += *bounced;
@@ -208,7 +241,7 @@ void Assembly::add_contact(const ContactPoint& point, FrictionTable& friction) {
     w[0] -= asked = speed_asked(point);
   out_.speed_asked.push_back(asked);
   problem.w.segment<3>(3 * static_cast<Eigen::Index>(problem.pairs.size())) = w;
-  problem.pairs.push_back({out_.block_of_body[a], out_.block_of_body[b]});
+  problem.pairs.push_back({joined ? -1 : out_.block_of_body[a], out_.block_of_body[b]});
   problem.jacobian_offset.push_back(problem.jacobian_data.size());
   problem.force_limit.push_back(point.force_limit * settings_.h);
   problem.compliance.push_back(point.compliance);
@@ -225,9 +258,9 @@ MatX Assembly::moment_rows(int body, const Mat3& C, double sign, Vec3& w) const 
   TwistRows rows = TwistRows::Zero();
   rows.rightCols<3>() = sign * C.transpose();
   if (bodies_.is_free(body)) return rows;
-  const ArticulatedBlock& block = *articulated_block(body);
-  w += rows * block.prescribed;
-  return rows * block.jacobian;
+  const ArticulatedBody& one = *articulated(body).second;
+  w += rows * one.prescribed;
+  return rows * one.jacobian;
 }
 
 void Assembly::add_moment(int c, const ContactPoint& point, FrictionTable& friction) {
@@ -235,7 +268,11 @@ void Assembly::add_moment(int c, const ContactPoint& point, FrictionTable& frict
   if (pair.rolling == 0 && pair.spinning == 0) return;
   const Mat3 C = out_.C[static_cast<std::size_t>(c)] * Vec3(pair.spinning, pair.rolling, pair.rolling).asDiagonal();
   Vec3 w = Vec3::Zero();
-  const MatX rows_a = moment_rows(point.a, C, -1, w), rows_b = moment_rows(point.b, C, 1, w);
+  MatX rows_a = moment_rows(point.a, C, -1, w), rows_b = moment_rows(point.b, C, 1, w);
+  if (are_joined(point)) {
+    rows_b += rows_a;
+    rows_a = MatX(3, 0);
+  }
   constexpr std::uint64_t k_moment = 0x6d6f6d656e74;  // apart from the names of features
   out_.problem.add_moment(c, rows_a, rows_b, pair.rolling, mix(point.key, k_moment));
   out_.problem.w.tail<3>() = w;

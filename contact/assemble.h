@@ -10,13 +10,19 @@
 
 namespace nilas {
 
-/// A body whose motion belongs to another system, in that system's n coordinates (n may be 0).
-struct ArticulatedBlock {
+/// A body whose motion belongs to another system: twist (v; w) of its centre of mass in G = jacobian * speeds +
+/// prescribed.
+struct ArticulatedBody {
   int body = -1;
-  MatX mass;                       ///< n x n
-  VecX f;                          ///< n, mass * (speeds without contact)
-  MatX jacobian;                   ///< 6 x n: twist (v; w) of the centre of mass in G = jacobian * speeds + prescribed
-  Vec6 prescribed = Vec6::Zero();  ///< (v; w) [m/s, rad/s]
+  MatX jacobian;                   ///< 6 x n
+  Vec6 prescribed = Vec6::Zero();  ///< [m/s, rad/s]
+};
+
+/// Such a system, in its n coordinates (n may be 0): one body or several that are joined.
+struct ArticulatedBlock {
+  std::vector<ArticulatedBody> bodies;
+  MatX mass;  ///< n x n
+  VecX f;     ///< n, mass * (speeds without contact)
 };
 
 /// What the velocity problem itself asks of a point deeper than the slop: u_N >= min(erp (depth - slop)/h, max_speed).
@@ -42,7 +48,8 @@ struct AssembledContacts {
   std::vector<Mat3> C;              ///< per contact: columns n, t1, t2 in G; impulse on body B = C r. Of a moment: the
                                     ///< same columns times its lengths; couple on body B = C r
   std::vector<double> speed_asked;  ///< per point: u_N that the stabilisation asks for, 0: nothing [m/s]
-  std::vector<int> block_of_body;   ///< -1: touched by no contact, or without a coordinate of its own
+  std::vector<int> block_of_body;   ///< -1: touched by no contact, or without a coordinate of its own; bodies of one
+                                    ///< system share a block, and have it once one of them is touched
   int first_articulated_block =
       0;  ///< free bodies' blocks come first, in the order of the bodies; articulated ones last
 };
@@ -59,8 +66,10 @@ struct AssembledContacts {
 /// step: then u_N^+ = -e u_N^-.
 /// A point's force limit times h limits its impulse; its compliance is that of its row. Points that crush do not
 /// bounce. Moments against rolling and spinning follow all points, in their order, for pairs that have them and laws
-/// with friction. All rows: what prescribed motion adds. Friction pairs come from `friction`, which remembers those it
-/// lacks. Throws ContractError for an articulated body without its block and for a point that names no body.
+/// with friction. A point between two bodies of one articulated system has that block on its side B alone, with the
+/// difference of both Jacobians. All rows: what prescribed motion adds. Friction pairs come from `friction`, which
+/// remembers those it lacks. Throws ContractError for an articulated body without its block and for a point that names
+/// no body.
 AssembledContacts assemble(const Bodies& bodies, const Wrenches& free, const std::vector<ContactPoint>& points,
                            FrictionTable& friction, const AssemblySettings& settings,
                            const std::vector<ArticulatedBlock>& articulated);

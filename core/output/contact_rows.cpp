@@ -32,9 +32,10 @@ ContactStatus contact_status(const SolvedProblem& solved, std::size_t c) {
 }
 
 LoadedBodies loaded_bodies(const Bodies& bodies, const RunInfo& info) {
-  LoadedBodies loaded{.vessel = -1, .com_V = info.vessel_mass.com, .structures = {}};
+  LoadedBodies loaded{
+      .vessel = -1, .num_parts = static_cast<int>(info.parts.size()), .com_V = info.vessel_mass.com, .structures = {}};
   for (std::size_t b = 0; b < bodies.id.size(); ++b) {
-    if (bodies.kind[b] == BodyKind::vessel) loaded.vessel = static_cast<int>(b);
+    if (bodies.kind[b] == BodyKind::vessel && loaded.vessel < 0) loaded.vessel = static_cast<int>(b);
     if (!info.structures.empty() && is_structure(bodies, b)) loaded.structures.push_back(bodies.id[b]);
   }
   return loaded;
@@ -48,10 +49,10 @@ std::vector<ContactRow> contact_rows(const SolvedProblem& solved, const LoadedBo
   std::vector<ContactRow> rows;
   for (std::size_t i = 0; i < solved.points.size(); ++i) {
     const ContactPoint& c = solved.points[i];
-    const bool of_vessel = vessel >= 0 && (c.a == vessel || c.b == vessel);
+    const bool of_vessel = loaded.is_of_vessel(c.a) || loaded.is_of_vessel(c.b);
     const bool on_structure_a = !of_vessel && is_structure(solved.touching[i][0].id);
     if (!of_all_bodies && !of_vessel && !on_structure_a && !is_structure(solved.touching[i][1].id)) continue;
-    const bool on_b = of_vessel ? c.b == vessel : !on_structure_a;
+    const bool on_b = of_vessel ? loaded.is_of_vessel(c.b) : !on_structure_a;
     const double sign = on_b ? 1 : -1;
     ContactRow row;
     row.body = solved.touching[i][on_b ? 1 : 0].id;

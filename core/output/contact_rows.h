@@ -12,7 +12,8 @@ namespace nilas {
 /// hard as the ice bears.
 enum class ContactStatus { open, stick, slip, crush };
 
-/// Impulse and couple act on `body`: the vessel where it takes part, else a structure, else the one with the higher id.
+/// Impulse and couple act on `body`: the hull or a part of the vessel where one takes part, else a structure, else the
+/// one with the higher id.
 struct ContactRow {
   std::int64_t body = 0, other = 0;  ///< ids
   Vec3 p_G = Vec3::Zero();           ///< midway between the two surfaces, where the contact was found [m]
@@ -33,9 +34,11 @@ ContactStatus contact_status(const SolvedProblem& solved, std::size_t c);
 
 /// The bodies whose contacts are stored by default, and whose side a row then takes.
 struct LoadedBodies {
-  int vessel = -1;                       ///< index, -1: none
+  int vessel = -1;                       ///< index of its hull, -1: none
+  int num_parts = 0;                     ///< of the vessel, which follow the hull
   Vec3 com_V = Vec3::Zero();             ///< the vessel's centre of mass in V [m]
   std::vector<std::int64_t> structures;  ///< ids of the bodies that the scene holds fixed, but planes; ascending
+  bool is_of_vessel(int body) const { return vessel >= 0 && body >= vessel && body <= vessel + num_parts; }
 };
 /// Those of a run; without structures where `info` names none.
 LoadedBodies loaded_bodies(const Bodies& bodies, const RunInfo& info);

@@ -7,6 +7,7 @@
 #include "core/output/claim_folder.h"
 #include "core/output/contacts_h5.h"
 #include "core/output/events_csv.h"
+#include "core/output/parts_csv.h"
 #include "core/output/problem_files.h"
 #include "core/output/run_inputs.h"
 #include "core/output/scene_xml.h"
@@ -35,6 +36,7 @@ struct RunFolder::Outputs {
         bodies_asked(scene.output.bodies),
         contacts_of_all(scene.output.contacts == "all") {
     if (info.has_vessel) vessel.emplace(folder / "vessel.csv", channels, kept_bytes(from, "vessel.csv"));
+    if (!info.parts.empty()) vessel_parts.emplace(folder / "parts.csv", info, kept_bytes(from, "parts.csv"));
     if (!info.structures.empty())
       structures.emplace(folder / "structures.csv", info, kept_bytes(from, "structures.csv"));
     if (ContactsH5::asked(scene, info)) {
@@ -59,6 +61,7 @@ struct RunFolder::Outputs {
   void for_each_file(const Call& call) const {
     call("steps.csv", steps.file());
     if (vessel) call("vessel.csv", vessel->file());
+    if (vessel_parts) call("parts.csv", vessel_parts->file());
     if (structures) call("structures.csv", structures->file());
     if (bodies) call("bodies.csv", bodies->file());
     if (trajectory) call("trajectory.pvd", trajectory->list());
@@ -105,6 +108,7 @@ struct RunFolder::Outputs {
   RunStatistics statistics;
   StepsCsv steps;
   std::optional<VesselCsv> vessel;
+  std::optional<PartsCsv> vessel_parts;
   std::optional<StructuresCsv> structures;
   std::optional<BodiesCsv> bodies;
   std::optional<Trajectory> trajectory;
@@ -175,6 +179,7 @@ void RunFolder::record(StepRecord record, const std::vector<SolvedProblem>& part
       out.warnings.warn("gimbal lock",
                         "the vessel pitches to 90 degrees: its roll, pitch and yaw rates are written as 0");
     out.vessel->row(record.t, out.vessel_values);
+    if (out.vessel_parts) out.vessel_parts->row(record.t, record.vessel->parts);
   }
   if (out.structures) out.structures->row(record);
   if (out.contacts) out.contacts->step(record, parts, loaded_bodies(bodies, out.info));
@@ -209,6 +214,7 @@ nlohmann::ordered_json RunFolder::finish(SummaryInput input, const Bodies& bodie
   Outputs& out = *outputs_;
   out.steps.finish();
   if (out.vessel) out.vessel->finish();
+  if (out.vessel_parts) out.vessel_parts->finish();
   if (out.structures) out.structures->finish();
   if (out.bodies) out.bodies->finish();
   if (out.trajectory) out.trajectory->finish();

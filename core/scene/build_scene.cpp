@@ -117,22 +117,27 @@ static FractureScene build_fracture(const SceneElement& element) {
   return fracture;
 }
 
+void assign_solid(SolidScene& solid, const SceneElement& element) {
+  solid.line = element.place.line;
+  assign(solid.name, element, "name");
+  assign(solid.shape, element, "shape");
+  assign(solid.size, element, "size");
+  assign(solid.radius, element, "radius");
+  assign(solid.height, element, "height");
+  assign(solid.mesh, element, "mesh");
+  assign(solid.material, element, "material");
+  assign(solid.mass, element, "mass");
+  assign(solid.density, element, "density");
+  assign(solid.cog, element, "cog");
+  assign(solid.inertia, element, "inertia");
+  assign(solid.position, element, "position");
+  assign(solid.rotation_deg, element, "rotation_deg");
+}
+
 static BodyScene build_body(const SceneElement& element) {
   BodyScene body;
-  body.line = element.place.line;
-  assign(body.name, element, "name");
-  assign(body.shape, element, "shape");
-  assign(body.size, element, "size");
-  assign(body.radius, element, "radius");
-  assign(body.height, element, "height");
-  assign(body.mesh, element, "mesh");
-  assign(body.material, element, "material");
-  assign(body.mass, element, "mass");
-  assign(body.density, element, "density");
-  assign(body.inertia, element, "inertia");
+  assign_solid(body, element);
   assign(body.fixed, element, "fixed");
-  assign(body.position, element, "position");
-  assign(body.rotation_deg, element, "rotation_deg");
   assign(body.velocity, element, "velocity");
   assign(body.angular_velocity, element, "angular_velocity");
   return body;

@@ -48,6 +48,24 @@ static CarriageScene build_carriage(const SceneElement& element) {
   return carriage;
 }
 
+static PartScene build_part(const SceneElement& element) {
+  PartScene part;
+  assign_solid(part, element);
+  assign(part.joint, element, "joint");
+  assign(part.to, element, "to");
+  assign(part.at, element, "at");
+  assign(part.axis, element, "axis");
+  assign(part.stiffness, element, "stiffness");
+  assign(part.damping, element, "damping");
+  assign(part.rest_angle_deg, element, "rest_angle_deg");
+  assign(part.angle_deg, element, "angle_deg");
+  assign(part.rate_deg, element, "rate_deg");
+  assign(part.rest_travel, element, "rest_travel");
+  assign(part.travel, element, "travel");
+  assign(part.speed, element, "speed");
+  return part;
+}
+
 VesselScene build_vessel_scene(const SceneElement& element) {
   VesselScene vessel;
   assign(vessel.name, element, "name");
@@ -64,6 +82,8 @@ VesselScene build_vessel_scene(const SceneElement& element) {
   if (const auto* hull = child_of(element, "hull")) vessel.generate = build_generate(*hull);
   if (const auto* mass = child_of(element, "mass")) vessel.mass = build_mass(*mass);
   if (const auto* carriage = child_of(element, "carriage")) vessel.carriage = build_carriage(*carriage);
+  for (const auto& child : element.children)
+    if (child.name == "part") vessel.parts.push_back(build_part(child));
   return vessel;
 }
 

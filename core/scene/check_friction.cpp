@@ -9,9 +9,15 @@ namespace nilas {
 
 static std::vector<std::string> known_materials(const SceneElement& root) {
   std::vector<std::string> names{"ice", "hull", "wall", "structure", "*"};
-  for (const auto& element : root.children)
-    if (element.name == "body")
-      for (const auto& material : words_of(element, "material")) names.push_back(material);
+  const auto add = [&](const SceneElement& element) {
+    for (const auto& material : words_of(element, "material")) names.push_back(material);
+  };
+  for (const auto& element : root.children) {
+    if (element.name == "body") add(element);
+    if (element.name != "vessel") continue;
+    for (const auto& child : element.children)
+      if (child.name == "part") add(child);
+  }
   return names;
 }
 
@@ -37,7 +43,7 @@ void check_friction(const SceneElement& root, const SceneElement& contact, std::
       const std::string near = nearest_name(material, known);
       faults.push_back(fault_of(friction, "between",
                                 "nothing in the scene is made of '" + material +
-                                    "'; allowed: ice, hull, wall, structure, * and the materials of bodies" +
+                                    "'; allowed: ice, hull, wall, structure, * and the materials of bodies and parts" +
                                     (near.empty() ? "" : "; nearest: " + near)));
     }
     std::sort(pair.begin(), pair.end());

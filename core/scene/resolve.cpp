@@ -89,6 +89,7 @@ class Resolver {
       const SceneAttribute* attribute = attribute_of(element, name);
       return attribute && attribute->valid;
     };
+    constexpr const char* k_default_density = "1000";  // [kg/m^3], of water
     if (element.is_root && absent("name")) {
       const bool usable = !value_problem(*find_attribute(*find_element("scene"), "name"), stem_);
       add(element, "name", usable ? stem_ : "scene");
@@ -97,10 +98,10 @@ class Resolver {
       if (absent("static") && valid("kinetic")) add(element, "static", attribute_of(element, "kinetic")->value);
       if (absent("kinetic") && valid("static")) add(element, "kinetic", attribute_of(element, "static")->value);
     }
+    if (element.name == "part" && absent("mass") && absent("density")) add(element, "density", k_default_density);
     if (element.name == "body") {
       ++num_bodies_;
       if (absent("name")) add(element, "name", "body " + std::to_string(num_bodies_));
-      constexpr const char* k_default_density = "1000";  // [kg/m^3], of water
       if (absent("mass") && absent("density")) add(element, "density", k_default_density);
       const bool plane = valid("shape") && attribute_of(element, "shape")->value == "plane";
       if (absent("fixed")) add(element, "fixed", plane ? "true" : "false");

@@ -112,6 +112,31 @@ struct HullGenerateScene {
   std::string kind = "icebreaker";
   std::map<std::string, double> parameters;  ///< by XML name: length, beam, stem_angle_deg, triangles ...
 };
+/// The shape and mass of a <body> or of a <part> of the vessel.
+struct SolidScene {
+  std::string name;
+  std::string shape = "box";  ///< box sphere cylinder plane mesh
+  Vec3 size = Vec3::Ones();
+  double radius = 0.5, height = 1;
+  std::string mesh;  ///< absolute path
+  std::optional<double> mass, density;
+  std::optional<Vec3> cog;      ///< of a part: centre of mass in its own frame [m]
+  std::optional<Vec6> inertia;  ///< xx yy zz xy xz yz [kg m^2]
+  Vec3 position = Vec3::Zero();
+  Vec3 rotation_deg = Vec3::Zero();  ///< yaw pitch roll
+  std::string material = "structure";
+  int line = 0;
+};
+/// A part's position and rotation are in V while all joints are at zero.
+struct PartScene : SolidScene {
+  std::string joint = "hinge";  ///< hinge slider ball free weld
+  std::string to;               ///< name of another part or of the vessel; empty: the hull
+  std::optional<Vec3> at;       ///< joint point in V [m]; default: the position
+  Vec3 axis = Vec3::UnitZ();
+  double stiffness = 0, damping = 0;
+  double rest_angle_deg = 0, angle_deg = 0, rate_deg = 0;  ///< of a hinge
+  double rest_travel = 0, travel = 0, speed = 0;           ///< of a slider [m, m/s]
+};
 struct VesselScene {
   std::string name = "ship";
   std::string hull;  ///< absolute path, or empty when generated
@@ -124,6 +149,7 @@ struct VesselScene {
   MassScene mass;
   bool fixed = false;
   std::optional<CarriageScene> carriage;
+  std::vector<PartScene> parts;
   std::string thrusters, mooring, control;  ///< named but not built yet when not empty
 };
 
@@ -224,20 +250,9 @@ struct FractureScene {
   bool cuts_floes() const { return bending || splitting || (crushing && crushing->clear_volume); }
 };
 
-struct BodyScene {
-  std::string name;
-  std::string shape = "box";  ///< box sphere cylinder plane mesh
-  Vec3 size = Vec3::Ones();
-  double radius = 0.5, height = 1;
-  std::string mesh;  ///< absolute path
-  std::optional<double> mass, density;
-  std::optional<Vec6> inertia;  ///< xx yy zz xy xz yz [kg m^2]
-  Vec3 position = Vec3::Zero();
-  Vec3 rotation_deg = Vec3::Zero();  ///< yaw pitch roll
+struct BodyScene : SolidScene {
   Vec3 velocity = Vec3::Zero(), angular_velocity = Vec3::Zero();
   bool fixed = false;
-  std::string material = "structure";
-  int line = 0;
 };
 
 struct OutputScene {

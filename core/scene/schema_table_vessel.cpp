@@ -202,6 +202,7 @@ std::vector<ElementSpec> vessel_elements() {
   std::vector<ElementSpec> elements{vessel(), hull(), mass()};
   for (auto& element : carriage()) elements.push_back(element);
   elements.push_back(force_balance());
+  elements.push_back(part_element());
   for (auto& element : means_of_control()) elements.push_back(element);
   return elements;
 }

@@ -37,6 +37,17 @@ std::vector<Vec2> hull_outline(const Bodies& bodies, int vessel, double z) {
   return points.size() < 3 ? std::vector<Vec2>{} : convex_hull(points);
 }
 
+/// Whether a convex counter-clockwise outline holds all points, as the hull does those of what hangs below it.
+bool lies_within(const std::vector<Vec2>& points, const std::vector<Vec2>& outline) {
+  return std::all_of(points.begin(), points.end(), [&](const Vec2& p) {
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const Vec2 &a = outline[i], &b = outline[(i + 1) % outline.size()];
+      if ((b - a).x() * (p - a).y() - (b - a).y() * (p - a).x() < 0) return false;
+    }
+    return true;
+  });
+}
+
 /// Height of the mid-plane of a floe that floats flat; the still-water plane z = 0 where the scene has no water.
 double floating_mid_plane(const WorldParts& parts, bool buoyant, double thickness, double density) {
   if (!parts.water || !buoyant) return parts.water ? parts.water->level : 0;
@@ -150,10 +161,12 @@ class IceBuilder {
   FieldResult generate(const FieldScene& field, std::size_t index, PlannedIce& planned) const {
     const double thickness = field.thickness.value_or(ice_.thickness);
     std::vector<std::vector<Vec2>> keep_out;
-    if (parts_.vessel_index >= 0) {
-      const double top = mid_plane(thickness, ice_.density) + field.z + 0.5 * thickness;
-      auto outline = hull_outline(parts_.bodies, parts_.vessel_index, top);
-      if (!outline.empty()) keep_out.push_back(std::move(outline));
+    const double top = mid_plane(thickness, ice_.density) + field.z + 0.5 * thickness;
+    for (int body = parts_.vessel_index; parts_.is_of_vessel(body); ++body) {
+      auto outline = hull_outline(parts_.bodies, body, top);
+      const auto covers = [&](const std::vector<Vec2>& other) { return lies_within(outline, other); };
+      if (!outline.empty() && std::none_of(keep_out.begin(), keep_out.end(), covers))
+        keep_out.push_back(std::move(outline));
     }
     const double margin = k_hull_margin_thicknesses * thickness;
     planned.hull = keep_out;

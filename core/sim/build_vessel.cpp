@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/sim/body_geometry.h"
 #include "core/sim/vessel_rest.h"
 #include "core/sim/world.h"
 #include "core/vessel/hull.h"
@@ -130,6 +131,71 @@ double length_of(const TriangleMesh& mesh) {
   return high - low;
 }
 
+JointKind joint_kind(const std::string& name) {
+  if (name == "slider") return JointKind::slider;
+  if (name == "ball") return JointKind::ball;
+  if (name == "free") return JointKind::free;
+  return name == "weld" ? JointKind::weld : JointKind::hinge;
+}
+
+/// Adds a part to the model; its shape to `solids`.
+void add_part(const Scene& scene, const PartScene& given, VesselModel& model, std::vector<Solid>& solids) {
+  const std::string place =
+      scene.file.string() + ":" + std::to_string(given.line) + ": <part name='" + given.name + "'>";
+  solids.push_back(build_solid(given, place));
+  const MassProperties& mass = solids.back().mass;
+  PartModel part;
+  part.mass = mass.mass;
+  part.inertia_B = mass.inertia;
+  part.in_V.q = attitude_of(given.rotation_deg);
+  part.in_V.p = given.position + part.in_V.q * mass.com;
+  const auto& all = scene.vessel->parts;
+  const auto to = std::find_if(all.begin(), all.end(), [&](const PartScene& other) { return other.name == given.to; });
+  part.to = to == all.end() ? -1 : static_cast<int>(to - all.begin());
+  part.joint = joint_kind(given.joint);
+  part.point_V = given.at.value_or(given.position);
+  part.axis_V = given.axis.normalized();
+  part.stiffness = given.stiffness;
+  part.damping = given.damping;
+  const bool slides = part.joint == JointKind::slider;
+  part.rest = slides ? given.rest_travel : given.rest_angle_deg * k_deg;
+  part.coordinate = slides ? given.travel : given.angle_deg * k_deg;
+  part.rate = slides ? given.speed : given.rate_deg * k_deg;
+  model.parts.push_back(part);
+}
+
+/// A part stands still where the hull is fixed and every joint between them a weld.
+bool stands_still(const VesselModel& model, std::size_t part) {
+  if (!model.fixed || model.parts[part].joint != JointKind::weld) return false;
+  return model.parts[part].to < 0 || stands_still(model, static_cast<std::size_t>(model.parts[part].to));
+}
+
+void add_part_bodies(const Scene& scene, const VesselModel& model, const std::vector<Solid>& solids, int hull,
+                     WorldParts& parts) {
+  parts.num_parts = static_cast<int>(model.parts.size());
+  for (std::size_t k = 0; k < model.parts.size(); ++k) {
+    const PartScene& given = scene.vessel->parts[k];
+    const PartModel& part = model.parts[k];
+    const VesselState& state = parts.vessel->parts()[k].state;
+    BodySpec spec;
+    spec.name = given.name;
+    spec.kind = BodyKind::vessel;
+    spec.motion = stands_still(model, k) ? Motion::fixed : Motion::articulated;
+    spec.material = given.material;
+    spec.shape = solids[k].shape;
+    spec.mass = part.mass;
+    spec.inertia_B = part.inertia_B;
+    spec.pose = state.pose;
+    spec.v = state.v;
+    spec.w = state.w;
+    const int body = parts.bodies.add(spec);
+    if (part.joint != JointKind::free) parts.joined.emplace_back(hull + 1 + part.to, body);
+    parts.info.parts.push_back({given.name, part.joint});
+    parts.info.modules.emplace_back("part " + given.name, "<part joint=\"" + given.joint + "\">");
+  }
+  std::sort(parts.joined.begin(), parts.joined.end());
+}
+
 }  // namespace
 
 int build_vessel(const Scene& scene, WorldParts& parts) {
@@ -147,7 +213,10 @@ int build_vessel(const Scene& scene, WorldParts& parts) {
   model.gyroscopic = scene.contact.gyroscopic;
   if (scene.contact.integrator == "moreau") model.theta = scene.contact.theta;
   if (vessel.carriage) model.carriage = carriage_model(scene, model, length_of(hull.fluid));
+  std::vector<Solid> solids;
+  for (const PartScene& part : vessel.parts) add_part(scene, part, model, solids);
   parts.carriage = model.carriage;
+  parts.vessel_model = model;
   parts.vessel.emplace(model, scene.time.start);
 
   BodySpec spec;
@@ -171,7 +240,9 @@ int build_vessel(const Scene& scene, WorldParts& parts) {
   info.has_cells = info.has_carriage && model.carriage->balance == BalanceKind::six_cells;
   info.vessel_mass = model.mass;
   for (const auto& name : parts.vessel->built()) info.modules.emplace_back(name, "<vessel>");
-  return parts.bodies.add(spec);
+  const int index = parts.bodies.add(spec);
+  add_part_bodies(scene, model, solids, index, parts);
+  return index;
 }
 
 }  // namespace nilas

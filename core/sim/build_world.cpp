@@ -74,13 +74,15 @@ static void list_absent(const Scene& scene, RunInfo& info) {
 /// Bodies that a user places and that must be free at the start; others may stand in each other.
 constexpr std::array k_judged{BodyKind::floe, BodyKind::vessel};
 
-void refuse_overlaps(const Scene& scene, const Bodies& bodies) {
+void refuse_overlaps(const Scene& scene, const WorldParts& parts) {
+  const Bodies& bodies = parts.bodies;
   const auto kind = [&](int b) { return bodies.kind[static_cast<std::size_t>(b)]; };
   double tolerance = FieldScene{}.overlap_tolerance;
   if (scene.ice)
     for (const auto& field : scene.ice->fields) tolerance = std::max(tolerance, field.overlap_tolerance);
   ContactDetector detector;
-  for (const auto& c : detector.detect(bodies, 0)) {
+  const auto joined = [&](int a, int b) { return parts.are_joined(a, b); };
+  for (const auto& c : detector.detect(bodies, 0, joined)) {
     const bool judged =
         std::any_of(k_judged.begin(), k_judged.end(), [&](BodyKind k) { return kind(c.a) == k || kind(c.b) == k; });
     if (!judged) continue;
@@ -122,10 +124,11 @@ WorldParts build_world(const Scene& scene, int threads, WarningCounts& warnings)
   if (parts.ice_properties) parts.ice_properties->resize(parts.bodies.id.size());
   build_modules(scene, threads, parts);
   if (parts.info.has_carriage) parts.info.work_names.emplace_back("carriage");
+  if (parts.num_parts > 0) parts.info.work_names.emplace_back("joints");
   parts.info.bodies = parts.bodies.size();
   list_absent(scene, parts.info);
   try {
-    refuse_overlaps(scene, parts.bodies);
+    refuse_overlaps(scene, parts);
   } catch (const InputError& overlap) {
     // a hull that lies wrong is often why
     std::string message = overlap.what();

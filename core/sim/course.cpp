@@ -27,10 +27,12 @@ class TowedOutline {
 
  private:
   static std::vector<Vec2> corners(const WorldParts& parts) {
-    const auto b = static_cast<std::size_t>(parts.vessel_index);
     std::vector<Vec2> points;
-    for (const Vec3& vertex : parts.bodies.shape[b]->surface.vertices)
-      points.push_back((parts.bodies.R_GB[b] * vertex + parts.bodies.p_GB[b]).head<2>());
+    for (int body = parts.vessel_index; parts.is_of_vessel(body); ++body) {
+      const auto b = static_cast<std::size_t>(body);
+      for (const Vec3& vertex : parts.bodies.shape[b]->surface.vertices)
+        points.push_back((parts.bodies.R_GB[b] * vertex + parts.bodies.p_GB[b]).head<2>());
+    }
     return points;
   }
 
@@ -114,17 +116,9 @@ void describe_course(const Scene& scene, WorldParts& parts) {
   if (crossed_wall(*scene.tank, hull).empty()) parts.course_within = scene.tank;
 }
 
-std::string end_of_course(const WorldParts& parts, double t, double h) {
-  if (!parts.carriage) return "";
-  constexpr double k_rounding = 1e-6;  // of a step: sums of many steps
-  if (parts.carriage->motion.follows_path()) {
-    const double last = parts.carriage->motion.path_span()[1];
-    if (t + h > last + k_rounding * h) return fmt::format("the carriage's path ends at {:g} s", last);
-  }
-  if (!parts.course_within) return "";
-  const TankScene& tank = *parts.course_within;
-  const auto b = static_cast<std::size_t>(parts.vessel_index);
-  const Bodies& bodies = parts.bodies;
+/// The wall that a body would cross if it went on as it does.
+static std::string wall_ahead(const TankScene& tank, const Bodies& bodies, int body, double h) {
+  const auto b = static_cast<std::size_t>(body);
   const Vec3 &p = bodies.p_GB[b], &v = bodies.v_GB[b], &w = bodies.w_GB[b];
   // a step further: a hull that ends the step at the wall has hit it, and poses of moreau lie half a step on
   const double ahead = 2 * h;
@@ -137,8 +131,22 @@ std::string end_of_course(const WorldParts& parts, double t, double h) {
     const Vec3 arm = bodies.R_GB[b] * vertex;
     next.extend(Vec2((p + arm + ahead * (v + w.cross(arm))).head<2>()));
   }
-  const std::string wall = crossed_wall(tank, next);
-  return wall.empty() ? "" : "the carriage would drive the hull into " + wall;
+  return crossed_wall(tank, next);
+}
+
+std::string end_of_course(const WorldParts& parts, double t, double h) {
+  if (!parts.carriage) return "";
+  constexpr double k_rounding = 1e-6;  // of a step: sums of many steps
+  if (parts.carriage->motion.follows_path()) {
+    const double last = parts.carriage->motion.path_span()[1];
+    if (t + h > last + k_rounding * h) return fmt::format("the carriage's path ends at {:g} s", last);
+  }
+  if (!parts.course_within) return "";
+  for (int body = parts.vessel_index; parts.is_of_vessel(body); ++body) {
+    const std::string wall = wall_ahead(*parts.course_within, parts.bodies, body, h);
+    if (!wall.empty()) return "the carriage would drive the hull into " + wall;
+  }
+  return "";
 }
 
 }  // namespace nilas

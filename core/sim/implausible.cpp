@@ -87,7 +87,7 @@ class Doubts {
   void motion() {
     const Bodies& bodies = parts_.bodies;
     bool can_move = parts_.info.course == CourseKind::carriage || (scene_.vessel && !scene_.vessel->fixed);
-    for (int b = 0; b < bodies.size(); ++b) can_move = can_move || bodies.is_free(b);
+    for (const Motion motion_of_body : bodies.motion) can_move = can_move || motion_of_body != Motion::fixed;
     if (!can_move)
       doubt("", bodies.size() == 0 ? "the scene has no bodies, so nothing happens in it"
                                    : "no body of the scene can move: each is fixed");

@@ -1,5 +1,6 @@
 #include "core/sim/ledger.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace nilas {
@@ -33,26 +34,39 @@ double work(const Bodies& bodies, const StepMotion& motion, const std::vector<Wr
 EnergyAccount::EnergyAccount(const std::vector<std::string>& work_names, double kinetic, double potential)
     : start_(kinetic + potential), put_in_(std::abs(kinetic)), potential_before_(potential) {
   ledger_.works.assign(work_names.size(), 0);
+  const auto place = [&](const char* name) {
+    return static_cast<std::size_t>(std::find(work_names.begin(), work_names.end(), name) - work_names.begin());
+  };
+  carriage_ = place("carriage");
+  joints_ = place("joints");
   ledger_.kinetic = kinetic;
   ledger_.potential = potential;
 }
 
-void EnergyAccount::motion_before_impulses(double kinetic) { ledger_.integrator -= kinetic - ledger_.kinetic; }
+void EnergyAccount::book_work(std::size_t k, double work) {
+  ledger_.works[k] += work;
+  put_in_ += std::abs(work);
+}
+
+void EnergyAccount::motion_before_impulses(double kinetic, double carriage_work) {
+  ledger_.integrator -= kinetic - ledger_.kinetic - carriage_work;
+  if (carriage_work != 0) book_work(carriage_, carriage_work);
+}
 
 void EnergyAccount::velocity_step(const Bodies& bodies, const StepMotion& motion, const StepLoads& loads,
                                   const VesselAccount& vessel) {
   conservative_work_ = work(bodies, motion, *loads.gravity);
   for (const auto* wrenches : loads.conservative) conservative_work_ += work(bodies, motion, *wrenches);
-  const auto book = [&](std::size_t k, double w) {
-    ledger_.works[k] += w;
-    put_in_ += std::abs(w);
-  };
-  for (std::size_t k = 0; k < loads.working.size(); ++k) book(k, work(bodies, motion, *loads.working[k]));
+  for (std::size_t k = 0; k < loads.working.size(); ++k) book_work(k, work(bodies, motion, *loads.working[k]));
+  if (vessel.joints != nullptr) {
+    if (vessel.joints->carriage_work != 0) book_work(carriage_, vessel.joints->carriage_work);
+    book_work(joints_, vessel.joints->spring_work);
+  }
   if (vessel.on_carriage) {
     const auto b = static_cast<std::size_t>(vessel.index);
-    book(loads.working.size(), 0.5 * motion.h *
-                                   (vessel.carriage.force.dot(motion.before.v[b] + motion.after.v[b]) +
-                                    vessel.carriage.torque.dot(motion.before.w[b] + motion.after.w[b])));
+    book_work(carriage_, 0.5 * motion.h *
+                             (vessel.carriage.force.dot(motion.before.v[b] + motion.after.v[b]) +
+                              vessel.carriage.torque.dot(motion.before.w[b] + motion.after.w[b])));
   }
   for (std::size_t i = 0; i < motion.points.size(); ++i) {
     const Vec3 mean = 0.5 * (relative_velocity(motion, motion.before, i) + relative_velocity(motion, motion.after, i));
@@ -83,7 +97,7 @@ void EnergyAccount::velocity_step(const Bodies& bodies, const StepMotion& motion
 }
 
 void EnergyAccount::position_step(double kinetic, double potential, const Velocities& pseudo, const StepMotion& motion,
-                                  const StepLoads& loads) {
+                                  const StepLoads& loads, double carriage_work) {
   double along_pseudo = 0;
   if (!pseudo.v.empty()) {
     const auto add = [&](const std::vector<Wrench>& wrenches) {
@@ -96,6 +110,10 @@ void EnergyAccount::position_step(double kinetic, double potential, const Veloci
   ledger_.stabilisation += along_pseudo;
   ledger_.integrator -=
       (kinetic - kinetic_after_velocity_) + (potential - potential_before_) + conservative_work_ + along_pseudo;
+  if (carriage_work != 0) {
+    ledger_.integrator += carriage_work;
+    book_work(carriage_, carriage_work);
+  }
   settle_energies(kinetic, potential);
 }
 
@@ -218,6 +236,11 @@ MomentumBalance momentum_balance(const Bodies& bodies, const StepMotion& motion,
     for (const auto* wrenches : loads.working) add_loads(*wrenches);
     if (k == vessel.index && vessel.on_carriage)
       add(motion.p[b], motion.h * vessel.carriage.force, motion.h * vessel.carriage.torque, -1);
+    const int of_vessel = k - vessel.index;
+    if (vessel.joints == nullptr || of_vessel < 0 || of_vessel >= static_cast<int>(vessel.joints->held.size()))
+      continue;
+    const Wrench& held = vessel.joints->held[static_cast<std::size_t>(of_vessel)];
+    add(motion.p[b], motion.h * held.force, motion.h * held.torque, -1);
   }
   for (std::size_t i = 0; i < motion.points.size(); ++i) {
     const ContactPoint& c = motion.points[i];

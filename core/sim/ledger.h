@@ -16,27 +16,30 @@ struct StepLoads {
   std::vector<const std::vector<Wrench>*> working;  ///< in the order of the ledger's works, the carriage excepted
 };
 
-/// The vessel's part where its motion comes from a carriage.
+/// The vessel's part where its motion comes from a carriage, and what the joints of a vessel with parts do. Such a
+/// vessel is booked as the free bodies are, from velocity step to velocity step.
 struct VesselAccount {
   int index = -1;
   bool on_carriage = false;
   Wrench carriage;  ///< mean load on the vessel about its centre of mass, in G [N, N m]
   Mat3 inertia_before = Mat3::Zero(), inertia_after = Mat3::Zero();  ///< in G at both ends of the step [kg m^2]
+  const JointAccount* joints = nullptr;  ///< of a vessel with parts, whose hull `index` is and whose parts follow it
 };
 
 class EnergyAccount {
  public:
   EnergyAccount(const std::vector<std::string>& work_names, double kinetic, double potential);
 
-  /// Books what the motion before the impulses did to the kinetic energy, now `kinetic`.
-  void motion_before_impulses(double kinetic);
+  /// Books what the motion before the impulses did to the kinetic energy, now `kinetic`; the carriage did
+  /// `carriage_work` in it.
+  void motion_before_impulses(double kinetic, double carriage_work = 0);
   /// Books the works and losses of a velocity step.
   void velocity_step(const Bodies& bodies, const StepMotion& motion, const StepLoads& loads,
                      const VesselAccount& vessel);
   /// Books what the position update did: `kinetic` and `potential` at the step's end; `pseudo` the stabilisation's
-  /// velocities (empty: none), along which the conservative loads worked.
+  /// velocities (empty: none), along which the conservative loads worked; the carriage did `carriage_work` in it.
   void position_step(double kinetic, double potential, const Velocities& pseudo, const StepMotion& motion,
-                     const StepLoads& loads);
+                     const StepLoads& loads, double carriage_work = 0);
   /// Books a whole step of the reference integrator: energies at its end, works and losses over it. There is no
   /// integrator_J then: what the integration itself loses is the imbalance.
   void whole_step(double kinetic, double potential, const std::vector<double>& works, double friction, double impact);
@@ -52,9 +55,11 @@ class EnergyAccount {
 
  private:
   void settle_energies(double kinetic, double potential);
+  void book_work(std::size_t k, double work);
 
   Ledger ledger_;
-  double start_ = 0;  ///< kinetic + potential at the start
+  std::size_t carriage_ = 0, joints_ = 0;  ///< among the works, where they are
+  double start_ = 0;                       ///< kinetic + potential at the start
   double put_in_ = 0;
   double kinetic_after_velocity_ = 0;
   double conservative_work_ = 0;  ///< of gravity and the conservative modules in this velocity step

@@ -12,8 +12,8 @@ struct LoadResidual {
   Wrench law;     ///< of exact Coulomb less those of the law that was asked: signed sum; 0 for coulomb
 };
 
-/// `C`: as in AssembledContacts.
+/// `C`: as in AssembledContacts. `vessel`: the hull; the parts that follow it count with it.
 LoadResidual load_residual(const SolvedProblem& solved, const std::vector<Mat3>& C, const StepMotion& motion,
-                           int vessel);
+                           int vessel, int num_parts = 0);
 
 }  // namespace nilas

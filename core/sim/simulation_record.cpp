@@ -44,8 +44,10 @@ StepLoads Simulation::World::step_loads() const {
 
 VesselAccount Simulation::World::vessel_account() const {
   VesselAccount account;
-  if (!parts.vessel || !parts.vessel->on_carriage()) return account;
+  if (!parts.vessel) return account;
   account.index = parts.vessel_index;
+  if (parts.num_parts > 0) account.joints = &parts.vessel->joint_account();
+  if (!is_booked_whole()) return account;
   account.on_carriage = true;
   account.carriage = parts.vessel->carriage_loads().about_com;
   account.inertia_before = vessel_start.inertia;
@@ -53,11 +55,41 @@ VesselAccount Simulation::World::vessel_account() const {
   return account;
 }
 
+/// Loads on the hull and the parts about the hull's centre of mass.
+Wrench Simulation::World::on_whole_vessel(const Wrench& on_hull, const StepMotion& motion,
+                                          const Wrenches& on_parts) const {
+  Wrench sum = on_hull;
+  const auto hull = static_cast<std::size_t>(parts.vessel_index);
+  for (std::size_t k = 0; k < on_parts.size(); ++k) {
+    const Vec3 arm = motion.p[hull + 1 + k] - motion.p[hull];
+    sum += {on_parts[k].force, on_parts[k].torque + arm.cross(on_parts[k].force)};
+  }
+  return sum;
+}
+
+std::vector<PartRecord> Simulation::World::part_records(const StepMotion& motion) const {
+  std::vector<PartRecord> records;
+  int body = parts.vessel_index;
+  for (const PartState& part : parts.vessel->parts()) {
+    const Wrench impulse = contact_impulse_on(motion, ++body);
+    records.push_back({part.joint,
+                       {impulse.force / h, impulse.torque / h},
+                       part.coordinates,
+                       part.rates,
+                       part.unbalanced_force,
+                       part.unbalanced_torque});
+  }
+  return records;
+}
+
 VesselRecord Simulation::World::vessel_record(const StepMotion& motion, const std::vector<Mat3>& C) const {
   VesselRecord record;
+  record.parts = part_records(motion);
   const Wrench impulse = contact_impulse_on(motion, parts.vessel_index);
-  record.contact = {impulse.force / h, impulse.torque / h};
-  const LoadResidual off = load_residual(solved.back(), C, motion, parts.vessel_index);
+  Wrenches on_parts;
+  for (const PartRecord& part : record.parts) on_parts.push_back(part.contact);
+  record.contact = on_whole_vessel({impulse.force / h, impulse.torque / h}, motion, on_parts);
+  const LoadResidual off = load_residual(solved.back(), C, motion, parts.vessel_index, parts.num_parts);
   record.solver_residual = {off.solver.force / h, off.solver.torque / h};
   record.law_residual = {off.law.force / h, off.law.torque / h};
   const auto vessel = static_cast<std::size_t>(parts.vessel_index);
@@ -65,11 +97,12 @@ VesselRecord Simulation::World::vessel_record(const StepMotion& motion, const st
   record.course = course_at(parts, time() + h);
   for (std::size_t i = 0; i < motion.points.size(); ++i) {
     const ContactPoint& c = motion.points[i];
-    if (c.a != parts.vessel_index && c.b != parts.vessel_index) continue;
+    const bool is_b = parts.is_of_vessel(c.b);
+    if (parts.is_of_vessel(c.a) == is_b) continue;
     const bool port = (motion.R[vessel].transpose() * (c.p - motion.p[vessel])).y() > 0;
-    const double sign = c.b == parts.vessel_index ? 1 : -1;
+    const double sign = is_b ? 1 : -1;
     (port ? on_port : on_starboard).add(sign / h * motion.impulses[i]);
-    const auto other = static_cast<std::size_t>(c.a == parts.vessel_index ? c.b : c.a);
+    const auto other = static_cast<std::size_t>(is_b ? c.a : c.b);
     if (parts.bodies.kind[other] != BodyKind::floe || motion.impulses[i].isZero(0)) continue;
     record.touches_ice = true;
     of_ice.add(sign / h * motion.impulses[i]);
@@ -82,7 +115,8 @@ VesselRecord Simulation::World::vessel_record(const StepMotion& motion, const st
   record.has_cells = parts.info.has_cells;
   if (parts.info.has_hydro) {
     record.hydro.emplace();
-    for (const auto& loads : module_loads) *record.hydro += loads[static_cast<std::size_t>(parts.vessel_index)];
+    for (const auto& loads : module_loads)
+      *record.hydro += on_whole_vessel(loads[static_cast<std::size_t>(parts.vessel_index)], motion, of_parts(loads));
   }
   return record;
 }
@@ -117,6 +151,17 @@ void Simulation::World::note_vessel(const StepMotion& motion, const std::vector<
   if (part.hydro) {
     if (!sum.hydro) sum.hydro.emplace();
     add_share(*part.hydro, share, *sum.hydro);
+  }
+  sum.parts.resize(part.parts.size());
+  for (std::size_t k = 0; k < part.parts.size(); ++k) {
+    const PartRecord& now = part.parts[k];
+    PartRecord& whole = sum.parts[k];
+    add_share(now.joint, share, whole.joint);
+    add_share(now.contact, share, whole.contact);
+    whole.coordinates = now.coordinates;
+    whole.rates = now.rates;
+    whole.unbalanced_force = std::max(whole.unbalanced_force, now.unbalanced_force);
+    whole.unbalanced_torque = std::max(whole.unbalanced_torque, now.unbalanced_torque);
   }
   sum.has_cells = part.has_cells;
   sum.state = part.state;

@@ -78,7 +78,8 @@ std::vector<BodyMotion> Simulation::World::ways(const Velocities& velocities, co
 /// Pairs that crush may overlap, and are none.
 std::vector<FastPair> Simulation::World::list_fast_pairs(const Velocities& velocities, double horizon) const {
   std::vector<FastPair> pairs = fast_pairs(parts.bodies, {velocities.v, velocities.w, horizon}, width, k_fast_share);
-  if (crushing) std::erase_if(pairs, [&](const FastPair& pair) { return crushing->crushes(pair.a, pair.b); });
+  if (const PairFilter left = left_pairs())
+    std::erase_if(pairs, [&](const FastPair& pair) { return left(pair.a, pair.b); });
   return pairs;
 }
 
@@ -101,10 +102,13 @@ Velocities Simulation::World::velocities_until_impact() {
   if (points.empty()) return velocities;
   std::vector<ArticulatedBlock> vessel;
   if (parts.vessel && !parts.vessel->fixed()) {
-    const auto b = static_cast<std::size_t>(parts.vessel_index);
-    Vec6 twist;
-    twist << velocities.v[b], velocities.w[b];
-    vessel.push_back({parts.vessel_index, MatX(0, 0), VecX(0), MatX(6, 0), twist});
+    ArticulatedBlock& block = vessel.emplace_back();
+    for (int body = parts.vessel_index; parts.is_of_vessel(body); ++body) {
+      const auto b = static_cast<std::size_t>(body);
+      Vec6 twist;
+      twist << velocities.v[b], velocities.w[b];
+      block.bodies.push_back({body, MatX(6, 0), twist});
+    }
   }
   AssembledContacts contacts = assemble(parts.bodies, free_loads, points, parts.friction, model.assembly, vessel);
   const std::optional<StaticFriction> slipped = model.static_friction;
@@ -216,15 +220,20 @@ Velocities Simulation::World::solved_velocities(const AssembledContacts& contact
                                                 const std::vector<ArticulatedBlock>& vessel) const {
   Velocities after = new_velocities(contacts, solution, free_loads);
   for (const ArticulatedBlock& block : vessel) {
-    Vec6 twist = block.prescribed;
-    const auto b = static_cast<std::size_t>(block.body);
-    if (const int k = contacts.block_of_body[b]; k >= 0)
-      twist += block.jacobian *
-               solution.v.segment(contacts.problem.block_offset[static_cast<std::size_t>(k)], block.jacobian.cols());
-    else if (block.f.size() > 0)
-      twist += block.jacobian * block.mass.ldlt().solve(block.f);
-    after.v[b] = twist.head<3>();
-    after.w[b] = twist.tail<3>();
+    VecX without_contact;
+    for (const ArticulatedBody& body : block.bodies) {
+      Vec6 twist = body.prescribed;
+      const auto b = static_cast<std::size_t>(body.body);
+      if (const int k = contacts.block_of_body[b]; k >= 0) {
+        twist += body.jacobian *
+                 solution.v.segment(contacts.problem.block_offset[static_cast<std::size_t>(k)], body.jacobian.cols());
+      } else if (block.f.size() > 0) {
+        if (without_contact.size() == 0) without_contact = block.mass.ldlt().solve(block.f);
+        twist += body.jacobian * without_contact;
+      }
+      after.v[b] = twist.head<3>();
+      after.w[b] = twist.tail<3>();
+    }
   }
   return after;
 }

@@ -65,10 +65,12 @@ void Simulation::World::move_before_impulses() {
   if (model.theta < 1)
     advance(parts.bodies, {parts.bodies.v_GB, parts.bodies.w_GB}, (1 - model.theta) * h, gyroscopic, threads);
   const bool vessel_moves = parts.vessel && !parts.vessel->fixed();
-  if (vessel_moves && !parts.vessel->on_carriage()) move_vessel_before_impulses();
-  if (model.theta < 1) energy.motion_before_impulses(kinetic_energy(parts.bodies));
+  if (vessel_moves && !is_booked_whole()) move_vessel_before_impulses();
+  if (model.theta < 1)
+    energy.motion_before_impulses(kinetic_energy(parts.bodies),
+                                  parts.vessel ? parts.vessel->joint_account().work_before : 0);
   // the energy of what the carriage moves is booked from end to end
-  if (vessel_moves && parts.vessel->on_carriage()) {
+  if (vessel_moves && is_booked_whole()) {
     const auto b = static_cast<std::size_t>(parts.vessel_index);
     vessel_start = {parts.bodies.v_GB[b], parts.bodies.w_GB[b], parts.bodies.inertia_G(parts.vessel_index)};
     move_vessel_before_impulses();
@@ -95,20 +97,35 @@ const Wrenches& Simulation::World::evaluate_loads() {
   return free_loads;
 }
 
+/// Entries of the vessel's parts.
+std::vector<Wrench> Simulation::World::of_parts(const Wrenches& loads) const {
+  const auto first = loads.begin() + parts.vessel_index + 1;
+  return {first, first + parts.num_parts};
+}
+
 std::vector<ArticulatedBlock> Simulation::World::begin_vessel(const Wrenches& free) {
   if (!parts.vessel || parts.vessel->fixed()) return {};
-  VesselBlock block = parts.vessel->begin(free[static_cast<std::size_t>(parts.vessel_index)], h);
-  return {{parts.vessel_index, std::move(block.mass), std::move(block.f), std::move(block.jacobian), block.prescribed}};
+  VesselBlock found = parts.vessel->begin(free[static_cast<std::size_t>(parts.vessel_index)], h, of_parts(free));
+  ArticulatedBlock block{{}, std::move(found.mass), std::move(found.f)};
+  int body = parts.vessel_index;
+  block.bodies.push_back({body, std::move(found.hull.jacobian), found.hull.prescribed});
+  for (BodyTwist& part : found.parts) block.bodies.push_back({++body, std::move(part.jacobian), part.prescribed});
+  return {std::move(block)};
+}
+
+/// Pairs that are no contacts: those that crush, and those that a joint holds together.
+PairFilter Simulation::World::left_pairs() const {
+  if (!crushing && parts.joined.empty()) return {};
+  return [this](int a, int b) { return (crushing && crushing->crushes(a, b)) || parts.are_joined(a, b); };
 }
 
 std::vector<ContactPoint> Simulation::World::find_contacts() {
   const bool by_margin = model.detection == Detection::discrete && model.margin > 0;
-  PairFilter crushes;
-  if (crushing) crushes = [this](int a, int b) { return crushing->crushes(a, b); };
+  const PairFilter left = left_pairs();
   std::vector<ContactPoint> points =
       by_margin
-          ? detector.detect(parts.bodies, model.margin, crushes)
-          : detector.detect(parts.bodies, own_reach(parts.bodies, free_loads, h, k_reach_share), model.margin, crushes);
+          ? detector.detect(parts.bodies, model.margin, left)
+          : detector.detect(parts.bodies, own_reach(parts.bodies, free_loads, h, k_reach_share), model.margin, left);
   if (model.detection == Detection::discrete && !by_margin)
     std::erase_if(points, [&](const ContactPoint& c) {
       return c.gap > std::min(width[static_cast<std::size_t>(c.a)], width[static_cast<std::size_t>(c.b)]);
@@ -120,9 +137,16 @@ std::vector<ContactPoint> Simulation::World::find_contacts() {
   return points;
 }
 
+/// Of the last detection.
+std::vector<std::pair<int, int>> Simulation::World::crushing_pairs() const {
+  std::vector<std::pair<int, int>> pairs = detector.pairs_left();
+  std::erase_if(pairs, [this](const auto& pair) { return parts.are_joined(pair.first, pair.second); });
+  return pairs;
+}
+
 void Simulation::World::add_crush_points(std::vector<ContactPoint>& points) {
   if (!crushing) return;
-  const std::vector<ContactPoint> crush = crushing->points(parts.bodies, detector.pairs_left(), h, model.theta * h);
+  const std::vector<ContactPoint> crush = crushing->points(parts.bodies, crushing_pairs(), h, model.theta * h);
   if (crush.empty()) return;
   points.insert(points.end(), crush.begin(), crush.end());
   sort_as_detected(points);
@@ -155,7 +179,7 @@ StepMotion Simulation::World::velocity_step(const AssembledContacts& contacts, c
   motion.p = parts.bodies.p_GB;
   motion.R = parts.bodies.R_GB;
   motion.before = {parts.bodies.v_GB, parts.bodies.w_GB};
-  if (parts.vessel && parts.vessel->on_carriage()) {
+  if (is_booked_whole()) {
     const auto vessel = static_cast<std::size_t>(parts.vessel_index);
     motion.before.v[vessel] = vessel_start.v;
     motion.before.w[vessel] = vessel_start.w;
@@ -188,21 +212,31 @@ Velocities Simulation::World::new_velocities(const AssembledContacts& contacts, 
 }
 
 void Simulation::World::copy_vessel_state() {
-  const VesselState& state = parts.vessel->state();
-  const auto b = static_cast<std::size_t>(parts.vessel_index);
-  parts.bodies.set_pose(parts.vessel_index, state.pose.p, state.pose.q);
-  parts.bodies.v_GB[b] = state.v;
-  parts.bodies.w_GB[b] = state.w;
+  const auto copy = [&](int body, const VesselState& state) {
+    const auto b = static_cast<std::size_t>(body);
+    parts.bodies.set_pose(body, state.pose.p, state.pose.q);
+    parts.bodies.v_GB[b] = state.v;
+    parts.bodies.w_GB[b] = state.w;
+  };
+  int body = parts.vessel_index;
+  copy(body, parts.vessel->state());
+  for (const PartState& part : parts.vessel->parts()) copy(++body, part.state);
 }
 
 void Simulation::World::advance_poses(StepMotion& motion) {
   advance(parts.bodies, motion.after, model.theta * h, gyroscopic, threads);
   if (!parts.vessel || parts.vessel->fixed()) return;
-  parts.vessel->finish(contact_impulse_on(motion, parts.vessel_index));
-  const Vec6 twist = parts.vessel->velocity_after_impulses();
-  const auto b = static_cast<std::size_t>(parts.vessel_index);
-  motion.after.v[b] = twist.head<3>();
-  motion.after.w[b] = twist.tail<3>();
+  std::vector<Wrench> on_parts;
+  for (int part = 1; part <= parts.num_parts; ++part)
+    on_parts.push_back(contact_impulse_on(motion, parts.vessel_index + part));
+  parts.vessel->finish(contact_impulse_on(motion, parts.vessel_index), on_parts);
+  std::vector<Vec6> twists = parts.vessel->part_velocities_after_impulses();
+  twists.insert(twists.begin(), parts.vessel->velocity_after_impulses());
+  for (std::size_t k = 0; k < twists.size(); ++k) {
+    const std::size_t b = static_cast<std::size_t>(parts.vessel_index) + k;
+    motion.after.v[b] = twists[k].head<3>();
+    motion.after.w[b] = twists[k].tail<3>();
+  }
   copy_vessel_state();
 }
 

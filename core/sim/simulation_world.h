@@ -37,6 +37,7 @@ struct Simulation::World {
 
   void move_before_impulses();
   void move_vessel_before_impulses();
+  std::vector<Wrench> of_parts(const Wrenches& loads) const;
   const Wrenches& evaluate_loads();
   std::vector<ArticulatedBlock> begin_vessel(const Wrenches& free);
   std::vector<ContactPoint> find_contacts();
@@ -67,9 +68,15 @@ struct Simulation::World {
   void note_solution(const ContactSolution& solution, StepRecord& record) const;
   static void note_residuals(const Residuals& residuals, StepRecord& record);
   void copy_vessel_state();
+  /// A vessel without parts on a carriage is booked from end to end of a step.
+  bool is_booked_whole() const { return parts.vessel && parts.vessel->on_carriage() && parts.num_parts == 0; }
+  PairFilter left_pairs() const;
+  std::vector<std::pair<int, int>> crushing_pairs() const;
   VesselAccount vessel_account() const;
   StepLoads step_loads() const;
   VesselRecord vessel_record(const StepMotion& motion, const std::vector<Mat3>& C) const;
+  Wrench on_whole_vessel(const Wrench& on_hull, const StepMotion& motion, const Wrenches& on_parts) const;
+  std::vector<PartRecord> part_records(const StepMotion& motion) const;
   StepRecord reference_step();
   void keep_solved(ContactProblem& problem, ContactSolution& solution, const StepMotion& motion);
   const SolvedProblem& last() const;

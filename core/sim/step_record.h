@@ -28,7 +28,16 @@ struct Ledger {
   double friction = 0, impact = 0, stabilisation = 0, fracture = 0, crushing = 0, integrator = 0, imbalance = 0;
 };
 
-/// Loads on the vessel over the step (impulse / length), in G, torques about the centre of mass unless said.
+/// A part of the vessel over the step, in G. The joint's fields are those of PartState.
+struct PartRecord {
+  Wrench joint;
+  Wrench contact;  ///< about the part's centre of mass, other bodies of the vessel included
+  VecX coordinates, rates;
+  double unbalanced_force = 0, unbalanced_torque = 0;
+};
+
+/// Loads on the vessel over the step (impulse / length), in G, torques about the centre of mass unless said. With
+/// parts: on hull and parts together, about the hull's centre of mass.
 struct VesselRecord {
   Wrench contact;
   Vec3 contact_port = Vec3::Zero(), contact_starboard = Vec3::Zero();  ///< its force by side of the hull [N]
@@ -43,6 +52,7 @@ struct VesselRecord {
   Vec2 course = Vec2::UnitX();
   bool touches_ice = false;  ///< a floe pressed on it during the step
   Vec3 ice = Vec3::Zero();   ///< the part of the contact force that floes exert, in G [N]
+  std::vector<PartRecord> parts;
 };
 
 /// Horizontal unit vector to port of a horizontal one.
@@ -141,6 +151,12 @@ struct StructureInfo {
   double length = 0;  ///< largest horizontal extent [m]
 };
 
+/// A part of the vessel.
+struct PartInfo {
+  std::string name;
+  JointKind joint = JointKind::hinge;
+};
+
 /// What is known when a run begins.
 struct RunInfo {
   std::string scene_name;
@@ -163,6 +179,7 @@ struct RunInfo {
   bool rigid_contacts = true;         ///< some ice meets the hull as a rigid body
   bool crushes = false;               ///< some ice is crushed by hulls
   std::vector<StructureInfo> structures;
+  std::vector<PartInfo> parts;                      ///< of the vessel
   std::optional<std::array<double, 2>> statistics;  ///< window that the scene asks for: from, to [s]
   std::optional<double> peak_filter;                ///< that the scene asks for [s]
 };

@@ -1,8 +1,10 @@
 #pragma once
 /// Everything a run moves and the models that move it, as built from a scene. Only what the scene names is here.
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "contact/friction.h"
@@ -25,11 +27,23 @@ struct WorldParts {
   std::optional<VesselSystem> vessel;
   std::optional<CarriageModel> carriage;   ///< of a vessel that is towed
   std::optional<TankScene> course_within;  ///< whose walls end the course of a towed vessel
-  int vessel_index = -1;
+  std::optional<VesselModel> vessel_model;
+  int vessel_index = -1;                        ///< of its hull
+  int num_parts = 0;                            ///< of the vessel, whose bodies follow the hull's in their order
+  std::vector<std::pair<int, int>> joined;      ///< bodies a < b that a joint holds together, in rising order
   std::vector<PlannedIce> ice;                  ///< its floes in the order of their bodies
   std::optional<IceProperties> ice_properties;  ///< of a scene with <fracture> and ice
   FrictionTable friction;
   RunInfo info;
+
+  /// Whether a body is the hull or a part.
+  bool is_of_vessel(int body) const {
+    return vessel_index >= 0 && body >= vessel_index && body <= vessel_index + num_parts;
+  }
+  /// Whether a joint holds two bodies together: these do not collide.
+  bool are_joined(int a, int b) const {
+    return std::binary_search(joined.begin(), joined.end(), std::pair(std::min(a, b), std::max(a, b)));
+  }
 };
 
 /// Builds all parts. Throws InputError, FileError for content that cannot run.
@@ -45,6 +59,6 @@ void build_structures(const Scene& scene, WorldParts& parts);
 
 /// Throws InputError naming the pair when two bodies, one of them a floe, overlap at the start by more than the scene
 /// tolerates.
-void refuse_overlaps(const Scene& scene, const Bodies& bodies);
+void refuse_overlaps(const Scene& scene, const WorldParts& parts);
 
 }  // namespace nilas

@@ -9,6 +9,9 @@
 
 namespace nilas {
 
+/// How the vessel hangs on its carriage, which model.carriage must name.
+TreeJoint carriage_joint(const VesselModel& model);
+
 /// Coordinates q: those of the tree's joint; u: their rates, along stiff coordinates as the mean over the last step.
 class CarriedVessel : public VesselMotion {
  public:

@@ -12,8 +12,8 @@ class VesselMotion {
   virtual ~VesselMotion() = default;
 
   void move_before_impulses(double h);
-  VesselBlock begin(const Wrench& free, double h);
-  void finish(const Wrench& contact_impulse);
+  VesselBlock begin(const Wrench& free, double h, const std::vector<Wrench>& on_parts);
+  void finish(const Wrench& contact_impulse, const std::vector<Wrench>& on_parts);
 
   virtual Vec6 velocity_after_impulses() const = 0;
   virtual void displace(const Vec6& pseudo_twist, double h) = 0;
@@ -21,9 +21,13 @@ class VesselMotion {
   /// As VesselSystem::settle(); nothing without a carriage.
   virtual std::optional<CarriageLoads> settle(const RestModel&, bool /*start_there*/) { return std::nullopt; }
   virtual VecX coordinates() const = 0;
+  virtual bool can_move() const { return true; }
+  virtual std::vector<Vec6> part_velocities_after_impulses() const { return {}; }
 
   const VesselState& state() const { return state_; }
   const CarriageLoads& loads() const { return loads_; }
+  const std::vector<PartState>& parts() const { return parts_; }
+  const JointAccount& joint_account() const { return joint_account_; }
   double time() const { return time_; }
 
   void save(StateWriter out) const;
@@ -44,9 +48,12 @@ class VesselMotion {
   Eigen::LLT<Mat3> inertia_factor_;
   VesselState state_;
   CarriageLoads loads_;
-  double time_;   ///< of the last step's end
-  Wrench free_;   ///< of the step under way
-  double h_ = 0;  ///< of the step under way, 0 between steps
+  std::vector<PartState> parts_;
+  JointAccount joint_account_;
+  double time_;                                           ///< of the last step's end
+  Wrench free_;                                           ///< of the step under way
+  std::vector<Wrench> free_on_parts_, contact_on_parts_;  ///< of the step under way
+  double h_ = 0;                                          ///< of the step under way, 0 between steps
 
  private:
   double moved_for_ = 0;  ///< length of the step whose first motion is done, 0 between steps
@@ -57,5 +64,7 @@ std::unique_ptr<VesselMotion> make_fixed_vessel(const VesselModel& model, double
 std::unique_ptr<VesselMotion> make_free_vessel(const VesselModel& model, double t0);
 /// Throws InputError when the force balance cannot hold the vessel.
 std::unique_ptr<VesselMotion> make_carried_vessel(const VesselModel& model, double t0);
+/// A hull with parts, however it is held. Throws InputError for a part or a carriage that cannot be.
+std::unique_ptr<VesselMotion> make_jointed_vessel(const VesselModel& model, double t0);
 
 }  // namespace nilas

@@ -24,15 +24,17 @@ void VesselMotion::move_before_impulses(double h) {
   move_before_step(h);
 }
 
-VesselBlock VesselMotion::begin(const Wrench& free, double h) {
-  NILAS_DEMAND(h > 0 && h_ == 0 && (moved_for_ == h || !moves_before_));
+VesselBlock VesselMotion::begin(const Wrench& free, double h, const std::vector<Wrench>& on_parts) {
+  NILAS_DEMAND(h > 0 && h_ == 0 && (moved_for_ == h || !moves_before_) && on_parts.size() == parts_.size());
   free_ = free;
+  free_on_parts_ = on_parts;
   h_ = h;
   return begin_step();
 }
 
-void VesselMotion::finish(const Wrench& contact_impulse) {
-  NILAS_DEMAND(h_ > 0);
+void VesselMotion::finish(const Wrench& contact_impulse, const std::vector<Wrench>& on_parts) {
+  NILAS_DEMAND(h_ > 0 && on_parts.size() == parts_.size());
+  contact_on_parts_ = on_parts;
   finish_step(contact_impulse);
   time_ += h_;
   h_ = moved_for_ = 0;
@@ -84,6 +86,7 @@ class FixedVessel : public VesselMotion {
   using VesselMotion::VesselMotion;
   Vec6 velocity_after_impulses() const override { return Vec6::Zero(); }
   void displace(const Vec6&, double) override {}
+  bool can_move() const override { return false; }
   VecX coordinates() const override {
     VecX all(7);
     all << state_.pose.p, state_.pose.q.coeffs();
@@ -91,7 +94,7 @@ class FixedVessel : public VesselMotion {
   }
 
  protected:
-  VesselBlock begin_step() override { return {MatX(0, 0), VecX(0), MatX(6, 0), Vec6::Zero()}; }
+  VesselBlock begin_step() override { return {MatX(0, 0), VecX(0), {MatX(6, 0), Vec6::Zero()}, {}}; }
   void finish_step(const Wrench&) override {}
   void save_motion(StateWriter&) const override {}
   void restore_motion(const StateReader&) override {}
@@ -99,6 +102,7 @@ class FixedVessel : public VesselMotion {
 
 std::unique_ptr<VesselMotion> make_motion(const VesselModel& model, double t0) {
   NILAS_DEMAND(!(model.fixed && model.carriage));
+  if (!model.parts.empty()) return make_jointed_vessel(model, t0);
   if (model.fixed) return std::make_unique<FixedVessel>(model, t0);
   return model.carriage ? make_carried_vessel(model, t0) : make_free_vessel(model, t0);
 }
@@ -120,20 +124,20 @@ std::vector<std::string> names(const VesselModel& model) {
 
 struct VesselSystem::Implementation {
   std::unique_ptr<VesselMotion> motion;
-  bool fixed, on_carriage;
+  bool on_carriage;
   std::vector<std::string> built;
 };
 
 VesselSystem::VesselSystem(const VesselModel& model, double t0)
     : implementation_(std::make_unique<Implementation>(
-          Implementation{make_motion(model, t0), model.fixed, model.carriage.has_value(), names(model)})) {}
+          Implementation{make_motion(model, t0), model.carriage.has_value(), names(model)})) {}
 VesselSystem::~VesselSystem() = default;
 VesselSystem::VesselSystem(VesselSystem&&) noexcept = default;
 VesselSystem& VesselSystem::operator=(VesselSystem&&) noexcept = default;
 
 const VesselState& VesselSystem::state() const { return implementation_->motion->state(); }
 double VesselSystem::time() const { return implementation_->motion->time(); }
-bool VesselSystem::fixed() const { return implementation_->fixed; }
+bool VesselSystem::fixed() const { return !implementation_->motion->can_move(); }
 bool VesselSystem::on_carriage() const { return implementation_->on_carriage; }
 std::vector<std::string> VesselSystem::built() const { return implementation_->built; }
 
@@ -141,8 +145,17 @@ std::optional<CarriageLoads> VesselSystem::settle(const RestModel& rest, bool st
   return implementation_->motion->settle(rest, start_there);
 }
 void VesselSystem::move_before_impulses(double h) { implementation_->motion->move_before_impulses(h); }
-VesselBlock VesselSystem::begin(const Wrench& free, double h) { return implementation_->motion->begin(free, h); }
-void VesselSystem::finish(const Wrench& contact_impulse) { implementation_->motion->finish(contact_impulse); }
+VesselBlock VesselSystem::begin(const Wrench& free, double h, const std::vector<Wrench>& on_parts) {
+  return implementation_->motion->begin(free, h, on_parts);
+}
+void VesselSystem::finish(const Wrench& contact_impulse, const std::vector<Wrench>& on_parts) {
+  implementation_->motion->finish(contact_impulse, on_parts);
+}
+std::vector<Vec6> VesselSystem::part_velocities_after_impulses() const {
+  return implementation_->motion->part_velocities_after_impulses();
+}
+const std::vector<PartState>& VesselSystem::parts() const { return implementation_->motion->parts(); }
+const JointAccount& VesselSystem::joint_account() const { return implementation_->motion->joint_account(); }
 Vec6 VesselSystem::velocity_after_impulses() const { return implementation_->motion->velocity_after_impulses(); }
 void VesselSystem::displace(const Vec6& pseudo_twist, double h) { implementation_->motion->displace(pseudo_twist, h); }
 const CarriageLoads& VesselSystem::carriage_loads() const { return implementation_->motion->loads(); }

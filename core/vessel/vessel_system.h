@@ -10,6 +10,7 @@
 #include "core/base/math.h"
 #include "core/base/state.h"
 #include "core/bodies/mass_properties.h"
+#include "core/vessel/vessel_parts.h"
 
 namespace nilas {
 
@@ -80,6 +81,13 @@ struct VesselModel {
   bool gyroscopic = true;
   /// Share of a step's motion that follows its impulses (moreau); none: semi-implicit Euler.
   std::optional<double> theta;
+  std::vector<PartModel> parts;  ///< on the hull, whose mass is the one above; gyroscopic must be true with them
+};
+
+/// Mean twist (v; w) of a body's centre of mass in G = jacobian * speeds + prescribed.
+struct BodyTwist {
+  MatX jacobian;                   ///< 6 x n
+  Vec6 prescribed = Vec6::Zero();  ///< what the carriage imposes
 };
 
 /// The vessel's block of the contact problem for one step. Its coordinates are the mean speeds over the step,
@@ -87,10 +95,10 @@ struct VesselModel {
 /// the cells they are also the speeds at the step's end (exponential_mode.h). With theta, the displacement is that from
 /// the middle pose of this step to that of the next: theta h in this step, the rest in the next.
 struct VesselBlock {
-  MatX mass;      ///< n x n, effective, symmetric positive definite; its inverse is the speeds' response to an impulse
-  VecX f;         ///< n, mass * (mean speeds without contact)
-  MatX jacobian;  ///< 6 x n: mean twist of the centre of mass (v; w) in G = jacobian * speeds + prescribed
-  Vec6 prescribed = Vec6::Zero();  ///< mean twist (v; w) of the vessel that the carriage imposes
+  MatX mass;  ///< n x n, effective, symmetric positive definite; its inverse is the speeds' response to an impulse
+  VecX f;     ///< n, mass * (mean speeds without contact)
+  BodyTwist hull;
+  std::vector<BodyTwist> parts;  ///< in the order of the model's parts
 };
 
 /// Where the vessel is and how it moves. Frame B of the body arrays: axes of V, origin at the centre of mass. The part
@@ -121,6 +129,29 @@ struct RestModel {
   double heave = 0;     ///< along a free heave, where the search begins a second time if the first fails [m]
 };
 
+/// A part and its joint after a step.
+struct PartState {
+  VesselState state;  ///< frame B: the part's own axes, origin at its centre of mass
+  /// What the joint, its spring and damper included, exerts on the part about the joint point, which moves with the
+  /// part: impulse over the step divided by its length, in G.
+  Wrench joint;
+  /// hinge: angle [rad]; slider: travel [m]; ball: rotation vector in the parent's axes of V [rad]; else nothing.
+  VecX coordinates;
+  VecX rates;  ///< as many [rad/s, m/s]
+  /// What the momenta of this part lack against its joints' loads, as means over the step [N, N m].
+  double unbalanced_force = 0, unbalanced_torque = 0;
+};
+
+/// What the joints did in one step, for accounts of energy and momentum.
+struct JointAccount {
+  /// Per body, hull first: net mean load of all joints and the carriage about its centre of mass, in G, in the velocity
+  /// step at the pose of the contacts [N, N m].
+  std::vector<Wrench> held;
+  double spring_work = 0;                  ///< of springs and dampers [J]
+  double carriage_work = 0;                ///< in the velocity step [J]
+  double work_before = 0, work_after = 0;  ///< of the carriage in the motion before and after it [J]
+};
+
 /// One step is: move_before_impulses() (theta only), begin(), solve contacts, finish(). At a step's end the momenta
 /// obey, to rounding,
 ///   m (v+ - v-) = h (carriage + free) + contact impulse,
@@ -139,7 +170,7 @@ class VesselSystem {
 
   const VesselState& state() const;
   double time() const;
-  bool fixed() const;
+  bool fixed() const;  ///< neither hull nor parts can move
   bool on_carriage() const;
   /// Names of what was built: "vessel", "carriage", "force balance six-cells" ...
   std::vector<std::string> built() const;
@@ -157,13 +188,20 @@ class VesselSystem {
   /// Starts a step of length h [s], with theta its impulses, under `free`: weight, hydrodynamic and other loads about
   /// the centre of mass in G, constant over the step. A fixed vessel (or one with no free coordinate) has a block of
   /// size 0 and a prescribed mean twist.
-  VesselBlock begin(const Wrench& free, double h);
+  /// `on_parts`: the same for the parts, as many as there are.
+  VesselBlock begin(const Wrench& free, double h, const std::vector<Wrench>& on_parts = {});
   /// Ends it with the contact impulse about the centre of mass where begin() was called, in G [N s, N m s]. Throws
   /// SimulationError when the vessel leaves finite numbers or the joint its range.
-  void finish(const Wrench& contact_impulse);
+  void finish(const Wrench& contact_impulse, const std::vector<Wrench>& on_parts = {});
   /// Twist (v; w) of the centre of mass just after the velocity step, before the pose moved: for energy accounts. On a
   /// carriage, where the momenta balance between both poses, the twist at the step's end.
   Vec6 velocity_after_impulses() const;
+  /// The same of each part; of a vessel with parts always just after the velocity step.
+  std::vector<Vec6> part_velocities_after_impulses() const;
+  /// The parts where the vessel is, and their joint loads in the last step.
+  const std::vector<PartState>& parts() const;
+  /// Of the last step of a vessel with parts.
+  const JointAccount& joint_account() const;
   /// Moves a free vessel by a pseudo twist (v; w) over h: position stabilisation. Keeps the velocity and, when
   /// gyroscopic, the angular momentum. No effect on carriage or fixed.
   void displace(const Vec6& pseudo_twist, double h);

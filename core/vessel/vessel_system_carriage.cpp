@@ -30,7 +30,9 @@ CarriageMotion::State at_rest(const CarriageMotion& motion) { return motion.at(s
 
 Quat turned(double yaw) { return Quat(Eigen::AngleAxisd(yaw, Vec3::UnitZ())); }
 
-TreeJoint tree_joint(const VesselModel& model) {
+}  // namespace
+
+TreeJoint carriage_joint(const VesselModel& model) {
   const CarriageModel& carriage = *model.carriage;
   const CarriageMotion::State rest = at_rest(carriage.motion);
   const Quat q_GV = model.pose_V.q.normalized();
@@ -45,10 +47,8 @@ TreeJoint tree_joint(const VesselModel& model) {
   return joint;
 }
 
-}  // namespace
-
 CarriedVessel::CarriedVessel(const VesselModel& model, double t0)
-    : VesselMotion(model, t0), motion_(model.carriage->motion), tree_(model.mass, tree_joint(model)) {
+    : VesselMotion(model, t0), motion_(model.carriage->motion), tree_(model.mass, carriage_joint(model)) {
   const CarriageModel& carriage = *model.carriage;
   const int n = tree_.size();
   axes_ = coordinate_axes(carriage);
@@ -183,7 +183,7 @@ VesselBlock EulerCarriedVessel::begin_step() {
   jacobian_ = tree_.jacobian();
   step_ = stiff_block(tree_.mass_matrix(), stiffness_, damping_time_, free_coordinates_, h_);
   u_without_contact_ = step_.decay * u_ + h_ * (step_.response * (force - stiffness_ * q_));
-  return {step_.mass, step_.mass * u_without_contact_, jacobian_, mean_carriage_twist(next_)};
+  return {step_.mass, step_.mass * u_without_contact_, {jacobian_, mean_carriage_twist(next_)}, {}};
 }
 
 void EulerCarriedVessel::finish_step(const Wrench& contact) {

@@ -60,8 +60,8 @@ VesselBlock MoreauCarriedVessel::begin_step() {
   tree_.set_speeds(0.5 * (u_ + predicted));
   u_without_contact_ = speeds_under(tree_.force(free_, acceleration));
   // this motion lasts until the impulses of the next step
-  return {step_.mass, step_.mass * u_without_contact_, jacobian_,
-          mean_carriage_twist(motion_.at(time_ + (1 - theta_) * h_ + h_))};
+  const Vec6 prescribed = mean_carriage_twist(motion_.at(time_ + (1 - theta_) * h_ + h_));
+  return {step_.mass, step_.mass * u_without_contact_, {jacobian_, prescribed}, {}};
 }
 
 void MoreauCarriedVessel::finish_step(const Wrench& contact) {

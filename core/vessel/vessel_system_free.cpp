@@ -45,7 +45,7 @@ class FreeVessel : public VesselMotion {
     VesselBlock block;
     block.mass = tree_.mass_matrix();
     block.f = block.mass * speeds + h_ * tree_.force(free_, {});
-    block.jacobian = tree_.jacobian();
+    block.hull.jacobian = tree_.jacobian();
     return block;
   }
 

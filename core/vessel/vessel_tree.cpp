@@ -1,29 +1,9 @@
 #include "core/vessel/vessel_tree.h"
 
-#include <algorithm>
-
 #include "core/base/error.h"
-#include "core/vessel/simbody.h"
+#include "core/vessel/simbody_bodies.h"
 
 namespace nilas {
-
-namespace {
-
-SimTK::Vec3 to_simbody(const Vec3& a) { return {a.x(), a.y(), a.z()}; }
-
-Vec3 from_simbody(const SimTK::Vec3& a) { return {a[0], a[1], a[2]}; }
-
-SimTK::Transform to_simbody(const Pose& pose) {
-  return {SimTK::Rotation(SimTK::Quaternion(pose.q.w(), pose.q.x(), pose.q.y(), pose.q.z())), to_simbody(pose.p)};
-}
-
-SimTK::Body::Rigid rigid_body(const MassProperties& mass) {
-  const Mat3& I = mass.inertia;
-  const SimTK::Inertia inertia(I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2));
-  return SimTK::Body::Rigid(SimTK::MassProperties(mass.mass, SimTK::Vec3(0), inertia));
-}
-
-}  // namespace
 
 struct VesselTree::Implementation {
   /// The state is filled once the tree stands; `carriage_speeds` come first among all speeds.
@@ -47,33 +27,15 @@ struct VesselTree::Implementation {
 
 VesselTree::VesselTree(const MassProperties& mass) : implementation_(std::make_unique<Implementation>()) {
   Implementation& tree = *implementation_;
-  tree.vessel = SimTK::MobilizedBody::Free(tree.matter.updGround(), rigid_body(mass));
+  tree.vessel = SimTK::MobilizedBody::Free(tree.matter.updGround(), rigid_body(mass.mass, mass.inertia));
   tree.complete(0);
 }
 
 VesselTree::VesselTree(const MassProperties& mass, const TreeJoint& joint)
     : implementation_(std::make_unique<Implementation>()) {
   Implementation& tree = *implementation_;
-  SimTK::MobilizedBody::Planar carriage(tree.matter.updGround(), SimTK::Transform(SimTK::Vec3(0, 0, joint.height)),
-                                        SimTK::Body::Massless(), SimTK::Transform());
-  if (joint.axes.empty()) {
-    tree.vessel = SimTK::MobilizedBody::Weld(carriage, SimTK::Transform(), rigid_body(mass), to_simbody(joint.in_B));
-  } else {
-    SimTK::Array_<const SimTK::Function*> along;  // the mobilizer takes ownership
-    SimTK::Array_<SimTK::Array_<int>> coordinates(6);
-    for (int axis = 0; axis < 6; ++axis) {
-      const auto found = std::find(joint.axes.begin(), joint.axes.end(), axis);
-      if (found == joint.axes.end()) {
-        along.push_back(new SimTK::Function::Constant(0, 0));
-      } else {
-        along.push_back(new SimTK::Function::Linear(SimTK::Vector(SimTK::Vec2(1, 0))));
-        coordinates[axis].push_back(static_cast<int>(found - joint.axes.begin()));
-      }
-    }
-    tree.vessel =
-        SimTK::MobilizedBody::FunctionBased(carriage, SimTK::Transform(), rigid_body(mass), to_simbody(joint.in_B),
-                                            static_cast<int>(joint.axes.size()), along, coordinates);
-  }
+  SimTK::MobilizedBody::Planar carriage = add_carriage(tree.matter, joint);
+  tree.vessel = add_carried(carriage, rigid_body(mass.mass, mass.inertia), joint);
   constexpr int k_planar_speeds = 3;
   tree.complete(k_planar_speeds);
 }
@@ -106,9 +68,7 @@ void VesselTree::set_speeds(const VecX& u) {
 }
 
 Pose VesselTree::pose() const {
-  const SimTK::Transform& X = implementation_->vessel.getBodyTransform(implementation_->at(SimTK::Stage::Position));
-  const SimTK::Quaternion q = X.R().convertRotationToQuaternion();
-  return {Quat(q[0], q[1], q[2], q[3]).normalized(), from_simbody(X.p())};
+  return from_simbody(implementation_->vessel.getBodyTransform(implementation_->at(SimTK::Stage::Position)));
 }
 
 Vec6 VesselTree::twist() const {

@@ -171,12 +171,13 @@ TEST(Assemble, ArticulatedSideIsReducedAndItsPrescribedMotionGoesToW) {
     TwoFloes scene;
     scene.bodies.motion[static_cast<std::size_t>(body)] = Motion::articulated;
     ArticulatedBlock block;
-    block.body = body;
+    ArticulatedBody& moved = block.bodies.emplace_back();
+    moved.body = body;
     block.mass = Eigen::Vector2d(50, 60).asDiagonal();
     block.f = Eigen::Vector2d(5, 6);
     RandomStream random(1, "tree");
-    block.jacobian = MatX::NullaryExpr(6, 2, [&](Eigen::Index, Eigen::Index) { return random.normal(); });
-    block.prescribed << 0.3, -0.2, 0.1, 0.5, 0.6, -0.7;
+    moved.jacobian = MatX::NullaryExpr(6, 2, [&](Eigen::Index, Eigen::Index) { return random.normal(); });
+    moved.prescribed << 0.3, -0.2, 0.1, 0.5, 0.6, -0.7;
     const AssembledContacts out = scene.assemble(0.002, {block});
     validate(out.problem);
     EXPECT_EQ(out.first_articulated_block, 1);  // behind the free body, whatever their order
@@ -185,7 +186,7 @@ TEST(Assemble, ArticulatedSideIsReducedAndItsPrescribedMotionGoesToW) {
 
     // u for speeds s against the twist that they make
     const Vec2 speeds(0.8, -0.4);
-    const Vec6 twist = block.jacobian * speeds + block.prescribed;
+    const Vec6 twist = moved.jacobian * speeds + moved.prescribed;
     const Vec3 p(1, 0.2, 0.1);
     const auto other = static_cast<std::size_t>(3 - body);
     const Vec3 v_moved = twist.head<3>() + twist.tail<3>().cross(p - scene.bodies.p_GB[static_cast<std::size_t>(body)]);
@@ -202,15 +203,53 @@ TEST(Assemble, ABodyWithoutCoordinatesIsPrescribed) {
   TwoFloes scene;
   scene.bodies.motion[2] = Motion::articulated;
   ArticulatedBlock carried;
-  carried.body = 2;
-  carried.jacobian = MatX(6, 0);
-  carried.prescribed << -2, 0, 0, 0, 0, 0.5;
+  carried.bodies.resize(1);
+  carried.bodies[0].body = 2;
+  carried.bodies[0].jacobian = MatX(6, 0);
+  carried.bodies[0].prescribed << -2, 0, 0, 0, 0, 0.5;
   const AssembledContacts out = scene.assemble(0, {carried});
   EXPECT_EQ(out.problem.num_blocks(), 1);
   EXPECT_EQ(out.problem.pairs[0].b, -1);
   // velocity of the point (-1, 0.2, 0.1) off the centre: (-2, 0, 0) + (0, 0, 0.5) x r = (-2.1, -0.5, 0)
   EXPECT_LT((out.problem.w - Vec3(-2.1, 0, 0.5)).norm(), 1e-15);
   EXPECT_THROW(scene.assemble(0), ContractError);
+}
+
+TEST(Assemble, BodiesOfOneSystemShareABlock) {
+  // both floes hang on one system: their contact sees the difference of their twists, and so do its moments
+  TwoFloes scene;
+  FrictionPair rolling{0.5, 0.4, 0};
+  rolling.rolling = 0.01;
+  rolling.spinning = 0.02;
+  scene.friction.add("ice", "ice", rolling);
+  ArticulatedBlock block;
+  RandomStream random(2, "tree");
+  const auto draw = [&](Eigen::Index, Eigen::Index) { return random.normal(); };
+  for (const int body : {1, 2}) {
+    scene.bodies.motion[static_cast<std::size_t>(body)] = Motion::articulated;
+    block.bodies.push_back({body, MatX::NullaryExpr(6, 3, draw), MatX::NullaryExpr(6, 1, draw)});
+  }
+  block.mass = Vec3(50, 60, 70).asDiagonal();
+  block.f = Vec3(5, 6, 7);
+  const AssembledContacts out = scene.assemble(0.002, {block});
+  validate(out.problem);
+  ASSERT_EQ(out.problem.num_blocks(), 1);
+  EXPECT_EQ(out.block_of_body[1], 0);
+  EXPECT_EQ(out.block_of_body[2], 0);
+  EXPECT_EQ(out.problem.pairs[0].a, -1);
+  EXPECT_EQ(out.problem.pairs[0].b, 0);
+  const Vec3 speeds(0.8, -0.4, 0.3), p(1, 0.2, 0.1);
+  Vec3 apart = Vec3::Zero(), turning = Vec3::Zero();
+  for (const auto& [body, sign] : {std::pair(0, -1.0), std::pair(1, 1.0)}) {
+    const ArticulatedBody& one = block.bodies[static_cast<std::size_t>(body)];
+    const Vec6 twist = one.jacobian * speeds + one.prescribed;
+    const Vec3 arm = p - scene.bodies.p_GB[static_cast<std::size_t>(one.body)];
+    apart += sign * (twist.head<3>() + twist.tail<3>().cross(arm));
+    turning += sign * twist.tail<3>();
+  }
+  VecX expected(6);
+  expected << out.C[0].transpose() * apart + Vec3(0.2, 0, 0), out.C[1].transpose() * turning;
+  EXPECT_LT((contact_velocities(out.problem, speeds) - expected).norm(), 1e-13);
 }
 
 TEST(Assemble, EachPairHasItsOwnFriction) {

@@ -31,7 +31,7 @@ struct Row {
       c.key = k + 1;
       points.push_back(c);
       x += 1 - depths[k];
-      const bool moved = !articulated.empty() && articulated[0].body == c.b;
+      const bool moved = !articulated.empty() && articulated[0].bodies[0].body == c.b;
       add(x, moved ? Motion::articulated : Motion::free);
     }
     FrictionTable friction;
@@ -199,11 +199,10 @@ TEST(PositionCorrection, IslandsWithoutDepthStayStill) {
 
 TEST(PositionCorrection, ArticulatedBodiesStandStill) {
   ArticulatedBlock vessel;
-  vessel.body = 1;
+  vessel.bodies.push_back({1, MatX::Zero(6, 1)});
+  vessel.bodies[0].jacobian(0, 0) = 1;
   vessel.mass = MatX::Constant(1, 1, 10);
   vessel.f = VecX::Zero(1);
-  vessel.jacobian = MatX::Zero(6, 1);
-  vessel.jacobian(0, 0) = 1;
   Row row({0, 0.006}, {vessel});
   PositionCorrection result;
   EXPECT_NEAR(row.speeds(&result)[2], 0.1, 1e-11);
@@ -213,8 +212,7 @@ TEST(PositionCorrection, ArticulatedBodiesStandStill) {
 
 TEST(PositionCorrection, DeepOverlapOfTwoImmovableBodiesIsLeftOut) {
   ArticulatedBlock vessel;
-  vessel.body = 1;
-  vessel.jacobian = MatX(6, 0);
+  vessel.bodies.push_back({1, MatX(6, 0)});
   Row row({0.05}, {vessel});
   PositionCorrection result;
   row.speeds(&result);

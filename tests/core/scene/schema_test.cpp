@@ -120,7 +120,7 @@ TEST(Xsd, RejectsBadScenes) {
        {"<bodie/>", "<contact tolerence='1'/>", "<time step='0'/>", "<time step='nan'/>", "<time step='INF'/>",
         "<time step='1 s'/>", "<gravity value='0 0'/>", "<gravity value='0 0 0 0'/>", "<contact law='coulom'/>",
         "<contact max_iterations='1.5'/>", "<contact gyroscopic='yes'/>", "<tank length='1'/>", "<ice poisson='0.6'/>",
-        "<ice><floe outline='0 0 1 0'/></ice>", "<vessel><fixed/><fixed/></vessel>", "<body name='a,b'/>",
+        "<ice><floe outline='0 0 1 0'/></ice>", "<hydro><drag/><drag/></hydro>", "<body name='a,b'/>",
         "<vessel><carriage free='heave yow'/></vessel>", "<time>text</time>", "<input file='x'/>"})
     EXPECT_NE(validate(folder, in_scene(content)), 0) << content;
   EXPECT_NE(validate(folder, "<scene version='2'/>"), 0);

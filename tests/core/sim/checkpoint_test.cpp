@@ -93,6 +93,14 @@ void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
   "</field></ice>"
 #define NILAS_HULL "<hull generate='icebreaker' length='3' beam='0.8' draught='0.2' depth='0.4' triangles='600'/>"
 
+#define NILAS_PARTS                                                                                                 \
+  "<part name='fin' joint='hinge' shape='box' size='0.5 0.1 0.3' mass='8' position='2.9 0.5 0.2' at='2.6 0.4 0.2' " \
+  "rate_deg='60' stiffness='20' damping='0.5'/>"                                                                    \
+  "<part name='ram' joint='slider' to='fin' axis='1 0 0' shape='sphere' radius='0.1' mass='2' "                     \
+  "position='3.3 0.5 0.2' stiffness='200'/>"                                                                        \
+  "<part name='bob' joint='ball' shape='cylinder' radius='0.1' height='0.3' mass='9' position='1.5 0 -0.3' "        \
+  "at='1.5 0 -0.05'/>"
+
 constexpr const char* k_towing =
     "<contact law='coulomb' solver='auto' tolerance='1e-5' stabilisation='split-impulse' erp='0.3'>" NILAS_FRICTION
     "</contact>" NILAS_WATER
@@ -107,6 +115,15 @@ const std::vector<Case> k_cases{
                    "</contact>" NILAS_WATER
                    "<vessel name='ship' position='0.1 0' velocity='1 0 0' angular_velocity='0.02 0.05 0.1'>" NILAS_HULL
                    "<mass draught='0.2'/></vessel>" NILAS_PACKED},
+    {"FreeVesselWithParts",
+     "<contact law='coulomb' solver='nsgs' tolerance='1e-6' stabilisation='projection'>" NILAS_FRICTION
+     "</contact>" NILAS_WATER "<vessel name='ship' position='0.1 0 -0.2' velocity='1 0 0'>" NILAS_HULL
+     "<mass value='300'/>" NILAS_PARTS "</vessel>" NILAS_PACKED},
+    {"TowedVesselWithPartsUnderMoreau",
+     "<contact law='coulomb' solver='nsgs' tolerance='1e-6' stabilisation='projection' "
+     "integrator='moreau'>" NILAS_FRICTION "</contact>" NILAS_WATER
+     "<vessel name='ship' position='0.1 0 -0.2'>" NILAS_HULL
+     "<mass value='300'/><carriage speed='0.8' ramp='0.2' free='heave pitch'/>" NILAS_PARTS "</vessel>" NILAS_PACKED},
     {"CrushingBreakableIce",
      "<contact law='coulomb' solver='auto' tolerance='1e-6' stabilisation='projection'>" NILAS_FRICTION
      "</contact>" NILAS_WATER "<vessel name='ship' position='0.3 0'>" NILAS_HULL

@@ -24,7 +24,8 @@ TEST(VesselBlock, IsSymmetricPositiveDefiniteAtAnyStiffness) {
     EXPECT_GT(values[0], 1) << k;
     EXPECT_LT(values[5] / values[0], 1e9) << k;
     // harder cells yield less to a contact
-    EXPECT_GE(Vec6(block.jacobian * block.mass.llt().solve(block.jacobian.transpose() * Vec6::UnitZ()))[2], 0);
+    EXPECT_GE(Vec6(block.hull.jacobian * block.mass.llt().solve(block.hull.jacobian.transpose() * Vec6::UnitZ()))[2],
+              0);
   }
 }
 
@@ -49,12 +50,12 @@ TEST(VesselBlock, MeanSpeedsAreTheDisplacement) {
         const VecX before = system.coordinates();
         const Pose pose = system.state().pose;
         const VesselBlock block = system.begin(example::random_wrench(random, 30), k_h);
-        const VecX speeds = block.mass.llt().solve(block.f + block.jacobian.transpose() * r);
+        const VecX speeds = block.mass.llt().solve(block.f + block.hull.jacobian.transpose() * r);
         system.finish(impulse);
         const auto n = speeds.size();
         const VecX moved = (system.coordinates() - before).head(n) / k_h;
         ASSERT_LT((moved - speeds).norm(), 1e-9 * (1 + speeds.norm())) << k << " " << i;
-        const Vec6 twist = block.jacobian * speeds + block.prescribed;
+        const Vec6 twist = block.hull.jacobian * speeds + block.hull.prescribed;
         const Vec3 way = (system.state().pose.p - pose.p) / k_h;
         ASSERT_LT((way - twist.head<3>()).norm(), k_h * (twist.norm() * twist.tail<3>().norm() + 1e-7)) << k;
         const Eigen::AngleAxisd turn(system.state().pose.q * pose.q.conjugate());
@@ -75,10 +76,10 @@ TEST(VesselBlock, RigidVesselIsPrescribed) {
   for (int i = 0; i < 150; ++i) {
     const Pose before = system.state().pose;
     const VesselBlock block = example::step(system, {}, k_h, {{1, 2, 3}, {4, 5, 6}});
-    EXPECT_EQ(block.mass.size() + block.f.size() + block.jacobian.size(), 0);
-    ASSERT_LT(((system.state().pose.p - before.p) / k_h - block.prescribed.head<3>()).norm(), 1e-12);
+    EXPECT_EQ(block.mass.size() + block.f.size() + block.hull.jacobian.size(), 0);
+    ASSERT_LT(((system.state().pose.p - before.p) / k_h - block.hull.prescribed.head<3>()).norm(), 1e-12);
     const Eigen::AngleAxisd turn(system.state().pose.q * before.q.conjugate());
-    ASSERT_LT((turn.angle() / k_h * turn.axis() - block.prescribed.tail<3>()).norm(), 1e-10);
+    ASSERT_LT((turn.angle() / k_h * turn.axis() - block.hull.prescribed.tail<3>()).norm(), 1e-10);
   }
 }
 
@@ -89,8 +90,8 @@ TEST(VesselBlock, SoftCellsAreNone) {
   model.carriage->damping = 0;
   VesselSystem soft(model, 0), free(example::vessel(), 0);
   const VesselBlock a = soft.begin({}, k_h), b = free.begin({}, k_h);
-  const Mat6 W_soft = a.jacobian * a.mass.llt().solve(a.jacobian.transpose());
-  const Mat6 W_free = b.jacobian * b.mass.llt().solve(b.jacobian.transpose());
+  const Mat6 W_soft = a.hull.jacobian * a.mass.llt().solve(a.hull.jacobian.transpose());
+  const Mat6 W_free = b.hull.jacobian * b.mass.llt().solve(b.hull.jacobian.transpose());
   EXPECT_LT((W_soft - W_free).norm(), 1e-12 * W_free.norm());
 }
 

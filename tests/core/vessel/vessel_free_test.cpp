@@ -99,12 +99,12 @@ TEST(VesselFree, VelocityAfterImpulsesIsThatOfTheContactProblem) {
     const Wrench load = example::random_wrench(random, 500), impulse = example::random_wrench(random, 20);
     const VesselBlock block = system.begin(load, k_h);
     EXPECT_EQ(block.mass, block.mass.transpose());
-    EXPECT_TRUE(block.prescribed.isZero(0));
+    EXPECT_TRUE(block.hull.prescribed.isZero(0));
     Vec6 r;
     r << impulse.force, impulse.torque;
-    const VecX speeds = block.mass.llt().solve(block.f + block.jacobian.transpose() * r);
+    const VecX speeds = block.mass.llt().solve(block.f + block.hull.jacobian.transpose() * r);
     system.finish(impulse);
-    EXPECT_LT((block.jacobian * speeds - system.velocity_after_impulses()).norm(), 1e-11);
+    EXPECT_LT((block.hull.jacobian * speeds - system.velocity_after_impulses()).norm(), 1e-11);
     EXPECT_LT((system.state().pose.p - before.pose.p - k_h * system.velocity_after_impulses().head<3>()).norm(), 1e-14);
     const Vec3 L = example::angular_momentum(model, before) + k_h * load.torque + impulse.torque;
     EXPECT_LT((example::angular_momentum(model, system.state()) - L).norm(), 1e-12 * L.norm());
@@ -140,9 +140,9 @@ TEST(VesselFixed, NeverMovesAndHasNoBlock) {
   EXPECT_TRUE(system.fixed());
   const VecX before = system.coordinates();
   const VesselBlock block = example::step(system, {{0, 0, -5000}, Vec3::Zero()}, k_h, {{10, 0, 0}, Vec3::Zero()});
-  EXPECT_EQ(block.mass.size() + block.f.size() + block.jacobian.size(), 0);
-  EXPECT_EQ(block.jacobian.rows(), 6);
-  EXPECT_TRUE(block.prescribed.isZero(0));
+  EXPECT_EQ(block.mass.size() + block.f.size() + block.hull.jacobian.size(), 0);
+  EXPECT_EQ(block.hull.jacobian.rows(), 6);
+  EXPECT_TRUE(block.hull.prescribed.isZero(0));
   EXPECT_TRUE(system.velocity_after_impulses().isZero(0));
   EXPECT_EQ(system.coordinates(), before);
 }

@@ -83,9 +83,9 @@ TEST(VesselMoreauCarriage, MeanSpeedsLeadToTheNextMiddlePose) {
         Vec6 r;
         r << impulse.force, impulse.torque;
         const VesselBlock block = system.begin(example::random_wrench(random, 30), k_h);
-        twist = block.prescribed;
+        twist = block.hull.prescribed;
         if (block.f.size() > 0)
-          twist += block.jacobian * block.mass.llt().solve(block.f + block.jacobian.transpose() * r);
+          twist += block.hull.jacobian * block.mass.llt().solve(block.f + block.hull.jacobian.transpose() * r);
         system.finish(impulse);
       }
     }

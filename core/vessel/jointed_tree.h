@@ -1,0 +1,71 @@
+#pragma once
+/// The Simbody tree of a hull and the parts that hang on it, behind plain matrices. Bodies: the hull is 0, part k is
+/// k + 1. Each body's frame B has its origin at the body's centre of mass; the hull's has the axes of V. Twists (v; w)
+/// and wrenches are in G at the centre of mass. The n speeds and the coordinates are those of the vessel alone: the
+/// carriage's are given.
+#include <memory>
+#include <vector>
+
+#include "core/vessel/vessel_system.h"
+
+namespace nilas {
+
+class JointedTree {
+ public:
+  /// Free, fixed, or on a rigid or prismatic carriage, at the model's start. Throws InputError naming the part whose
+  /// mass or inertia cannot be.
+  explicit JointedTree(const VesselModel& model);
+  ~JointedTree();
+  JointedTree(JointedTree&&) noexcept;
+  JointedTree& operator=(JointedTree&&) noexcept;
+
+  int num_bodies() const;
+  int num_speeds() const;  ///< n
+  /// Of a free hull: quaternion (w, x, y, z) and position; of a ball or free part a quaternion too. Speeds of a free
+  /// hull: angular velocity and velocity in G; of a ball: angular velocity along its parent's axes.
+  VecX coordinates() const;
+  VecX speeds() const;
+  void set_coordinates(const VecX& q);  ///< quaternions need not be exactly unit
+  void set_speeds(const VecX& u);
+  void normalise_quaternions();
+  /// Position, yaw and speeds of the carriage; a tree without one has none.
+  void set_carriage(const CarriageMotion::State& state);
+  bool has_carriage() const;
+  bool hull_is_free() const;  ///< then its speeds come first
+
+  double mass(int body) const;
+  Mat3 inertia_G(int body) const;
+  Pose pose(int body) const;
+  Vec6 twist(int body) const;
+  /// (m v; I w) of one body [N s, N m s].
+  Vec6 momentum(int body) const;
+  MatX mass_matrix() const;         ///< n x n
+  MatX jacobian(int body) const;    ///< 6 x n: twist = jacobian * speeds + what the carriage imposes
+  Vec6 twist_bias(int body) const;  ///< rate of the twist where no speed changes
+  VecX coordinate_rates() const;    ///< of the coordinates at these speeds
+  /// Generalised force of the loads (one per body), less Coriolis and centrifugal terms and the inertia forces of the
+  /// carriage's acceleration, of which only v [m/s^2] and yaw_rate [rad/s^2] count, as accelerations. n entries.
+  VecX force(const std::vector<Wrench>& loads, const CarriageMotion::State& acceleration) const;
+  /// Simbody's reaction of each body's joint to its parent, hull first, on the body at its joint point: with these
+  /// accelerations of the speeds (n) and the carriage under these loads; springs and dampers included.
+  std::vector<Wrench> joint_loads(const VecX& accelerations, const CarriageMotion::State& acceleration,
+                                  const std::vector<Wrench>& loads);
+  Vec3 joint_point(int body) const;  ///< where that load acts, in G
+  int parent(int body) const;        ///< -1: ground or the carriage
+  /// Net load about each centre of mass of joint loads as above.
+  std::vector<Wrench> net_loads(const std::vector<Wrench>& joints) const;
+
+  /// Per speed, diagonal: of the joints' springs and dampers.
+  const VecX& stiffness() const;
+  const VecX& damping() const;
+  /// Per speed: how far each spring is out of rest; a ball's is its rotation vector.
+  VecX stretch() const;
+  VecX part_coordinates(int part) const;  ///< as of PartState
+  VecX part_rates(int part) const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace nilas

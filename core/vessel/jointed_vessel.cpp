@@ -1,0 +1,332 @@
+/// The vessel of several bodies: its step. docs/theory_vessel.md
+#include "core/base/error.h"
+#include "core/vessel/jointed_drift.h"
+#include "core/vessel/jointed_tree.h"
+#include "core/vessel/vessel_motion.h"
+
+namespace nilas {
+
+namespace {
+
+/// Impulses of the joints in one step, in G [N s, N m s].
+struct JointImpulses {
+  std::vector<Wrench> joint;    ///< per body, hull first: on it, about its joint point
+  std::vector<Wrench> net;      ///< of all joints and the carriage, about its centre of mass
+  Wrench carriage_about_point;  ///< the hull's own, about the point of the carriage
+  explicit JointImpulses(std::size_t bodies) : joint(bodies), net(bodies) {}
+};
+
+void add(double share, const std::vector<Wrench>& part, std::vector<Wrench>& sum) {
+  for (std::size_t b = 0; b < sum.size(); ++b) sum[b] += {share * part[b].force, share * part[b].torque};
+}
+
+Wrench over(const Wrench& impulse, double h) { return {impulse.force / h, impulse.torque / h}; }
+
+CarriageMotion::State stopped(CarriageMotion::State carriage) {
+  carriage.v.setZero();
+  carriage.yaw_rate = 0;
+  return carriage;
+}
+
+/// With the mean of both speeds.
+CarriageMotion::State between(const CarriageMotion::State& before, const CarriageMotion::State& after) {
+  CarriageMotion::State carriage = before;
+  carriage.v = 0.5 * (before.v + after.v);
+  carriage.yaw_rate = 0.5 * (before.yaw_rate + after.yaw_rate);
+  return carriage;
+}
+
+/// What turns the one's speeds into the other's, as an acceleration over one second.
+CarriageMotion::State change_between(const CarriageMotion::State& before, const CarriageMotion::State& after) {
+  CarriageMotion::State change;
+  change.v = after.v - before.v;
+  change.yaw_rate = after.yaw_rate - before.yaw_rate;
+  return change;
+}
+
+/// The step is a velocity step where the contacts are found, in which weight, water, contact, springs and dampers act
+/// and nothing moves, between motions in which only the joints act: none and h with semi-implicit Euler, (1 - theta) h
+/// and theta h with theta. In a motion the carriage has the mean of its speeds over it, and the vessel bears the
+/// changes between these speeds as impulses.
+class JointedVessel : public VesselMotion {
+ public:
+  JointedVessel(const VesselModel& model, double t0);
+
+  Vec6 velocity_after_impulses() const override { return after_.front(); }
+  std::vector<Vec6> part_velocities_after_impulses() const override { return {after_.begin() + 1, after_.end()}; }
+  void displace(const Vec6&, double) override {}
+  double spring_energy() const override;
+  bool can_move() const override { return tree_.has_carriage() || tree_.num_speeds() > 0; }
+  VecX coordinates() const override;
+
+ protected:
+  void move_before_step(double h) override;
+  VesselBlock begin_step() override;
+  void finish_step(const Wrench& contact) override;
+  void save_motion(StateWriter& out) const override;
+  void restore_motion(const StateReader& in) override;
+
+ private:
+  std::size_t size() const { return static_cast<std::size_t>(tree_.num_bodies()); }
+  void begin_account();
+  CarriageMotion::State with_mean_speed(double from, double to) const;
+  void change_speeds(const CarriageMotion::State& next, double& work);
+  void move(double from, double to, double& work);
+  void add_impulses(const CarriageMotion::State& carriage, double share, const std::vector<Wrench>& joints,
+                    double& work);
+  void read_states();
+  void read_loads(const std::vector<Wrench>& given);
+  std::vector<Wrench> free_loads() const;
+  std::vector<Wrench> contact_impulses(const Wrench& on_hull) const;
+
+  std::optional<CarriageMotion> motion_;
+  JointedTree tree_;
+  double theta_;                      ///< share of the motion after the velocity step
+  double damper_share_;               ///< of the speeds after it in what dampers see
+  CarriageMotion::State now_, next_;  ///< of the carriage: in the tree; after the velocity step under way
+  VecX u_before_;                     ///< of the velocity step under way
+  VesselBlock block_;
+  std::vector<Vec6> after_;
+  std::vector<Vec6> momenta_;  ///< at the step's start
+  JointImpulses impulses_;
+};
+
+JointedVessel::JointedVessel(const VesselModel& model, double t0)
+    : VesselMotion(model, t0),
+      tree_(model),
+      theta_(model.theta.value_or(1)),
+      damper_share_(model.theta ? 0.5 : 1),
+      impulses_(model.parts.size() + 1) {
+  NILAS_DEMAND(model.gyroscopic);
+  if (model.carriage) {
+    NILAS_DEMAND(model.carriage->balance != BalanceKind::six_cells);
+    motion_ = model.carriage->motion;
+    now_ = motion_->at(t0);
+    tree_.set_carriage(now_);
+  }
+  parts_.resize(model.parts.size());
+  joint_account_.held.resize(size());
+  read_states();
+  for (int b = 0; b < tree_.num_bodies(); ++b) after_.push_back(tree_.twist(b));
+}
+
+double JointedVessel::spring_energy() const {
+  const VecX x = tree_.stretch();
+  return 0.5 * x.dot(tree_.stiffness().cwiseProduct(x));
+}
+
+VecX JointedVessel::coordinates() const {
+  const VecX q = tree_.coordinates(), u = tree_.speeds();
+  VecX all(q.size() + u.size());
+  all << q, u;
+  return all;
+}
+
+void JointedVessel::begin_account() {
+  impulses_ = JointImpulses(size());
+  joint_account_ = {};
+  momenta_.clear();
+  for (int b = 0; b < tree_.num_bodies(); ++b) momenta_.push_back(tree_.momentum(b));
+}
+
+/// The carriage where it is, with the mean of its speeds between two instants; at one instant, with those.
+CarriageMotion::State JointedVessel::with_mean_speed(double from, double to) const {
+  CarriageMotion::State carriage = now_;
+  if (!motion_) return carriage;
+  const CarriageMotion::State a = motion_->at(from), b = motion_->at(to);
+  carriage.v = to > from ? Vec3((b.p - a.p) / (to - from)) : a.v;
+  carriage.yaw_rate = to > from ? (b.yaw - a.yaw) / (to - from) : a.yaw_rate;
+  return carriage;
+}
+
+/// Adds joint impulses at the present pose; `work`: what the carriage does to the hull with them.
+void JointedVessel::add_impulses(const CarriageMotion::State& carriage, double share, const std::vector<Wrench>& joints,
+                                 double& work) {
+  add(share, joints, impulses_.joint);
+  add(share, tree_.net_loads(joints), impulses_.net);
+  if (!motion_) return;
+  const Wrench& hull = joints.front();
+  const Vec3 torque = hull.torque + (tree_.joint_point(0) - carriage.p).cross(hull.force);
+  impulses_.carriage_about_point += {share * hull.force, share * torque};
+  work += share * (hull.force.dot(carriage.v) + torque.z() * carriage.yaw_rate);
+}
+
+/// The carriage takes the speeds of `next` at once, and the vessel bears the impulse.
+void JointedVessel::change_speeds(const CarriageMotion::State& next, double& work) {
+  const CarriageMotion::State change = change_between(now_, next);
+  if (change.v.isZero(0) && change.yaw_rate == 0) return;
+  const VecX u = tree_.speeds();
+  const std::vector<Wrench> nothing(size());
+  tree_.set_carriage(stopped(now_));
+  tree_.set_speeds(VecX::Zero(u.size()));
+  VecX jump(u.size());
+  if (u.size() > 0) jump = tree_.mass_matrix().llt().solve(tree_.force(nothing, change));
+  add_impulses(between(now_, next), 1, tree_.joint_loads(jump, change, nothing), work);
+  now_ = next;
+  tree_.set_carriage(now_);
+  tree_.set_speeds(u + jump);
+}
+
+/// From one instant to another, with the carriage's mean speeds.
+void JointedVessel::move(double from, double to, double& work) {
+  if (!(to > from)) return;
+  change_speeds(with_mean_speed(from, to), work);
+  drift(tree_, now_, to - from, [&](const CarriageMotion::State& carriage, double time, const VecX& accelerations) {
+    add_impulses(carriage, time, tree_.joint_loads(accelerations, {}, std::vector<Wrench>(size())), work);
+  });
+  if (!motion_) return;
+  const CarriageMotion::State end = motion_->at(to);
+  now_.p = end.p;
+  now_.yaw = end.yaw;
+  tree_.set_carriage(now_);
+}
+
+void JointedVessel::move_before_step(double h) {
+  begin_account();
+  move(time_, time_ + (1 - theta_) * h, joint_account_.work_before);
+  read_states();
+}
+
+std::vector<Wrench> JointedVessel::free_loads() const {
+  std::vector<Wrench> loads{free_};
+  loads.insert(loads.end(), free_on_parts_.begin(), free_on_parts_.end());
+  return loads;
+}
+
+std::vector<Wrench> JointedVessel::contact_impulses(const Wrench& on_hull) const {
+  std::vector<Wrench> impulses{on_hull};
+  impulses.insert(impulses.end(), contact_on_parts_.begin(), contact_on_parts_.end());
+  return impulses;
+}
+
+/// Springs act at the mean of three poses, this one and those before and after it, dampers at the speeds after the step
+/// or at the mean of both: no stiffness and no damping asks for a shorter step.
+VesselBlock JointedVessel::begin_step() {
+  const double start = time_ + (1 - theta_) * h_;
+  if (start == time_) begin_account();
+  next_ = with_mean_speed(start, time_ + h_);
+  CarriageMotion::State acceleration = change_between(now_, next_);
+  acceleration.v /= h_;
+  acceleration.yaw_rate /= h_;
+  u_before_ = tree_.speeds();
+  // at rest, so that the force is free of Coriolis terms: those act while the vessel moves
+  const VecX still = VecX::Zero(u_before_.size());
+  tree_.set_speeds(still);
+  tree_.set_carriage(stopped(now_));
+  const VecX force = tree_.force(free_loads(), acceleration);
+  const MatX mass = tree_.mass_matrix();
+  const VecX spring = 0.25 * h_ * h_ * tree_.stiffness(), damper = h_ * tree_.damping();
+  block_ = {};
+  block_.mass = mass;
+  block_.mass.diagonal() += spring + damper_share_ * damper;
+  block_.f = mass * u_before_ + (spring - (1 - damper_share_) * damper).cwiseProduct(u_before_) +
+             h_ * (force - tree_.stiffness().cwiseProduct(tree_.stretch()));
+  tree_.set_carriage(next_);
+  block_.hull = {tree_.jacobian(0), tree_.twist(0)};
+  for (int b = 1; b < tree_.num_bodies(); ++b) block_.parts.push_back({tree_.jacobian(b), tree_.twist(b)});
+  return block_;
+}
+
+void JointedVessel::finish_step(const Wrench& contact) {
+  const std::vector<Wrench> impulses = contact_impulses(contact);
+  std::vector<Wrench> given = free_loads();
+  add(1 / h_, impulses, given);
+
+  // the velocity step
+  VecX momentum = block_.f;
+  for (std::size_t b = 0; b < size(); ++b) {
+    Vec6 r;
+    r << impulses[b].force, impulses[b].torque;
+    momentum += (b == 0 ? block_.hull : block_.parts[b - 1]).jacobian.transpose() * r;
+  }
+  VecX u(momentum.size());
+  if (momentum.size() > 0) u = block_.mass.llt().solve(momentum);
+  if (!u.allFinite())
+    throw SimulationError("at " + std::to_string(time_ + h_) +
+                          " s the speeds of the vessel's joints left finite numbers");
+  CarriageMotion::State acceleration = change_between(now_, next_);
+  acceleration.v /= h_;
+  acceleration.yaw_rate /= h_;
+  tree_.set_carriage(stopped(now_));
+  tree_.set_speeds(VecX::Zero(u.size()));
+  const std::vector<Wrench> joints = tree_.joint_loads((u - u_before_) / h_, acceleration, given);
+  joint_account_.held = tree_.net_loads(joints);
+  add_impulses(between(now_, next_), h_, joints, joint_account_.carriage_work);
+  const VecX mean = 0.5 * (u + u_before_);
+  const VecX spring_impulse = tree_.mass_matrix() * (u - u_before_) - h_ * tree_.force(given, acceleration);
+  joint_account_.spring_work = spring_impulse.dot(mean);
+  now_ = next_;
+  tree_.set_carriage(now_);
+  tree_.set_speeds(u);
+  for (int b = 0; b < tree_.num_bodies(); ++b) after_[static_cast<std::size_t>(b)] = tree_.twist(b);
+
+  // the motion after it
+  const double start = time_ + (1 - theta_) * h_, end = time_ + h_;
+  move(start, end, joint_account_.work_after);
+  change_speeds(with_mean_speed(end, end), joint_account_.work_after);
+  read_states();
+  read_loads(given);
+}
+
+void JointedVessel::read_states() {
+  const auto state = [this](int b) -> VesselState {
+    const Vec6 twist = tree_.twist(b);
+    return {tree_.pose(b), twist.head<3>(), twist.tail<3>()};
+  };
+  state_ = state(0);
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    const int part = static_cast<int>(k);
+    parts_[k].state = state(part + 1);
+    parts_[k].coordinates = tree_.part_coordinates(part);
+    parts_[k].rates = tree_.part_rates(part);
+  }
+}
+
+/// Means over the step, and what the momenta say beside them.
+void JointedVessel::read_loads(const std::vector<Wrench>& given) {
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    const std::size_t b = k + 1;
+    parts_[k].joint = over(impulses_.joint[b], h_);
+    const Vec6 gained = (tree_.momentum(static_cast<int>(b)) - momenta_[b]) / h_;
+    const Wrench net = over(impulses_.net[b], h_);
+    parts_[k].unbalanced_force = (gained.head<3>() - given[b].force - net.force).norm();
+    parts_[k].unbalanced_torque = (gained.tail<3>() - given[b].torque - net.torque).norm();
+  }
+  if (!motion_) return;
+  loads_.about_joint = over(impulses_.carriage_about_point, h_);
+  loads_.about_com = loads_.about_joint;
+  loads_.about_com.torque += (now_.p - state_.pose.p).cross(loads_.about_com.force);
+}
+
+void JointedVessel::save_motion(StateWriter& out) const {
+  out.add("coordinates", tree_.coordinates());
+  out.add("speeds", tree_.speeds());
+  out.add("carriage_p", now_.p);
+  out.add("carriage_yaw", now_.yaw);
+  out.add("carriage_v", now_.v);
+  out.add("carriage_yaw_rate", now_.yaw_rate);
+  for (std::size_t b = 0; b < size(); ++b) out.add("after_impulses_" + std::to_string(b), after_[b]);
+}
+
+void JointedVessel::restore_motion(const StateReader& in) {
+  VecX q = tree_.coordinates(), u = tree_.speeds();
+  in.get("coordinates", q);
+  in.get("speeds", u);
+  in.get("carriage_p", now_.p);
+  in.get("carriage_yaw", now_.yaw);
+  in.get("carriage_v", now_.v);
+  in.get("carriage_yaw_rate", now_.yaw_rate);
+  for (std::size_t b = 0; b < size(); ++b) in.get("after_impulses_" + std::to_string(b), after_[b]);
+  tree_.set_coordinates(q);
+  tree_.set_speeds(u);
+  tree_.set_carriage(now_);
+  read_states();
+}
+
+}  // namespace
+
+std::unique_ptr<VesselMotion> make_jointed_vessel(const VesselModel& model, double t0) {
+  return std::make_unique<JointedVessel>(model, t0);
+}
+
+}  // namespace nilas

@@ -1,0 +1,30 @@
+#pragma once
+/// Bodies that hang on a vessel's hull by joints: azimuth pods, rudders, hinged barges, turrets.
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/base/math.h"
+
+namespace nilas {
+
+/// hinge: turns about one axis; slider: moves along one; ball: turns freely; free: is not held; weld: is held fast.
+enum class JointKind { hinge, slider, ball, free, weld };
+
+/// A body and the joint that holds it to the hull or to a part before it. V: the frame of the vessel.
+struct PartModel {
+  double mass = 0;                    ///< [kg]
+  Mat3 inertia_B = Mat3::Identity();  ///< about the centre of mass, along the part's own axes [kg m^2]
+  Pose in_V;                          ///< of its axes and centre of mass while all joint coordinates are zero
+  int to = -1;                        ///< the part that it hangs on, lower than its own index; -1: the hull
+  JointKind joint = JointKind::hinge;
+  Vec3 point_V = Vec3::Zero();  ///< of the joint while all joint coordinates are zero [m]
+  Vec3 axis_V = Vec3::UnitZ();  ///< unit, of a hinge or slider, then too
+  double stiffness = 0;         ///< hinge, ball [N m/rad], slider [N/m]
+  double damping = 0;           ///< hinge, ball [N m s/rad], slider [N s/m]
+  double rest = 0;              ///< coordinate of a hinge [rad] or slider [m] at which its spring is slack
+  double coordinate = 0;        ///< of a hinge or slider at the start [rad, m]
+  double rate = 0;              ///< its rate then [rad/s, m/s]
+};
+
+}  // namespace nilas
