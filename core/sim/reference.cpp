@@ -64,6 +64,11 @@ void note_changes(double t, const std::vector<SustainedContact>& before, const s
       events.push_back({t, ContactEventKind::release, contact.a, contact.b, 0});
 }
 
+std::optional<ReferenceVessel> moving_vessel(const WorldParts& parts) {
+  if (!parts.vessel || parts.vessel->fixed()) return std::nullopt;
+  return std::optional<ReferenceVessel>(std::in_place, *parts.vessel_model, parts.vessel_index);
+}
+
 double moment_of(const Vec3& p, const Wrench& load) { return (p.cross(load.force) + load.torque).norm(); }
 
 }  // namespace
@@ -74,7 +79,7 @@ void demand_reference(const Scene& scene) {
                      "; allowed: " + allowed);
   };
   const ContactScene& contact = scene.contact;
-  if (scene.vessel) refuse("a <vessel>", "free and fixed <body> elements (a hull as shape=\"mesh\"), floes, <tank>");
+  if (scene.vessel && scene.vessel->carriage) refuse("a vessel on a <carriage>", "a free vessel, or <fixed/>");
   if (contact.law != "coulomb" && contact.law != "frictionless")
     refuse("law '" + contact.law + "'", "coulomb, frictionless");
   if (scene.fracture) refuse("<fracture>", "ice that cannot break");
@@ -84,6 +89,10 @@ void demand_reference(const Scene& scene) {
   for (const auto& body : scene.bodies)
     if (!body.fixed && body.shape == "cylinder")
       refuse("the free cylinder '" + body.name + "'", "free spheres, boxes, meshes and floes; fixed cylinders");
+  if (scene.vessel)
+    for (const auto& part : scene.vessel->parts)
+      if (part.shape == "cylinder")
+        refuse("the cylinder '" + part.name + "' as a part of the vessel", "spheres, boxes and meshes");
   for (const auto& pair : contact.friction)
     if (pair.rolling > 0 || pair.spinning > 0)
       refuse("rolling or spinning friction", "static, kinetic and restitution in <friction>");
@@ -93,9 +102,12 @@ ReferenceIntegrator::ReferenceIntegrator(const Scene& scene, int threads, WorldP
     : parts_(parts),
       model_(model),
       gravity_(scene.gravity),
-      state_(parts.bodies, parts.info.work_names.size()),
+      vessel_(moving_vessel(parts)),
+      state_(parts.bodies, parts.info.work_names.size(), vessel_ ? &*vessel_ : nullptr,
+             parts.vessel ? std::optional(parts.num_parts) : std::nullopt),
       contacts_(parts.friction, acceleration_solver(scene.contact, threads), scene.contact.law == "frictionless",
-                rest_speed(scene.contact.tolerance)),
+                rest_speed(scene.contact.tolerance), vessel_ ? &*vessel_ : nullptr,
+                [&parts](int a, int b) { return parts.are_joined(a, b); }),
       module_loads_(parts.modules.size(), Wrenches(parts.bodies.id.size())),
       impact_settings_(model.assembly),
       rest_speed_(rest_speed(scene.contact.tolerance)) {
@@ -109,6 +121,25 @@ ReferenceIntegrator::ReferenceIntegrator(const Scene& scene, int threads, WorldP
         fmt::format("{}: <contact integrator>: 'reference' does not take {} contacts at once, as the "
                     "scene begins with; allowed: {}",
                     scene.file.string(), closed, k_most_reference_contacts));
+}
+
+bool ReferenceIntegrator::moves(int body) const {
+  return parts_.bodies.is_free(body) || (vessel_ && vessel_->holds(body));
+}
+
+/// Force or impulse of a contact on the vessel and its parts.
+void ReferenceIntegrator::add_to_vessel(const ContactPoint& c, const Vec3& on_b, ReferenceVesselLoads& sum) const {
+  const auto about = [&](int body, const Vec3& force) -> Wrench {
+    return {force, (c.p - parts_.bodies.p_GB[static_cast<std::size_t>(body)]).cross(force)};
+  };
+  for (const auto& [body, sign] : {std::pair(c.a, -1.0), std::pair(c.b, 1.0)})
+    if (parts_.is_of_vessel(body) && body != parts_.vessel_index)
+      sum.on_parts[static_cast<std::size_t>(body - parts_.vessel_index - 1)] += about(body, sign * on_b);
+  const bool is_b = parts_.is_of_vessel(c.b);
+  if (parts_.is_of_vessel(c.a) == is_b) return;
+  const Vec3 force = (is_b ? 1 : -1) * on_b;
+  sum.contact += about(parts_.vessel_index, force);
+  if (parts_.bodies.kind[static_cast<std::size_t>(is_b ? c.a : c.b)] == BodyKind::floe) sum.ice += force;
 }
 
 double ReferenceIntegrator::approach(const ContactPoint& point) const {
@@ -130,10 +161,16 @@ Wrenches ReferenceIntegrator::free_loads(double t) {
 ReferenceLoads ReferenceIntegrator::loads(double t) {
   Bodies& bodies = parts_.bodies;
   ReferenceLoads out(bodies.id.size(), parts_.info.work_names.size());
+  out.vessel.on_parts.resize(static_cast<std::size_t>(parts_.num_parts));
   out.total = free_loads(t);
   for (int k = 0; k < bodies.size(); ++k) {
-    if (!bodies.is_free(k)) continue;
     const auto b = static_cast<std::size_t>(k);
+    if (parts_.is_of_vessel(k))
+      for (const Wrenches& module : module_loads_) {
+        const Vec3 arm = bodies.p_GB[b] - bodies.p_GB[static_cast<std::size_t>(parts_.vessel_index)];
+        out.vessel.hydro += {module[b].force, module[b].torque + arm.cross(module[b].force)};
+      }
+    if (!moves(k)) continue;
     const auto weigh = [&](const Wrench& load) {
       out.force_sum += load.force.norm();
       out.moment_sum += moment_of(bodies.p_GB[b], load);
@@ -147,12 +184,15 @@ ReferenceLoads ReferenceIntegrator::loads(double t) {
       out.powers[work++] += load.force.dot(bodies.v_GB[b]) + load.torque.dot(bodies.w_GB[b]);
     }
   }
+  if (parts_.num_parts > 0) out.powers.back() += vessel_->joint_power();
   sustained_ = contacts_.forces(bodies, out.total);
   contacts_.add(sustained_, bodies, out.total);
   out.friction_power = sustained_.friction_power;
   for (std::size_t i = 0; i < sustained_.at.size(); ++i) {
     out.force_sum += sustained_.force[i].norm();
     out.moment_sum += sustained_.at[i].point.p.norm() * sustained_.force[i].norm();
+    if (sustained_.at[i].found)
+      add_to_vessel(sustained_.at[i].point, sustained_.at[i].frame * sustained_.force[i], out.vessel);
   }
   return out;
 }
@@ -198,8 +238,10 @@ void ReferenceIntegrator::impact(double t, std::vector<ContactPoint> points, Ref
                                         [this](const auto& p, const auto& q) { return approach(p) < approach(q); });
   step.events.push_back({t, ContactEventKind::impact, hardest->a, hardest->b, -approach(*hardest)});
   for (auto& point : points) point.gap = 0;
+  std::vector<ArticulatedBlock> vessel;
+  if (vessel_) vessel.push_back(vessel_->block(vessel_->speeds()));
   AssembledContacts contacts =
-      assemble(bodies, Wrenches(bodies.id.size()), points, parts_.friction, impact_settings_, {});
+      assemble(bodies, Wrenches(bodies.id.size()), points, parts_.friction, impact_settings_, vessel);
   const ContactSolution solution = model_.solve(contacts.problem, {});
   const Residuals residuals = measure(contacts.problem, solution.r, solution.v);
   if (residuals.law_map_m_s >= step.residuals.law_map_m_s) step.residuals = residuals;
@@ -212,6 +254,10 @@ void ReferenceIntegrator::impact(double t, std::vector<ContactPoint> points, Ref
     const int block = contacts.block_of_body[b];
     if (block < 0) continue;
     const int first = contacts.problem.block_offset[static_cast<std::size_t>(block)];
+    if (vessel_ && vessel_->holds(static_cast<int>(b))) {
+      vessel_->set_speeds(solution.v.segment(first, vessel_->speeds().size()), bodies);
+      continue;
+    }
     bodies.v_GB[b] = solution.v.segment<3>(first);
     bodies.w_GB[b] = solution.v.segment<3>(first + 3);
   }
@@ -240,7 +286,11 @@ void ReferenceIntegrator::book(const ContactImpulses& impulses, const Velocities
     const double normal = c.n.dot(impulse) * c.n.dot(mean);
     account.impact -= normal;
     account.friction -= impulse.dot(mean) - normal;
-    const double on_free = (bodies.is_free(c.b) ? 1 : 0) - (bodies.is_free(c.a) ? 1 : 0);
+    add_to_vessel(c, impulse, account.vessel);
+    const auto counts = [&](int body) {
+      return bodies.is_free(body) || (has_free_vessel() && vessel_->holds(body)) ? 1 : 0;
+    };
+    const double on_free = counts(c.b) - counts(c.a);
     account.impulse += on_free * impulse;
     account.angular_impulse += on_free * c.p.cross(impulse);
     account.impulse_scale += impulse.norm();
@@ -299,6 +349,8 @@ void ReferenceIntegrator::settle(double t, ReferenceStep& step) {
   settled_ = true;
 }
 
+std::vector<PartState> ReferenceIntegrator::parts_now(double t) { return vessel_->parts(loads(t).total); }
+
 OdeStop ReferenceIntegrator::follow(double t1, VecX& y) {
   try {
     return smooth_->follow(t1 - smooth_start_, y);
@@ -310,6 +362,7 @@ OdeStop ReferenceIntegrator::follow(double t1, VecX& y) {
 ReferenceStep ReferenceIntegrator::advance(double t0, double t1) {
   ReferenceStep step;
   step.account.works.assign(parts_.info.work_names.size(), 0);
+  step.account.vessel.on_parts.resize(static_cast<std::size_t>(parts_.num_parts));
   if (!settled_ || contacts_.trusted() || sunk()) settle(t0, step);
   for (double t = t0; t < t1;) {
     if (!smooth_) begin_smooth_motion(t, t1 - t0);

@@ -38,6 +38,11 @@ class ReferenceIntegrator {
 
   /// From t0 to t1 [s]. Throws SimulationError where the motion cannot be followed.
   ReferenceStep advance(double t0, double t1);
+  /// Hull and parts as they are, joint loads of this instant `t` [s]; where a vessel moves.
+  std::vector<PartState> parts_now(double t);
+  /// Whether a vessel moves that nothing holds.
+  bool has_free_vessel() const { return vessel_ && vessel_->is_free(); }
+  bool has_vessel() const { return vessel_.has_value(); }
 
  private:
   Wrenches free_loads(double t);
@@ -48,6 +53,8 @@ class ReferenceIntegrator {
   void settle(double t, ReferenceStep& step);
   void impact(double t, std::vector<ContactPoint> points, ReferenceStep& step);
   void book(const ContactImpulses& impulses, const Velocities& before, ReferenceAccount& account) const;
+  void add_to_vessel(const ContactPoint& c, const Vec3& on_b, ReferenceVesselLoads& sum) const;
+  bool moves(int body) const;
   void set_levels(const std::vector<ContactPoint>& points);
   double approach(const ContactPoint& point) const;
   bool sunk();
@@ -56,6 +63,7 @@ class ReferenceIntegrator {
   WorldParts& parts_;
   ContactModel& model_;
   Vec3 gravity_;
+  std::optional<ReferenceVessel> vessel_;
   ReferenceState state_;
   SustainedContacts contacts_;
   SustainedForces sustained_;           ///< of the last call to loads()

@@ -10,7 +10,7 @@
 #include "contact/contact_frame.h"
 #include "contact/measure.h"
 #include "core/base/error.h"
-#include "core/sim/advance.h"
+#include "core/bodies/free_rotation.h"
 
 namespace nilas {
 
@@ -24,10 +24,12 @@ constexpr double k_probe = 1e-5;
 /// Slip back from rest by more than rounding ends a state that began at rest [m/s].
 constexpr double k_slip_slack = 1e-11;
 
+bool moves(const Bodies& bodies, int k) { return bodies.motion[static_cast<std::size_t>(k)] != Motion::fixed; }
+
 double probe_time(const Bodies& bodies) {
   double rate = 0;
   for (int k = 0; k < bodies.size(); ++k) {
-    if (!bodies.is_free(k)) continue;
+    if (!moves(bodies, k)) continue;
     const auto b = static_cast<std::size_t>(k);
     rate = std::max({rate, bodies.w_GB[b].norm(), bodies.v_GB[b].norm() / bodies.shape[b]->bounding_radius});
   }
@@ -64,8 +66,17 @@ class KeptPoses {
   std::vector<Mat3> R_;
 };
 
-/// Twist rates (v', w') of the free bodies under loads alone, zero for the others.
-std::vector<Vec6> free_accelerations(const Bodies& bodies, const Wrenches& loads) {
+/// Moves all bodies with the velocities that they have.
+void go_on(Bodies& bodies, double time) {
+  for (int k = 0; k < bodies.size(); ++k) {
+    if (!moves(bodies, k)) continue;
+    const auto b = static_cast<std::size_t>(k);
+    bodies.set_pose(k, bodies.p_GB[b] + time * bodies.v_GB[b], exponential(time * bodies.w_GB[b]) * bodies.q_GB[b]);
+  }
+}
+
+/// Twist rates (v', w') of the bodies that move under loads alone, zero for the others.
+std::vector<Vec6> free_accelerations(const Bodies& bodies, const Wrenches& loads, const ReferenceVessel* vessel) {
   std::vector<Vec6> rates(loads.size(), Vec6::Zero());
   for (int k = 0; k < bodies.size(); ++k) {
     if (!bodies.is_free(k)) continue;
@@ -74,6 +85,10 @@ std::vector<Vec6> free_accelerations(const Bodies& bodies, const Wrenches& loads
     rates[b].head<3>() = loads[b].force / bodies.mass[b];
     rates[b].tail<3>() = bodies.inertia_inverse_G(k) * (loads[b].torque - w.cross(bodies.inertia_G(k) * w));
   }
+  if (vessel == nullptr) return rates;
+  const VecX accelerations = vessel->accelerations(loads);
+  for (int k = vessel->hull(); vessel->holds(k); ++k)
+    if (moves(bodies, k)) rates[static_cast<std::size_t>(k)] = vessel->twist_rate(k, accelerations);
   return rates;
 }
 
@@ -81,14 +96,19 @@ std::vector<Vec6> free_accelerations(const Bodies& bodies, const Wrenches& loads
 struct Direction {
   std::size_t a = 0, b = 0;
   Vec6 on_a, on_b;
+  VecX on_vessel;  ///< in its speeds; empty where neither is of it
 };
 
-Direction direction(const Bodies& bodies, const ContactPoint& c, const Vec3& d) {
+Direction direction(const Bodies& bodies, const ContactPoint& c, const Vec3& d, const ReferenceVessel* vessel) {
   Direction out;
   out.a = static_cast<std::size_t>(c.a);
   out.b = static_cast<std::size_t>(c.b);
   out.on_a << -d, -(c.p - bodies.p_GB[out.a]).cross(d);
   out.on_b << d, (c.p - bodies.p_GB[out.b]).cross(d);
+  if (vessel == nullptr || !(vessel->holds(c.a) || vessel->holds(c.b))) return out;
+  out.on_vessel = VecX::Zero(vessel->speeds().size());
+  if (vessel->holds(c.a)) out.on_vessel += vessel->generalised(c.a, out.on_a);
+  if (vessel->holds(c.b)) out.on_vessel += vessel->generalised(c.b, out.on_b);
   return out;
 }
 
@@ -101,18 +121,21 @@ Vec6 response(const Bodies& bodies, std::size_t b, const Vec6& load) {
 }
 
 /// What forces along `columns` do to the accelerations along `rows`.
-MatX delassus(const Bodies& bodies, const std::vector<Direction>& rows, const std::vector<Direction>& columns) {
+MatX delassus(const Bodies& bodies, const std::vector<Direction>& rows, const std::vector<Direction>& columns,
+              const ReferenceVessel* vessel) {
   const auto size = static_cast<Eigen::Index>(rows.size());
   MatX W = MatX::Zero(size, size);
   for (Eigen::Index j = 0; j < size; ++j) {
     const Direction& column = columns[static_cast<std::size_t>(j)];
     const Vec6 at_a = response(bodies, column.a, column.on_a), at_b = response(bodies, column.b, column.on_b);
+    const VecX of_vessel = column.on_vessel.size() > 0 ? vessel->response(column.on_vessel) : VecX();
     for (Eigen::Index i = 0; i < size; ++i) {
       const Direction& row = rows[static_cast<std::size_t>(i)];
       if (row.a == column.a) W(i, j) += row.on_a.dot(at_a);
       if (row.a == column.b) W(i, j) += row.on_a.dot(at_b);
       if (row.b == column.a) W(i, j) += row.on_b.dot(at_a);
       if (row.b == column.b) W(i, j) += row.on_b.dot(at_b);
+      if (row.on_vessel.size() > 0 && of_vessel.size() > 0) W(i, j) += row.on_vessel.dot(of_vessel);
     }
   }
   return W;
@@ -162,8 +185,13 @@ Vec3 slip_direction(const SustainedContact& contact, const ContactKinematics& at
 }  // namespace
 
 SustainedContacts::SustainedContacts(FrictionTable& friction, std::unique_ptr<ContactSolver> solver, bool frictionless,
-                                     double rest_speed)
-    : friction_(friction), solver_(std::move(solver)), frictionless_(frictionless), rest_speed_(rest_speed) {}
+                                     double rest_speed, ReferenceVessel* vessel, PairFilter joined)
+    : friction_(friction),
+      solver_(std::move(solver)),
+      frictionless_(frictionless),
+      rest_speed_(rest_speed),
+      vessel_(vessel),
+      joined_(std::move(joined)) {}
 
 std::vector<std::uint64_t> SustainedContacts::keys() const {
   std::vector<std::uint64_t> keys;
@@ -188,13 +216,12 @@ std::vector<ContactKinematics> SustainedContacts::kinematics(Bodies& bodies, con
   const double probe = probe_time(bodies);
   if (probe == 0) return out;
   KeptPoses kept(bodies);
-  const Velocities frozen{bodies.v_GB, bodies.w_GB};
-  advance(bodies, frozen, probe, false, 1);
+  go_on(bodies, probe);
   const auto later = detect(bodies);
   std::vector<Vec3> later_velocity;
   for (const auto& point : later) later_velocity.push_back(relative_velocity(bodies, point));
   kept.restore();
-  advance(bodies, frozen, -probe, false, 1);
+  go_on(bodies, -probe);
   const auto earlier = detect(bodies);
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const ContactPoint *const after = find(later, keys[i]), *const before = find(earlier, keys[i]);
@@ -216,18 +243,23 @@ AccelerationProblem SustainedContacts::pose(Bodies& bodies, const Wrenches& load
   settings.h = 1;  // the problem's impulses over one second are forces, its speeds accelerations
   settings.law = frictionless_ ? Law::frictionless : Law::coulomb;
   settings.restitution_threshold = std::numeric_limits<double>::infinity();
-  AccelerationProblem out{assemble(bodies, loads, points, friction_, settings, {}), {}, 0};
+  std::vector<ArticulatedBlock> vessel;
+  if (vessel_ != nullptr) vessel.push_back(vessel_->block(vessel_->accelerations(loads)));
+  AccelerationProblem out{assemble(bodies, loads, points, friction_, settings, vessel), {}, 0};
   ContactProblem& problem = out.contacts.problem;
-  const auto rates = free_accelerations(bodies, loads);
+  const auto rates = free_accelerations(bodies, loads, vessel_);
   for (std::size_t b = 0; b < rates.size(); ++b) {
     const int block = out.contacts.block_of_body[b];
-    if (block >= 0)
+    if (block >= 0 && bodies.is_free(static_cast<int>(b)))
       problem.f.segment<6>(problem.block_offset[static_cast<std::size_t>(block)]) = problem.mass(block) * rates[b];
   }
   std::vector<std::uint64_t> keys;
   for (const auto& point : points) keys.push_back(point.key);
   const auto at = kinematics(bodies, keys);
   for (std::size_t i = 0; i < at.size(); ++i) problem.w.segment<3>(3 * static_cast<Eigen::Index>(i)) = at[i].bias;
+  if (vessel_ != nullptr)
+    for (std::size_t i = 0; i < at.size(); ++i)
+      problem.w.segment<3>(3 * static_cast<Eigen::Index>(i)) += vessel_bias(bodies, points[i], out.contacts.C[i]);
   const VecX free = velocities(problem, VecX::Zero(problem.w.size()));
   out.scale = contact_velocities(problem, free).lpNorm<Eigen::Infinity>();
   for (std::size_t i = 0; i < at.size(); ++i) {
@@ -245,6 +277,17 @@ AccelerationProblem SustainedContacts::pose(Bodies& bodies, const Wrenches& load
         k_far_above * out.scale * (out.contacts.C[i].transpose() * out.slip[i]);
   }
   return out;
+}
+
+/// Relative acceleration along the frame C that the vessel's turning joints give where its speeds do not change.
+Vec3 SustainedContacts::vessel_bias(const Bodies& bodies, const ContactPoint& c, const Mat3& C) const {
+  Vec3 sum = Vec3::Zero();
+  for (const auto& [body, sign] : {std::pair(c.a, -1.0), std::pair(c.b, 1.0)}) {
+    if (!vessel_->holds(body) || !moves(bodies, body)) continue;
+    const Vec6 bias = vessel_->bias(body);
+    sum += sign * (bias.head<3>() + bias.tail<3>().cross(c.p - bodies.p_GB[static_cast<std::size_t>(body)]));
+  }
+  return C.transpose() * sum;
 }
 
 void SustainedContacts::decide(Bodies& bodies, const Wrenches& loads, const std::vector<ContactPoint>& points,
@@ -298,8 +341,8 @@ SustainedForces SustainedContacts::forces(Bodies& bodies, const Wrenches& loads)
     const bool sticks = list_[i].grip == Grip::sticks;
     if (!sticks) friction[i] = -list_[i].mu_kinetic * slip_direction(list_[i], at);
     for (Eigen::Index k = 0; k < (sticks ? 3 : 1); ++k) {
-      rows.push_back(direction(bodies, at.point, at.frame.col(k)));
-      columns.push_back(k == 0 ? direction(bodies, at.point, at.frame.col(0) + friction[i]) : rows.back());
+      rows.push_back(direction(bodies, at.point, at.frame.col(k), vessel_));
+      columns.push_back(k == 0 ? direction(bodies, at.point, at.frame.col(0) + friction[i], vessel_) : rows.back());
       place.emplace_back(i, k);
       bias.push_back(at.bias[k]);
       start.push_back(list_[i].force[k]);
@@ -307,7 +350,7 @@ SustainedForces SustainedContacts::forces(Bodies& bodies, const Wrenches& loads)
   }
   const auto size = static_cast<Eigen::Index>(rows.size());
   if (size == 0) return out;
-  const auto rates = free_accelerations(bodies, loads);
+  const auto rates = free_accelerations(bodies, loads, vessel_);
   VecX needed(size), r(size);
   for (Eigen::Index j = 0; j < size; ++j) {
     const Direction& row = rows[static_cast<std::size_t>(j)];
@@ -315,7 +358,7 @@ SustainedForces SustainedContacts::forces(Bodies& bodies, const Wrenches& loads)
     r[j] = start[static_cast<std::size_t>(j)];
   }
   // of all distributions the one nearest to what the law gave
-  const MatX W = delassus(bodies, rows, columns);
+  const MatX W = delassus(bodies, rows, columns, vessel_);
   r += smallest_solution(W, needed - W * r);
   for (Eigen::Index j = 0; j < size; ++j) {
     const auto& [i, k] = place[static_cast<std::size_t>(j)];
@@ -336,7 +379,7 @@ ContactImpulses SustainedContacts::stop_creep(Bodies& bodies) const {
   for (const auto& contact : list_) {
     const Mat3 frame = contact_frame(contact.point.n, bodies.R_GB[static_cast<std::size_t>(contact.a)], 0);
     for (Eigen::Index k = 0; k < (contact.grip == Grip::sticks ? 3 : 1); ++k) {
-      rows.push_back(direction(bodies, contact.point, frame.col(k)));
+      rows.push_back(direction(bodies, contact.point, frame.col(k), vessel_));
       speeds.push_back(-frame.col(k).dot(relative_velocity(bodies, contact.point)));
       axes.emplace_back(frame.col(k));
       out.points.push_back(contact.point);
@@ -344,7 +387,8 @@ ContactImpulses SustainedContacts::stop_creep(Bodies& bodies) const {
   }
   if (rows.empty()) return out;
   const VecX needed = Eigen::Map<const VecX>(speeds.data(), static_cast<Eigen::Index>(speeds.size()));
-  const VecX r = smallest_solution(delassus(bodies, rows, rows), needed);
+  const VecX r = smallest_solution(delassus(bodies, rows, rows, vessel_), needed);
+  VecX of_vessel = vessel_ != nullptr ? VecX::Zero(vessel_->speeds().size()) : VecX();
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const double impulse = r[static_cast<Eigen::Index>(i)];
     out.impulses.emplace_back(impulse * axes[i]);
@@ -355,7 +399,9 @@ ContactImpulses SustainedContacts::stop_creep(Bodies& bodies) const {
     };
     change(rows[i].a, rows[i].on_a);
     change(rows[i].b, rows[i].on_b);
+    if (rows[i].on_vessel.size() > 0) of_vessel += impulse * vessel_->response(rows[i].on_vessel);
   }
+  if (vessel_ != nullptr && !of_vessel.isZero(0)) vessel_->add_to_speeds(of_vessel, bodies);
   return out;
 }
 

@@ -9,6 +9,7 @@
 #include "contact/solver.h"
 #include "core/bodies/bodies.h"
 #include "core/bodies/module.h"
+#include "core/sim/reference_vessel.h"
 
 namespace nilas {
 
@@ -62,13 +63,16 @@ struct AccelerationProblem {
 
 class SustainedContacts {
  public:
-  /// `solver` decides which contacts bear, stick and slip.
+  /// `solver` decides which contacts bear, stick and slip. `vessel`: null where none moves. `joined`: pairs of bodies
+  /// that do not collide.
   SustainedContacts(FrictionTable& friction, std::unique_ptr<ContactSolver> solver, bool frictionless,
-                    double rest_speed);
+                    double rest_speed, ReferenceVessel* vessel, PairFilter joined);
 
   const std::vector<SustainedContact>& list() const { return list_; }
   /// All points closer than a hundredth of a millimetre.
-  std::vector<ContactPoint> detect(const Bodies& bodies) { return detector_.detect(bodies, k_reference_margin); }
+  std::vector<ContactPoint> detect(const Bodies& bodies) {
+    return detector_.detect(bodies, k_reference_margin, joined_);
+  }
 
   /// Which of the points, closed and at rest along their normals, bear, and whether they slip: solves the contact
   /// problem of the accelerations, M a = f + H r with u the relative acceleration. `loads` without contact. Throws
@@ -95,12 +99,15 @@ class SustainedContacts {
   std::vector<ContactKinematics> kinematics(Bodies& bodies, const std::vector<std::uint64_t>& keys);
   AccelerationProblem pose(Bodies& bodies, const Wrenches& loads, const std::vector<ContactPoint>& points);
   std::vector<std::uint64_t> keys() const;
+  Vec3 vessel_bias(const Bodies& bodies, const ContactPoint& c, const Mat3& C) const;
   FrictionPair friction_of(const Bodies& bodies, const ContactPoint& point);
 
   FrictionTable& friction_;
   std::unique_ptr<ContactSolver> solver_;
   bool frictionless_;
   double rest_speed_;  ///< slower slip is none [m/s]
+  ReferenceVessel* vessel_;
+  PairFilter joined_;
   ContactDetector detector_;
   std::vector<SustainedContact> list_;
   bool trusted_ = false;

@@ -15,14 +15,42 @@ Vec3 angular_momentum(const Bodies& bodies, std::size_t b) {
 
 }  // namespace
 
-ReferenceState::ReferenceState(const Bodies& bodies, std::size_t works) : works_(static_cast<Eigen::Index>(works)) {
-  for (int b = 0; b < bodies.size(); ++b)
-    if (bodies.is_free(b)) free_.push_back(b);
-  account_ = k_per_body * static_cast<Eigen::Index>(free_.size());
+VecX ReferenceVesselLoads::numbers() const {
+  VecX all(size());
+  all.head<k_whole>() << contact.force, contact.torque, hydro.force, hydro.torque, ice;
+  Eigen::Index at = k_whole;
+  for (const Wrench& load : on_parts) {
+    all.segment<k_part>(at) << load.force, load.torque;
+    at += k_part;
+  }
+  return all;
 }
 
+void ReferenceVesselLoads::add(const VecX& all) {
+  contact += {all.segment<3>(0), all.segment<3>(3)};
+  hydro += {all.segment<3>(6), all.segment<3>(9)};
+  ice += all.segment<3>(12);
+  Eigen::Index at = k_whole;
+  for (Wrench& load : on_parts) {
+    load += {all.segment<3>(at), all.segment<3>(at + 3)};
+    at += k_part;
+  }
+}
+
+ReferenceState::ReferenceState(const Bodies& bodies, std::size_t works, ReferenceVessel* vessel,
+                               std::optional<int> num_parts)
+    : vessel_(vessel), works_(static_cast<Eigen::Index>(works)) {
+  if (num_parts) vessel_sums_ = ReferenceVesselLoads::k_whole + ReferenceVesselLoads::k_part * *num_parts;
+  for (int b = 0; b < bodies.size(); ++b)
+    if (bodies.is_free(b)) free_.push_back(b);
+  at_vessel_ = k_per_body * static_cast<Eigen::Index>(free_.size());
+  account_ = at_vessel_ + (vessel_ != nullptr ? vessel_->size() : 0);
+}
+
+Eigen::Index ReferenceState::size() const { return account_ + works_ + vessel_sums_ + k_sums; }
+
 VecX ReferenceState::pack(const Bodies& bodies) const {
-  VecX y = VecX::Zero(account_ + works_ + k_sums);
+  VecX y = VecX::Zero(size());
   Eigen::Index at = 0;
   for (const int k : free_) {
     const auto b = static_cast<std::size_t>(k);
@@ -30,6 +58,7 @@ VecX ReferenceState::pack(const Bodies& bodies) const {
     y.segment<k_per_body>(at) << bodies.p_GB[b], q.w(), q.vec(), bodies.v_GB[b], angular_momentum(bodies, b);
     at += k_per_body;
   }
+  if (vessel_ != nullptr) y.segment(at_vessel_, vessel_->size()) = vessel_->state();
   return y;
 }
 
@@ -43,11 +72,13 @@ void ReferenceState::unpack(const VecX& y, Bodies& bodies) const {
     bodies.w_GB[b] = R * (bodies.inertia_inverse_B[b] * (R.transpose() * y.segment<3>(at + 10)));
     at += k_per_body;
   }
+  if (vessel_ != nullptr) vessel_->set_state(y.segment(at_vessel_, vessel_->size()), bodies);
 }
 
 void ReferenceState::add_account(const VecX& y, ReferenceAccount& account) const {
   account.works.resize(static_cast<std::size_t>(works_), 0);
   for (Eigen::Index k = 0; k < works_; ++k) account.works[static_cast<std::size_t>(k)] += y[account_ + k];
+  if (vessel_sums_ > 0) account.vessel.add(y.segment(account_ + works_, vessel_sums_));
   const auto sums = y.tail<k_sums>();
   account.friction += sums[k_friction];
   account.impulse += sums.segment<3>(k_impulse);
@@ -57,7 +88,7 @@ void ReferenceState::add_account(const VecX& y, ReferenceAccount& account) const
 }
 
 void ReferenceState::derivative(const Bodies& bodies, const VecX& y, const ReferenceLoads& loads, VecX& dy) const {
-  dy.setZero(account_ + works_ + k_sums);
+  dy.setZero(size());
   auto sums = dy.tail<k_sums>();
   Eigen::Index at = 0;
   for (const int k : free_) {
@@ -73,6 +104,16 @@ void ReferenceState::derivative(const Bodies& bodies, const VecX& y, const Refer
     sums.segment<3>(k_angular) += bodies.p_GB[b].cross(load.force) + load.torque;
     at += k_per_body;
   }
+  if (vessel_ != nullptr) {
+    dy.segment(at_vessel_, vessel_->size()) = vessel_->state_rate(vessel_->accelerations(loads.total));
+    for (int k = vessel_->hull(); vessel_->is_free() && vessel_->holds(k); ++k) {
+      const auto b = static_cast<std::size_t>(k);
+      const Wrench& load = loads.total[b];
+      sums.segment<3>(k_impulse) += load.force;
+      sums.segment<3>(k_angular) += bodies.p_GB[b].cross(load.force) + load.torque;
+    }
+  }
+  if (vessel_sums_ > 0) dy.segment(account_ + works_, vessel_sums_) = loads.vessel.numbers();
   for (Eigen::Index k = 0; k < works_; ++k) dy[account_ + k] = loads.powers[static_cast<std::size_t>(k)];
   sums[k_friction] = loads.friction_power;
   sums[k_scales] = loads.force_sum;
@@ -80,7 +121,7 @@ void ReferenceState::derivative(const Bodies& bodies, const VecX& y, const Refer
 }
 
 VecX ReferenceState::absolute_tolerances(const Bodies& bodies, double relative) const {
-  VecX tolerance = VecX::Constant(account_ + works_ + k_sums, relative);
+  VecX tolerance = VecX::Constant(size(), relative);
   double mass = 0;
   Eigen::Index at = 0;
   for (const int k : free_) {
@@ -89,17 +130,19 @@ VecX ReferenceState::absolute_tolerances(const Bodies& bodies, double relative) 
     tolerance.segment<3>(at + 10).setConstant(relative * bodies.inertia_B[b].trace());
     at += k_per_body;
   }
-  tolerance.tail(works_ + k_sums).setConstant(relative * std::max(mass, 1e-300));
+  if (vessel_ != nullptr)
+    for (int k = vessel_->hull(); vessel_->holds(k); ++k) mass += bodies.mass[static_cast<std::size_t>(k)];
+  tolerance.tail(size() - account_).setConstant(relative * std::max(mass, 1e-300));
   constexpr double k_uncontrolled = 1e30;  // scales need no accuracy, and absolute values have kinks
   tolerance.tail<2>().setConstant(k_uncontrolled);
   return tolerance;
 }
 
-std::pair<Vec3, Vec3> momenta(const Bodies& bodies) {
+std::pair<Vec3, Vec3> momenta(const Bodies& bodies, bool with_vessel) {
   Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();
   for (int k = 0; k < bodies.size(); ++k) {
-    if (!bodies.is_free(k)) continue;
     const auto b = static_cast<std::size_t>(k);
+    if (!bodies.is_free(k) && !(with_vessel && bodies.motion[b] == Motion::articulated)) continue;
     const Vec3 momentum = bodies.mass[b] * bodies.v_GB[b];
     linear += momentum;
     angular += bodies.p_GB[b].cross(momentum) + angular_momentum(bodies, b);

@@ -1,12 +1,28 @@
 #pragma once
-/// The free bodies of a scene, and their accounts of energy and momentum, as one vector of a differential equation.
+/// The bodies of a scene that move, and their accounts of energy and momentum, as one vector of a differential
+/// equation.
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "core/bodies/bodies.h"
 #include "core/bodies/module.h"
+#include "core/sim/reference_vessel.h"
 
 namespace nilas {
+
+/// Loads on the vessel at one instant, or their impulses: hull and parts together, torques about the hull's centre of
+/// mass, in G.
+struct ReferenceVesselLoads {
+  Wrench contact, hydro;
+  Vec3 ice = Vec3::Zero();       ///< the part of the contact force that floes exert
+  std::vector<Wrench> on_parts;  ///< contact on each part about its centre of mass, that of the vessel's own included
+
+  static constexpr Eigen::Index k_whole = 15, k_part = 6;
+  Eigen::Index size() const { return k_whole + k_part * static_cast<Eigen::Index>(on_parts.size()); }
+  VecX numbers() const;
+  void add(const VecX& numbers);
+};
 
 /// All that acts on the bodies at one instant.
 struct ReferenceLoads {
@@ -15,6 +31,7 @@ struct ReferenceLoads {
   double friction_power = 0;   ///< taken by sliding contacts, >= 0 [W]
   double force_sum = 0;        ///< of the absolute forces of all sources: a scale [N]
   double moment_sum = 0;       ///< the same about G's origin [N m]
+  ReferenceVesselLoads vessel;
   explicit ReferenceLoads(std::size_t bodies, std::size_t works) : total(bodies), powers(works, 0) {}
 };
 
@@ -25,12 +42,15 @@ struct ReferenceAccount {
   Vec3 impulse = Vec3::Zero();          ///< of all loads on the free bodies [N s]
   Vec3 angular_impulse = Vec3::Zero();  ///< about G's origin [N m s]
   double impulse_scale = 0, angular_scale = 0;
+  ReferenceVesselLoads vessel;
 };
 
-/// y holds per free body: p, q (w x y z), v of the centre of mass, L = I w; all in G. Then the account.
+/// y holds per free body: p, q (w x y z), v of the centre of mass, L = I w; all in G. Then the vessel's state and the
+/// account.
 class ReferenceState {
  public:
-  ReferenceState(const Bodies& bodies, std::size_t works);
+  /// `vessel`: null where none moves. `num_parts`: of the scene's vessel, nothing without one.
+  ReferenceState(const Bodies& bodies, std::size_t works, ReferenceVessel* vessel, std::optional<int> num_parts);
 
   /// The bodies as they are, with an empty account.
   VecX pack(const Bodies& bodies) const;
@@ -43,11 +63,17 @@ class ReferenceState {
   VecX absolute_tolerances(const Bodies& bodies, double relative) const;
 
  private:
+  Eigen::Index size() const;
+
   std::vector<int> free_;
-  Eigen::Index works_ = 0, account_ = 0;  ///< number of works; where the account begins
+  ReferenceVessel* vessel_;
+  Eigen::Index vessel_sums_ = 0;  ///< number of the loads on the vessel
+  Eigen::Index at_vessel_ = 0, works_ = 0,
+               account_ = 0;  ///< where the vessel begins; number of works; where these begin
 };
 
-/// Linear momentum and angular momentum about G's origin of the free bodies [kg m/s, kg m^2/s].
-std::pair<Vec3, Vec3> momenta(const Bodies& bodies);
+/// Linear momentum and angular momentum about G's origin of the free bodies, and of the vessel where nothing holds it
+/// [kg m/s, kg m^2/s].
+std::pair<Vec3, Vec3> momenta(const Bodies& bodies, bool with_vessel);
 
 }  // namespace nilas

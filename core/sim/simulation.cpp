@@ -29,7 +29,8 @@ Simulation::~Simulation() = default;
 StepRecord Simulation::World::reference_step() {
   StepRecord record;
   Stopwatch watch(record.ms);
-  const auto [linear, angular] = momenta(parts.bodies);
+  const bool with_vessel = reference->has_free_vessel();
+  const auto [linear, angular] = momenta(parts.bodies, with_vessel);
   const double t0 = time();
   ++steps;
   ReferenceStep done = reference->advance(t0, time());
@@ -48,10 +49,11 @@ StepRecord Simulation::World::reference_step() {
 
   const ReferenceAccount& account = done.account;
   energy.whole_step(kinetic_energy(parts.bodies), potential(), account.works, account.friction, account.impact);
-  const auto [linear_end, angular_end] = momenta(parts.bodies);
+  const auto [linear_end, angular_end] = momenta(parts.bodies, with_vessel);
   note_end({(linear_end - linear - account.impulse).norm(), account.impulse_scale,
             (angular_end - angular - account.angular_impulse).norm(), account.angular_scale},
            record);
+  if (parts.vessel) note_reference_vessel(account.vessel, record);
   watch.lap(Phase::output);
   stop_on_failure(record);
   return record;

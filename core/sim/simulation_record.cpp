@@ -121,6 +121,31 @@ VesselRecord Simulation::World::vessel_record(const StepMotion& motion, const st
   return record;
 }
 
+/// Loads are means over the step; those in the joints are of its end.
+void Simulation::World::note_reference_vessel(const ReferenceVesselLoads& impulses, StepRecord& record) {
+  const auto mean = [&](const Wrench& impulse) -> Wrench {
+    return {impulse.force / whole_step, impulse.torque / whole_step};
+  };
+  VesselRecord& vessel = record.vessel.emplace();
+  if (reference->has_vessel()) {
+    const auto b = static_cast<std::size_t>(parts.vessel_index);
+    const Bodies& bodies = parts.bodies;
+    parts.vessel->follow(time(), {{bodies.q_GB[b], bodies.p_GB[b]}, bodies.v_GB[b], bodies.w_GB[b]},
+                         reference->parts_now(time()));
+  }
+  for (std::size_t k = 0; k < impulses.on_parts.size(); ++k) {
+    const PartState& part = parts.vessel->parts()[k];
+    vessel.parts.push_back({part.joint, mean(impulses.on_parts[k]), part.coordinates, part.rates, part.unbalanced_force,
+                            part.unbalanced_torque});
+  }
+  vessel.contact = mean(impulses.contact);
+  vessel.ice = impulses.ice / whole_step;
+  vessel.touches_ice = !impulses.ice.isZero(0);
+  if (parts.info.has_hydro) vessel.hydro = mean(impulses.hydro);
+  vessel.state = parts.vessel->state();
+  vessel.course = course_at(parts, time());
+}
+
 static void add_share(const Wrench& part, double share, Wrench& sum) {
   sum += {share * part.force, share * part.torque};
 }

@@ -78,6 +78,7 @@ struct Simulation::World {
   Wrench on_whole_vessel(const Wrench& on_hull, const StepMotion& motion, const Wrenches& on_parts) const;
   std::vector<PartRecord> part_records(const StepMotion& motion) const;
   StepRecord reference_step();
+  void note_reference_vessel(const ReferenceVesselLoads& impulses, StepRecord& record);
   void keep_solved(ContactProblem& problem, ContactSolution& solution, const StepMotion& motion);
   const SolvedProblem& last() const;
   double part_of_step(double longest, bool may_cut, StepRecord& record, MomentumBalance& balance, Stopwatch& watch);

@@ -30,6 +30,8 @@ class VesselMotion {
   const JointAccount& joint_account() const { return joint_account_; }
   double time() const { return time_; }
 
+  void follow(double t, const VesselState& hull, std::vector<PartState> parts);
+
   void save(StateWriter out) const;
   void restore(const StateReader& in);
 

@@ -69,6 +69,13 @@ void VesselMotion::restore(const StateReader& in) {
   restore_motion(in);
 }
 
+void VesselMotion::follow(double t, const VesselState& hull, std::vector<PartState> parts) {
+  NILAS_DEMAND(h_ == 0 && parts.size() == parts_.size());
+  time_ = t;
+  state_ = hull;
+  parts_ = std::move(parts);
+}
+
 Mat3 VesselMotion::inertia_G() const {
   const Mat3 R = state_.pose.q.toRotationMatrix();
   return R * mass_.inertia * R.transpose();
@@ -161,6 +168,9 @@ void VesselSystem::displace(const Vec6& pseudo_twist, double h) { implementation
 const CarriageLoads& VesselSystem::carriage_loads() const { return implementation_->motion->loads(); }
 double VesselSystem::spring_energy() const { return implementation_->motion->spring_energy(); }
 VecX VesselSystem::coordinates() const { return implementation_->motion->coordinates(); }
+void VesselSystem::follow(double t, const VesselState& hull, std::vector<PartState> parts) {
+  implementation_->motion->follow(t, hull, std::move(parts));
+}
 void VesselSystem::save(StateWriter out) const { implementation_->motion->save(out); }
 void VesselSystem::restore(const StateReader& in) { implementation_->motion->restore(in); }
 

@@ -211,6 +211,9 @@ class VesselSystem {
   /// All coordinates and speeds, for the state hash.
   VecX coordinates() const;
 
+  /// Takes over, between two steps, a motion that another integrator found; its next own step is undefined.
+  void follow(double t, const VesselState& hull, std::vector<PartState> parts);
+
   /// Between two steps only.
   void save(StateWriter out) const;
   /// Goes on as the system of the same model that was saved. Throws InputError when the state is one of another.

@@ -330,8 +330,8 @@ TEST(Reference, WhatItDoesNotTakeIsRefused) {
   EXPECT_NE(refusal("<contact integrator='reference'/><body name='log' shape='cylinder' mass='1'/>").find("'log'"),
             std::string::npos);
   EXPECT_NE(refusal("<contact integrator='reference'/><water/><hydro><buoyancy/></hydro><vessel position='0 0'>"
-                    "<hull generate='icebreaker'/><mass draught='0.3'/></vessel>")
-                .find("<vessel>"),
+                    "<hull generate='icebreaker'/><mass draught='0.3'/><carriage speed='1'/></vessel>")
+                .find("a vessel on a <carriage>"),
             std::string::npos);
   EXPECT_NE(refusal("<contact integrator='reference'/><output checkpoint_every='1'/>" + ball).find("checkpoint"),
             std::string::npos);
