@@ -73,6 +73,7 @@ std::optional<Hdf5Columns::Length> kept(const StateReader* from) {
 }  // namespace
 
 bool ContactsH5::asked(const Scene& scene, const RunInfo& info) {
+  if (scene.contact.integrator == "reference") return false;  // its impacts lie within a step
   return scene.output.contacts == "all" ||
          (scene.output.contacts == "hull" && (info.has_vessel || !info.structures.empty()));
 }

@@ -15,7 +15,7 @@ namespace nilas {
 class ContactsH5 {
  public:
   /// True when the scene asks for the file: contacts of the vessel and of structures where there are any, or of all
-  /// bodies.
+  /// bodies. Never with integrator "reference".
   static bool asked(const Scene& scene, const RunInfo& info);
 
   /// `from`: what save() wrote; the file is cut to that. Throws FileError, InputError.

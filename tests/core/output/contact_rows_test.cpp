@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/output/contacts_h5.h"
 #include "tests/core/output/sample_run.h"
 
 namespace nilas {
@@ -132,6 +133,16 @@ TEST(ContactRows, StatusFollowsFromImpulseAndVelocity) {
   EXPECT_EQ(status({1, 0.2, 0}, {-0.1, 0, 0}, Law::coulomb, 1), ContactStatus::crush);
   EXPECT_EQ(status({1, 0.2, 0}, {-0.1, 0, 0}, Law::coulomb, 2, 0.1), ContactStatus::crush) << "u_N + c r_N = 0";
   EXPECT_EQ(status({0, 0, 0}, {0.1, 0, 0}, Law::coulomb, 2, 0.1), ContactStatus::open);
+}
+
+/// Its impacts lie within a step, and what it keeps of the last one names no bodies.
+TEST(ContactsH5, IsNotWrittenWithTheReferenceIntegrator) {
+  Scene scene;
+  RunInfo info;
+  info.has_vessel = true;
+  EXPECT_TRUE(ContactsH5::asked(scene, info));
+  scene.contact.integrator = "reference";
+  EXPECT_FALSE(ContactsH5::asked(scene, info));
 }
 
 }  // namespace
