@@ -11,12 +11,12 @@ bool IceLoad::impacts_dominate() const {
 }
 
 ComponentLoad component_load(const std::vector<double>& series, const LoadWindow& window, double start, double h,
-                             double filter) {
+                             double filter, bool ice_broke) {
   const std::vector<double> part = window.of(series);
   ComponentLoad load;
   load.statistics = load_statistics(part);
   load.peak = peak_of(part, start + static_cast<double>(window.first) * h, h, filter);
-  const MeanError error = mean_error(part);
+  const MeanError error = ice_broke ? slow_mean_error(part) : mean_error(part);
   if (error.freedom > 0) load.half_width = error.half_width();
   return load;
 }

@@ -46,9 +46,10 @@ struct IceLoad {
   bool impacts_dominate() const;
 };
 
-/// What one component was over a window of a run that begins at `start` in steps of `h` [s].
+/// What one component was over a window of a run that begins at `start` in steps of `h` [s]. `ice_broke`: before the
+/// window's end, so that the load remembers long.
 ComponentLoad component_load(const std::vector<double>& series, const LoadWindow& window, double start, double h,
-                             double filter);
+                             double filter, bool ice_broke = false);
 
 /// A body that the scene holds fixed.
 struct StructureLoad {

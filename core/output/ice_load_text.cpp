@@ -26,12 +26,13 @@ std::string plain(double x, int digits) {
 }
 
 /// "16.9 N +- 2.1 N", both in the unit of the larger.
-std::string with_error(double mean, const std::optional<double>& half_width) {
+std::string with_error(double mean, const std::optional<double>& half_width, bool at_least = false) {
   constexpr int k_error_digits = 2;
   const ForceUnit unit = force_unit(std::max(std::abs(mean), half_width.value_or(0)));
   const std::string value = fmt::format("{:.4g} {}", mean / unit.size, unit.name);
-  return value +
-         (half_width ? " +- " + plain(*half_width / unit.size, k_error_digits) + " " + unit.name : " (+- not known)");
+  return value + (half_width ? (at_least ? " +- at least " : " +- ") + plain(*half_width / unit.size, k_error_digits) +
+                                   " " + unit.name
+                             : " (+- not known)");
 }
 
 std::string window_text(const IceLoad& load) {
@@ -57,12 +58,18 @@ std::string peak_lines(const IceLoad& load) {
   return text;
 }
 
-std::string error_text(const ChannelError& load, bool solver_at_least) {
-  std::string text = fmt::format("solver {}{}, contact law {}", solver_at_least ? "at least " : "",
+std::string error_text(const LoadError& error) {
+  const ChannelError& load = error.channels[error.headline];
+  std::string text = fmt::format("solver {}{}, contact law {}", error.solver_at_least ? "at least " : "",
                                  force_text(load.solver), force_text(load.law));
   if (load.chaos) text += fmt::format(", chance in this ice {}", force_text(*load.chaos));
   text += load.chaos ? ". What the time step adds is not known" : ". What chance and the time step add is not known";
-  if (solver_at_least) text += ", nor what steps add that missed the tolerance";
+  if (error.solver_at_least)
+    text += fmt::format(
+        ". In {:.2g} % of the steps the solver left more than its tolerance{}: how far that turned the course of the "
+        "ice "
+        "is not known. Solve tighter (contact/@solver, @tolerance, @max_iterations) and compare",
+        100 * error.share_short, error.ice_broke ? " or a thousandth of the speed" : "");
   return text + ". Other ice of the same kind is not in it: run other seeds (--seed) and compare the means.";
 }
 
@@ -111,14 +118,15 @@ std::string ice_load_lines(const IceLoad& load, const LoadError& error) {
     text += line("  window", window_text(load));
   } else {
     text = line("ice load",
-                fmt::format("{} astern, {} to port{}", with_error(load.along.statistics.mean, load.along.half_width),
-                            with_error(load.across.statistics.mean, load.across.half_width),
+                fmt::format("{} astern, {} to port{}",
+                            with_error(load.along.statistics.mean, load.along.half_width, error.solver_at_least),
+                            with_error(load.across.statistics.mean, load.across.half_width, error.solver_at_least),
                             error.from_twins ? "; means over the run and its twins" : ""));
     text += line("  window", window_text(load));
     text += line("  deviation", fmt::format("{} along, {} across", force_text(load.along.statistics.std),
                                             force_text(load.across.statistics.std)));
     text += peak_lines(load);
-    text += line("  the +- is of", error_text(error.channels[error.headline], error.solver_at_least));
+    text += line("  the +- is of", error_text(error));
   }
   if (load.tow) text += tow_lines(*load.tow);
   return text;

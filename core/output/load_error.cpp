@@ -39,8 +39,8 @@ std::size_t headline_of(const std::vector<ChannelError>& channels) {
   return found == channels.end() ? 0 : static_cast<std::size_t>(found - channels.begin());
 }
 
-std::optional<double> own_chaos(const std::vector<double>& contact) {
-  const MeanError error = mean_error(contact);
+std::optional<double> own_chaos(const std::vector<double>& contact, bool ice_broke) {
+  const MeanError error = ice_broke ? slow_mean_error(contact) : mean_error(contact);
   if (error.freedom == 0) return std::nullopt;
   return error.half_width();
 }
@@ -65,7 +65,13 @@ static double mean_over(const std::vector<double>& series, const LoadWindow& win
   return sum / static_cast<double>(window.steps());
 }
 
-void LoadResiduals::add(const VesselRecord& vessel) {
+void LoadResiduals::add(const StepRecord& record) {
+  const VesselRecord& vessel = record.vessel.value();
+  constexpr double k_coarse = 1e-3;  // of the speed, as the default tolerance has it
+  const double speed = vessel.carriage ? std::abs(vessel.state.v.head<2>().dot(vessel.course)) : 0;
+  const bool coarse = speed > 0 && record.residuals.law_map_m_s > k_coarse * speed;
+  short_.push_back(record.solver_short ? 1 : 0);
+  coarse_.push_back(record.solver_short || coarse ? 1 : 0);
   // absolute values of components bound those along any axis
   const Vec2 ahead = vessel.course.cwiseAbs(), aside = to_port(vessel.course).cwiseAbs();
   const auto solver = components(vessel.solver_residual, ahead, aside);
@@ -87,7 +93,13 @@ double LoadResiduals::law(std::size_t component, const LoadWindow& window) const
   return std::abs(mean) + 2 * std::sqrt(square / static_cast<double>(window.steps()));
 }
 
+double LoadResiduals::share_short(const LoadWindow& window, bool ice_broke) const {
+  return mean_over(ice_broke ? coarse_ : short_, window, [](double x) { return x; });
+}
+
 void LoadResiduals::save(StateWriter out) const {
+  out.add("short", short_);
+  out.add("coarse", coarse_);
   for (std::size_t c = 0; c < k_components; ++c) {
     out.add("solver" + std::to_string(c), solver_[c]);
     out.add("law" + std::to_string(c), law_[c]);
@@ -95,6 +107,8 @@ void LoadResiduals::save(StateWriter out) const {
 }
 
 void LoadResiduals::restore(const StateReader& in, std::size_t steps) {
+  in.get("short", short_, steps);
+  in.get("coarse", coarse_, steps);
   for (std::size_t c = 0; c < k_components; ++c) {
     in.get("solver" + std::to_string(c), solver_[c], steps);
     in.get("law" + std::to_string(c), law_[c], steps);
@@ -104,6 +118,7 @@ void LoadResiduals::restore(const StateReader& in, std::size_t steps) {
 std::optional<LoadError> load_error(const LoadRecord& run, const LoadResiduals& residuals,
                                     const TwinStatistics* twins) {
   LoadError out;
+  out.ice_broke = run.ice_broke;
   out.from_twins = twins != nullptr && twins->runs() > 1;
   out.chaos_from_twins = out.from_twins && parted_in_time(*twins, run.window.from, run.window.to);
   for (std::size_t c = 0; c < run.names.size(); ++c) {
@@ -115,7 +130,8 @@ std::optional<LoadError> load_error(const LoadRecord& run, const LoadResiduals& 
     error.mean = out.from_twins ? mean_of_runs(twins->mean_loads[c]) : load_statistics(series).mean;
     // the contact load's channels come first, in the order of the components
     const bool of_course = *component >= k_components - k_num_course_loads;
-    if (!out.chaos_from_twins) error.chaos = own_chaos(of_course ? series : run.window.of(run.series[*component]));
+    if (!out.chaos_from_twins)
+      error.chaos = own_chaos(of_course ? series : run.window.of(run.series[*component]), out.ice_broke);
     if (out.from_twins) error.chaos = std::max(error.chaos.value_or(0), chaos_of_runs(twins->mean_loads[c]));
     error.solver = residuals.solver(*component, run.window);
     error.law = residuals.law(*component, run.window);
@@ -123,6 +139,9 @@ std::optional<LoadError> load_error(const LoadRecord& run, const LoadResiduals& 
     out.channels.push_back(error);
   }
   if (out.channels.empty()) return std::nullopt;
+  constexpr double k_many = 0.01;
+  out.share_short = residuals.share_short(run.window, run.ice_broke);
+  out.solver_at_least = out.share_short > k_many;
   out.headline = headline_of(out.channels);
   return out;
 }

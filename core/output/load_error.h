@@ -17,11 +17,15 @@ namespace nilas {
 /// across the course.
 class LoadResiduals {
  public:
-  void add(const VesselRecord& vessel);
+  /// Of a step with a vessel.
+  void add(const StepRecord& record);
   /// Over the steps of a window: mean of what the residuals would be if none cancelled.
   double solver(std::size_t component, const LoadWindow& window) const;
   /// Over the steps of a window: |mean| and twice its standard error.
   double law(std::size_t component, const LoadWindow& window) const;
+  /// Share of the window's steps in which the solver missed the tolerance that the scene asks for; where ice broke,
+  /// also of those in which it left more than a thousandth of the speed that the carriage tows at.
+  double share_short(const LoadWindow& window, bool ice_broke) const;
 
   void save(StateWriter out) const;
   void restore(const StateReader& in, std::size_t steps);
@@ -30,6 +34,7 @@ class LoadResiduals {
 
  private:
   std::array<std::vector<double>, k_components> solver_, law_;  ///< per step
+  std::vector<double> short_, coarse_;                          ///< per step: 1 where so, else 0
 };
 
 /// Of one channel's mean over the window, all in the channel's unit; half widths that hold for about 95 % of runs.
@@ -44,21 +49,24 @@ struct ChannelError {
 struct LoadError {
   std::vector<ChannelError> channels;
   std::size_t headline = 0;      ///< ice_resistance_N where there is such a channel
-  bool solver_at_least = false;  ///< so many steps missed the tolerance that the solver's part is a lower bound
+  double share_short = 0;        ///< of the window's steps that were not solved well enough
+  bool solver_at_least = false;  ///< so many that the solver's part, and with it the total, is a lower bound
   bool from_twins = false;       ///< mean
   bool chaos_from_twins = false;
+  bool ice_broke = false;  ///< before the window's end: a run's own chaos is then that of a load with a long memory
 };
 
 /// Load channels of a run, with one value per step.
 struct LoadRecord {
   const std::vector<std::string>& names;
   const std::vector<std::vector<double>>& series;
-  LoadWindow window;  ///< the part of the run that counts
+  LoadWindow window;       ///< the part of the run that counts
+  bool ice_broke = false;  ///< before the window's end
 };
 
 /// Nothing without a contact channel or a step. Chaos is that of the twins where they parted in the first half of the
-/// window, else the larger of theirs and the run's own. Of hull and carriage the own one is that of the contact load:
-/// what the carriage does to the vessel's mass is no chance.
+/// window, else the larger of theirs and the run's own, which remembers long where ice broke. Of hull and carriage the
+/// own one is that of the contact load: what the carriage does to the vessel's mass is no chance.
 std::optional<LoadError> load_error(const LoadRecord& run, const LoadResiduals& residuals, const TwinStatistics* twins);
 
 }  // namespace nilas

@@ -24,15 +24,21 @@ const char* chaos_method(const LoadError& error) {
   if (error.chaos_from_twins)
     return "Student's t (95 %) times the standard deviation over the run and its twins, for one more draw";
   if (error.from_twins)
-    return "the larger of the run's own (second differences of 16 to 64 batches) and that of the twins, which parted "
-           "too "
-           "late, if at all";
+    return error.ice_broke ? "the larger of the run's own (8 batches about a straight line) and that of the twins, "
+                             "which parted too late, if at all"
+                           : "the larger of the run's own (second differences of 16 to 64 batches) and that of the "
+                             "twins, which parted too late, if at all";
+  if (error.ice_broke)
+    return "Student's t (95 %) times the standard error of the run's own mean, by 8 batches about a straight line: ice "
+           "broke";
   return "Student's t (95 %) times the standard error of the run's own mean, by second differences of 16 to 64 batches";
 }
 
 Json methods_json(const LoadError& error) {
   return {
-      {"solver", "mean over the steps of the sum of |residual of the law asked| over the hull's contacts"},
+      {"solver",
+       "mean over the steps of the sum of |residual of the law asked| over the hull's contacts, and where "
+       "the solver stopped short over all contacts of the ice in touch with it"},
       {"law", "|mean| + 2 standard errors of the sum of Coulomb residual less law residual over the hull's contacts"},
       {"chaos", chaos_method(error)},
       {"step", "not known from one run: run again with half the step"},
@@ -51,6 +57,8 @@ Json load_error_json(const LoadError& error, const TwinStatistics* twins) {
           {"estimate_N", headline.total},
           {"solver_N", headline.solver},
           {"solver_at_least", error.solver_at_least},
+          {"solver_short_share", error.share_short},
+          {"ice_broke", error.ice_broke},
           {"law_N", headline.law},
           {"chaos_N", or_null(headline.chaos)},
           {"step_N", nullptr},

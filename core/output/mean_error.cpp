@@ -51,6 +51,24 @@ MeanError mean_error(const std::vector<double>& series) {
   return least;
 }
 
+MeanError slow_mean_error(const std::vector<double>& series) {
+  constexpr std::size_t k_batches = 8;
+  constexpr double k_freedom = k_batches - 2, k_middle = 0.5 * (k_batches - 1);
+  if (series.size() < 2 * k_batches) return {};
+  const std::vector<double> means = batch_means(series, k_batches);
+  const double mean = std::accumulate(means.begin(), means.end(), 0.0) / k_batches;
+  double across = 0, squares = 0;
+  for (std::size_t b = 0; b < k_batches; ++b) {
+    const double from_middle = static_cast<double>(b) - k_middle;
+    across += from_middle * (means[b] - mean);
+    squares += from_middle * from_middle;
+  }
+  double rest = 0;
+  for (std::size_t b = 0; b < k_batches; ++b)
+    rest += std::pow(means[b] - mean - across / squares * (static_cast<double>(b) - k_middle), 2);
+  return {std::sqrt(rest / k_freedom / k_batches), k_freedom};
+}
+
 MeanError mean_error_of_runs(const std::vector<double>& means) {
   if (means.size() < 2) return {};
   const auto n = static_cast<double>(means.size());

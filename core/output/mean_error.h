@@ -18,6 +18,10 @@ struct MeanError {
 /// a constant or a steady rise gives 0.
 MeanError mean_error(const std::vector<double>& series);
 
+/// Of a series that remembers for longer than that, as the load of ice that breaks does: what the means of 8 batches
+/// scatter by about the straight line through them. Of slow changes only a steady one is left out then.
+MeanError slow_mean_error(const std::vector<double>& series);
+
 /// From the means of several runs.
 MeanError mean_error_of_runs(const std::vector<double>& means);
 

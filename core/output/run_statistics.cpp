@@ -56,6 +56,7 @@ void RunStatistics::add(const StepRecord& record, const std::vector<double>& ves
   shortfalls_.uncorrected_steps += !record.positions_corrected;
   detection_ += record.detection;
   h_ = record.h;
+  if (!record.broken.empty()) first_break_ = std::min(first_break_, record.t);
   costs_.add(record);
   if (!load_series_.empty()) add_vessel(record, vessel_values);
   add_structures(record);
@@ -65,7 +66,7 @@ void RunStatistics::add_vessel(const StepRecord& record, const std::vector<doubl
   const VesselRecord& vessel = record.vessel.value();
   const std::vector<double> loads = VesselChannels(info_).loads(vessel_values);
   for (std::size_t c = 0; c < load_series_.size(); ++c) load_series_[c].push_back(loads[c]);
-  load_residuals_.add(vessel);
+  load_residuals_.add(record);
   if (vessel.touches_ice) first_ice_ = std::min(first_ice_, record.t - record.h);
   if (!vessel.carriage) return;
   const auto along = [&](const Vec3& x) { return x.head<2>().dot(vessel.course); };
@@ -109,6 +110,7 @@ void RunStatistics::save(StateWriter out) const {
   out.add("others", others_);
   out.add("speed", speed_);
   out.add("first_ice", first_ice_);
+  out.add("first_break", first_break_);
   std::vector<double> structures;  // in one piece: a pier of hundreds of piles has thousands of series
   for (const auto& series : structure_series_) structures.insert(structures.end(), series.begin(), series.end());
   out.add("structures", structures);
@@ -147,6 +149,7 @@ void RunStatistics::restore(const StateReader& in) {
   in.get("others", others_, towed);
   in.get("speed", speed_, towed);
   in.get("first_ice", first_ice_);
+  in.get("first_break", first_break_);
   std::vector<double> structures;
   in.get("structures", structures, steps * structure_series_.size());
   for (std::size_t k = 0; k < structure_series_.size(); ++k) {
@@ -189,11 +192,9 @@ double RunStatistics::peak_filter() const {
 }
 
 std::optional<LoadError> RunStatistics::load_error(const TwinStatistics* twins) const {
-  auto error = nilas::load_error({load_names_, load_series_, window()}, load_residuals_, twins);
-  constexpr double k_many = 0.01;
-  if (error)
-    error->solver_at_least = static_cast<double>(shortfalls_.unconverged_steps) > k_many * static_cast<double>(steps_);
-  return error;
+  const LoadWindow counted = window();
+  return nilas::load_error({load_names_, load_series_, counted, first_break_ - 0.5 * h_ < counted.to}, load_residuals_,
+                           twins);
 }
 
 const std::vector<double>& RunStatistics::series_of(const std::string& name) const {
@@ -255,8 +256,9 @@ std::vector<StructureLoad> RunStatistics::structure_loads() const {
     load.ice.touched = structure_first_ice_[k] < k_never;
     load.ice.rigid = info_.rigid_contacts;
     for (std::size_t c = 0; c < names.size(); ++c)
-      load.loads.emplace_back(names[c], component_load(structure_series_[k * names.size() + c], load.ice.window,
-                                                       t_start_, h_, load.ice.filter));
+      load.loads.emplace_back(names[c],
+                              component_load(structure_series_[k * names.size() + c], load.ice.window, t_start_, h_,
+                                             load.ice.filter, first_break_ - 0.5 * h_ < load.ice.window.to));
     load.ice.along = load.loads[names.size() - k_num_course_loads].second;
     load.ice.across = load.loads.back().second;
     load.ice.filter = load.ice.along.peak.filter;

@@ -88,7 +88,8 @@ class RunStatistics {
   std::vector<std::vector<double>> load_series_;
   LoadResiduals load_residuals_;
   std::vector<double> tow_, water_, others_, speed_;  ///< along the course, of a vessel on a carriage [N, m/s]
-  double first_ice_ = k_never;  ///< start of the first step in which ice pressed on the vessel [s]
+  double first_ice_ = k_never;    ///< start of the first step in which ice pressed on the vessel [s]
+  double first_break_ = k_never;  ///< end of the first step in which a floe broke [s]
   std::vector<std::vector<double>> structure_series_;  ///< per structure and load
   std::vector<double> structure_first_ice_;            ///< per structure [s]
   StepCosts costs_;

@@ -8,8 +8,11 @@ namespace nilas {
 
 /// Impulses on the vessel in G, torques about its centre of mass where the contacts were found [N s, N m s].
 struct LoadResidual {
-  Wrench solver;  ///< of the law that was asked: sum of the absolute values, component by component
-  Wrench law;     ///< of exact Coulomb less those of the law that was asked: signed sum; 0 for coulomb
+  /// Of the law that was asked: sum of the absolute values, component by component, over the vessel's contacts. Where
+  /// the solver ended above its tolerance, also over all other contacts of bodies that are in touch with the vessel,
+  /// directly or through others: each may reach the vessel whole, along any axis.
+  Wrench solver;
+  Wrench law;  ///< of exact Coulomb less those of the law that was asked: signed sum; 0 for coulomb
 };
 
 /// `C`: as in AssembledContacts. `vessel`: the hull; the parts that follow it count with it.

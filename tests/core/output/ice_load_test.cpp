@@ -14,8 +14,8 @@ namespace {
 
 /// 200 steps of 0.01 s of a tow along Y with a ramp of 0.5 s: ice presses from 1 s on with -30 N along the course and
 /// 4 N to port, water with -5 N, and the vessel of 1500 kg gains 0.01 m/s in each step.
-/// A wall takes `others` [N] throughout.
-RunStatistics towed(RunInfo info, double others = 0) {
+/// A wall takes `others` [N] throughout. From 1.5 s on floes break, and the solver stops short, where asked.
+RunStatistics towed(RunInfo info, double others = 0, bool breaks = false) {
   info.course = CourseKind::carriage;
   info.ramp_end = 0.5;
   info.vessel_length = 4;
@@ -26,6 +26,8 @@ RunStatistics towed(RunInfo info, double others = 0) {
   for (int k = 0; k < 200; ++k) {
     StepRecord record = test::full_record();
     record.t = 0.01 * (k + 1);
+    record.solver_short = breaks && k >= 150;
+    if (breaks && k == 150) record.broken.emplace_back();
     VesselRecord& vessel = *record.vessel;
     vessel.course = Vec2::UnitY();
     vessel.touches_ice = k >= 100;
@@ -97,6 +99,26 @@ TEST(IceLoad, LinesFitTheScreenAndNameWhatPeaksDependOn) {
   for (std::string line; std::getline(in, line);) EXPECT_LE(line.size(), 80u) << line;
   load->rigid = false;
   EXPECT_FALSE(load->impacts_dominate()) << "what crushes is limited already";
+}
+
+TEST(IceLoad, WhereTheSolverStoppedShortTheErrorIsALowerBound) {
+  RunStatistics statistics = towed(test::full_run(), 0, true);
+  const LoadError error = statistics.load_error(nullptr).value();
+  EXPECT_TRUE(error.ice_broke);
+  EXPECT_DOUBLE_EQ(error.share_short, 0.5);
+  const std::string text = ice_load_lines(*statistics.ice_load(nullptr), error);
+  EXPECT_NE(text.find("30 N +- at least 0 N astern, 4 N +- at least 0 N to port"), std::string::npos) << text;
+  EXPECT_NE(text.find("In 50 % of the\n"), std::string::npos) << text;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) EXPECT_LE(line.size(), 80u) << line;
+}
+
+TEST(IceLoad, BreaksBehindTheWindowAreNoneOfIts) {
+  RunInfo info = test::full_run();
+  info.statistics = {0.5, 1.5};
+  const LoadError error = towed(info, 0, true).load_error(nullptr).value();
+  EXPECT_FALSE(error.ice_broke);
+  EXPECT_EQ(error.share_short, 0);
 }
 
 TEST(IceLoad, SaysThatNoIceTouched) {

@@ -28,10 +28,11 @@ Series all_channels(const std::vector<double>& values) {
 
 LoadResiduals residuals_of(int steps, double solver, double law) {
   LoadResiduals sums;
-  VesselRecord vessel;
+  StepRecord record;
+  VesselRecord& vessel = record.vessel.emplace();
   vessel.solver_residual.force.x() = solver;
   vessel.law_residual.force.x() = law;
-  for (int k = 0; k < steps; ++k) sums.add(vessel);
+  for (int k = 0; k < steps; ++k) sums.add(record);
   return sums;
 }
 
@@ -93,17 +94,76 @@ TEST(LoadError, CountsTheWindowAlone) {
   record.window.first = 50;
   LoadResiduals residuals = residuals_of(50, 4, 0);
   for (int k = 0; k < 50; ++k) {
-    VesselRecord vessel;
+    StepRecord step;
+    VesselRecord& vessel = step.vessel.emplace();
     vessel.course = Vec2(0.6, 0.8);
     vessel.solver_residual.force = Vec3(1, 2, 0);
     vessel.law_residual.force = Vec3(-1, 2, 0);
-    residuals.add(vessel);
+    residuals.add(step);
   }
   const auto error = load_error(record, residuals, nullptr);
   EXPECT_EQ(error->channels.back().mean, 7);
   EXPECT_EQ(error->channels.front().solver, 1) << "fx";
   EXPECT_DOUBLE_EQ(error->channels.back().solver, 0.6 * 1 + 0.8 * 2) << "along the course, if none cancel";
   EXPECT_DOUBLE_EQ(error->channels.back().law, (-0.6 + 1.6) * (1 + 2 / std::sqrt(50.0)));
+}
+
+/// A load that swings once over the window: batches of a 16th and shorter see a slow course, not chance.
+std::vector<double> one_swing() {
+  std::vector<double> values;
+  constexpr int k_steps = 640;
+  for (int k = 0; k < k_steps; ++k) values.push_back(10 + 5 * std::sin(2 * k_pi * k / k_steps));
+  return values;
+}
+
+TEST(LoadError, WhereIceBrokeSlowChangesAreChanceToo) {
+  const Series series = all_channels(one_swing());
+  const LoadResiduals none = residuals_of(640, 0, 0);
+  LoadRecord run = series.record();
+  const auto whole = load_error(run, none, nullptr);
+  run.ice_broke = true;
+  const auto broken = load_error(run, none, nullptr);
+  EXPECT_FALSE(whole->ice_broke);
+  EXPECT_TRUE(broken->ice_broke);
+  EXPECT_LT(*whole->channels[0].chaos, 0.5);
+  EXPECT_GT(*broken->channels[0].chaos, 1.5);
+  EXPECT_NE(load_error_json(*whole, nullptr)["methods"]["chaos"],
+            load_error_json(*broken, nullptr)["methods"]["chaos"]);
+}
+
+TEST(LoadError, IsALowerBoundWhereTheSolverStoppedShortInTheWindow) {
+  const Series series = all_channels(std::vector<double>(200, 7));
+  LoadResiduals residuals;
+  StepRecord record;
+  record.vessel.emplace();
+  for (int k = 0; k < 200; ++k) {
+    record.solver_short = k < 3;
+    residuals.add(record);
+  }
+  LoadRecord run = series.record();
+  EXPECT_DOUBLE_EQ(residuals.share_short(run.window, false), 3.0 / 200);
+  EXPECT_TRUE(load_error(run, residuals, nullptr)->solver_at_least);
+  run.window.first = 2;
+  EXPECT_FALSE(load_error(run, residuals, nullptr)->solver_at_least) << "one step in 198";
+}
+
+TEST(LoadError, IsALowerBoundWhereIceBrokeAndResidualsAreLargeForTheSpeed) {
+  const Series series = all_channels(std::vector<double>(100, 7));
+  const auto at_least = [&](double residual, double speed, bool ice_broke) {
+    StepRecord record;
+    record.residuals.law_map_m_s = residual;
+    record.vessel.emplace().carriage.emplace();
+    record.vessel->state.v = Vec3(speed, 0, 0);
+    LoadResiduals residuals;
+    for (int k = 0; k < 100; ++k) residuals.add(record);
+    LoadRecord run = series.record();
+    run.ice_broke = ice_broke;
+    return load_error(run, residuals, nullptr)->solver_at_least;
+  };
+  EXPECT_TRUE(at_least(5e-4, 0.3, true)) << "the solver met the tolerance that it was given";
+  EXPECT_FALSE(at_least(2e-4, 0.3, true));
+  EXPECT_FALSE(at_least(5e-4, 0.3, false)) << "nothing that a small error can turn";
+  EXPECT_FALSE(at_least(5e-4, 0, true)) << "no speed to hold it against";
 }
 
 TEST(LoadError, IsWrittenWithItsMethods) {
@@ -117,7 +177,10 @@ TEST(LoadError, IsWrittenWithItsMethods) {
   for (const char* part : {"solver", "law", "chaos", "step"}) EXPECT_TRUE(json["methods"].contains(part)) << part;
 }
 
-TEST(LoadError, NothingWithoutAVessel) { EXPECT_FALSE(load_error({{}, {}, {}}, {}, nullptr).has_value()); }
+TEST(LoadError, NothingWithoutAVessel) {
+  EXPECT_FALSE(load_error({{}, {}, {}}, {}, nullptr).has_value());
+  EXPECT_FALSE(load_error({{}, {}, {0, 1, 0, 100, ""}}, {}, nullptr).has_value()) << "of a run with steps";
+}
 
 }  // namespace
 }  // namespace nilas

@@ -48,6 +48,31 @@ TEST(MeanError, OfAConstantAndOfASteadyRiseIsZero) {
   EXPECT_EQ(mean_error(ramp).standard_error, 0);
 }
 
+/// A load that forgets itself within a tenth of the record, as in ice that breaks.
+TEST(MeanError, OfASlowSeriesHoldsWhereThatOfAFastOneDoesNot) {
+  constexpr int k_steps = 1000, k_series = 300;
+  int slow_held = 0, fast_held = 0;
+  for (int k = 0; k < k_series; ++k) {
+    const auto series = autoregressive(0.97, k_steps, static_cast<std::uint64_t>(k));
+    slow_held += std::abs(mean(series)) <= slow_mean_error(series).half_width();
+    fast_held += std::abs(mean(series)) <= mean_error(series).half_width();
+  }
+  EXPECT_GE(slow_held, 0.85 * k_series);
+  EXPECT_LE(fast_held, 0.75 * k_series) << "or one estimate would do";
+}
+
+TEST(MeanError, OfASlowSeriesIsThatAboutASteadyRise) {
+  std::vector<double> ramp(1024);
+  std::iota(ramp.begin(), ramp.end(), 0.0);
+  EXPECT_NEAR(slow_mean_error(ramp).standard_error, 0, 1e-9);
+  EXPECT_EQ(slow_mean_error(std::vector<double>(1000, -14.1)).half_width(), 0);
+  // batches 1, -1, -1, 1 and again: no rise, squares 8 of 6 degrees of freedom
+  const std::vector<double> waves{1, 1, -1, -1, -1, -1, 1, 1, 1, 1, -1, -1, -1, -1, 1, 1};
+  EXPECT_NEAR(slow_mean_error(waves).standard_error, std::sqrt(8.0 / 6 / 8), 1e-12);
+  EXPECT_EQ(slow_mean_error(waves).freedom, 6);
+  EXPECT_EQ(slow_mean_error({1, 2, 3}).freedom, 0);
+}
+
 TEST(MeanError, TooFewValuesSayNothing) {
   EXPECT_EQ(mean_error({1, 2, 3}).freedom, 0);
   EXPECT_TRUE(std::isinf(mean_error({1, 2, 3}).half_width()));

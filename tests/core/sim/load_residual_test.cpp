@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "contact/measure.h"
 
 namespace nilas {
@@ -44,6 +46,47 @@ TEST(LoadResidual, AWrongImpulseIsTheLoadThatIsOff) {
   const SolvedProblem solved = pressed(0.125, Law::coulomb, motion);
   motion.p.push_back(Vec3::Zero());
   EXPECT_EQ(load_residual(solved, {Mat3::Identity()}, motion, 2).solver.force.norm(), 0);
+}
+
+/// The vessel (body 2) pushes a floe that pushes another: what is off between the floes may reach the vessel, but a
+/// solver that met its tolerance is taken by its word. A third floe (body 3) rests against the second's neighbour only.
+TEST(LoadResidual, OfFloesBehindCountsWhereTheSolverStoppedShort) {
+  StepMotion motion;
+  SolvedProblem solved;
+  ContactProblem& problem = solved.problem;
+  problem.h = motion.h = 0.01;
+  problem.law = Law::coulomb;
+  for (int k = 0; k < 4; ++k) problem.add_block(k_mass * Mat3::Identity());
+  const MatX none(3, 0);
+  problem.add_contact(0, -Mat3::Identity(), 1, Mat3::Identity(), 1);  // floe on floe
+  problem.add_contact(1, -Mat3::Identity(), -1, none, 2);             // floe on vessel
+  problem.add_contact(2, -Mat3::Identity(), 3, Mat3::Identity(), 3);  // floes elsewhere
+  problem.f.setZero();
+  const double between = 0.25, elsewhere = 4;
+  solved.solution.r = VecX::Zero(9);
+  solved.solution.r[0] = between;
+  solved.solution.r[6] = elsewhere;
+  solved.solution.v = velocities(problem, solved.solution.r);
+  measure(problem, solved.solution.r, solved.solution.v, solved.d);
+  motion.p.assign(5, Vec3::Zero());
+  motion.points.resize(3);
+  constexpr int k_vessel = 4;
+  for (const auto& [c, a, b] : {std::tuple(0, 0, 1), std::tuple(1, 1, k_vessel), std::tuple(2, 2, 3)}) {
+    motion.points[static_cast<std::size_t>(c)].a = a;
+    motion.points[static_cast<std::size_t>(c)].b = b;
+    motion.points[static_cast<std::size_t>(c)].p = Vec3(0, 2, 0);
+  }
+  const std::vector<Mat3> C(3, Mat3::Identity());
+  solved.solution.status = SolveStatus::converged;
+  const double at_hull = load_residual(solved, C, motion, k_vessel).solver.force.x();
+  solved.solution.status = SolveStatus::iteration_limit;
+  const LoadResidual e = load_residual(solved, C, motion, k_vessel);
+  const double behind = e.solver.force.x() - at_hull;
+  EXPECT_GT(behind, 0.5 * between);
+  EXPECT_LT(behind, 2 * between) << "that of floes elsewhere is far larger and none of the vessel's";
+  EXPECT_NEAR(e.solver.force.y(), behind, 1e-12) << "along any axis";
+  EXPECT_GE(e.solver.torque.x(), 2 * behind - 1e-12) << "at its arm";
+  EXPECT_EQ(e.law.force.norm(), 0);
 }
 
 TEST(LoadResidual, OfTheLawIsSigned) {

@@ -1,0 +1,86 @@
+/// What single runs in ice that breaks state about their mean load, against the mean of runs that are solved well.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/output/mean_error.h"
+#include "core/output/run_statistics.h"
+#include "core/scene/read_scene.h"
+#include "core/sim/simulation.h"
+#include "tests/support/program.h"
+
+namespace {
+
+using namespace nilas;
+
+constexpr double k_until = 3.9;  // [s]; ice meets the ship at 2.77 s and breaks from 2.87 s on
+
+struct Said {
+  ChannelError error;
+  bool at_least = false;
+  double fast = 0;  ///< half width by what a load is worth that forgets itself soon [N]
+};
+
+Said run(const Overrides& settings, std::uint64_t twin) {
+  Scene scene = read_scene(nilas_test::shipped_scene("level-ice.xml"), settings);
+  scene.twin = twin;
+  WarningCounts warnings(make_logger("off", ""));
+  Simulation simulation(scene, 1, warnings);
+  RunStatistics statistics(simulation.info());
+  const VesselChannels channels(simulation.info());
+  statistics.start(scene.time.start, simulation.initial_ledger());
+  std::vector<double> values;
+  while (simulation.time() < k_until - 0.5 * scene.time.step) {
+    const StepRecord record = simulation.step();
+    channels.read(record.vessel.value(), values);
+    statistics.add(record, values);
+  }
+  const LoadError error = statistics.load_error(nullptr).value();
+  EXPECT_TRUE(error.ice_broke);
+  const auto& names = statistics.load_names();
+  const auto channel = std::find(names.begin(), names.end(), "ice_resistance_N") - names.begin();
+  const auto series = statistics.window().of(statistics.load_series(static_cast<std::size_t>(channel)));
+  return {error.channels[error.headline], error.solver_at_least, mean_error(series).half_width()};
+}
+
+std::vector<Said> twins(const Overrides& settings, int count) {
+  std::vector<Said> all;
+  for (int k = 0; k < count; ++k) all.push_back(run(settings, static_cast<std::uint64_t>(k)));
+  return all;
+}
+
+double mean_of(const std::vector<Said>& runs) {
+  double sum = 0;
+  for (const Said& said : runs) sum += said.error.mean;
+  return sum / static_cast<double>(runs.size());
+}
+
+TEST(LoadCoverage, OfLevelIceHoldsAndWidensWhereTheSolverStopsShort) {
+  const auto tight =
+      twins({{"contact/@solver", "auto"}, {"contact/@tolerance", "1e-4"}, {"contact/@max_iterations", "1000"}}, 2);
+  const auto shipped = twins({}, 4), few = twins({{"contact/@max_iterations", "20"}}, 2);
+  const double truth = mean_of(tight);
+  EXPECT_GT(truth, 1);
+  int held = 0, held_fast = 0;
+  for (const Said& said : shipped) {
+    held += std::abs(said.error.mean - truth) <= said.error.total;
+    held_fast += std::abs(said.error.mean - truth) <= said.fast;
+    EXPECT_LT(said.error.total, truth) << "an interval that holds whatever the run gives tells nothing";
+  }
+  EXPECT_GE(held, 3) << "of 4";
+  EXPECT_LE(held_fast, 1) << "or the memory of the ice would not matter";
+  // with a tenth of the sweeps the load is less than half of it: no run knows that, but each says that it does not know
+  EXPECT_LT(mean_of(few), 0.5 * truth);
+  for (const auto& runs : {shipped, few})
+    for (const Said& said : runs) EXPECT_TRUE(said.at_least);
+  const auto solver = [](const std::vector<Said>& runs) {
+    double sum = 0;
+    for (const Said& said : runs) sum += said.error.solver;
+    return sum / static_cast<double>(runs.size());
+  };
+  EXPECT_GT(solver(shipped), 1.5 * solver(tight));
+  EXPECT_GT(solver(few), 1.5 * solver(shipped));
+}
+
+}  // namespace
