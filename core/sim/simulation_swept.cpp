@@ -274,9 +274,24 @@ bool Simulation::World::can_be_halved() const {
   return model.theta == 1 && (!parts.vessel || parts.vessel->fixed()) && h > k_shortest_half * whole_step;
 }
 
-/// A body that would reach the middle of another could leave on the other side.
+/// The width of a body's thickest part: what pierces a sliver of it is not through the body.
+static double thickest_part(const Shape& shape, double smallest) {
+  double thickest = smallest;
+  for (const auto& part : shape.parts) thickest = std::max(thickest, part.smallest_width);
+  return thickest;
+}
+
+/// A body that would go deeper into another by half the thinner one's thickness could leave on the other side.
 void Simulation::World::refuse_passing(const Velocities& velocities, double horizon) {
-  for (const SweptPair& pair : sweep(velocities, horizon, horizon, {k_fast_share, k_fast_share})) {
+  std::vector<FastPair> pairs = list_fast_pairs(velocities, horizon);
+  if (pairs.empty()) return;
+  const auto thickness = [&](int body) {
+    const auto b = static_cast<std::size_t>(body);
+    return thickest_part(*parts.bodies.shape[b], width[b]);
+  };
+  for (FastPair& pair : pairs) pair.width = std::min(thickness(pair.a), thickness(pair.b));
+  constexpr SoughtOverlap k_half{k_fast_share, 2 * k_fast_share};
+  for (const SweptPair& pair : detector.sweep(parts.bodies, ways(velocities, pairs, horizon, horizon), pairs, k_half)) {
     if (!pair.first.hit || pair.first.t == 0) continue;
     const auto& name = parts.bodies.name;
     throw SimulationError(fmt::format(

@@ -221,6 +221,7 @@ TEST(Assemble, BodiesOfOneSystemShareABlock) {
   FrictionPair rolling{0.5, 0.4, 0};
   rolling.rolling = 0.01;
   rolling.spinning = 0.02;
+  scene.friction = FrictionTable();
   scene.friction.add("ice", "ice", rolling);
   ArticulatedBlock block;
   RandomStream random(2, "tree");
