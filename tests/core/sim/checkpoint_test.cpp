@@ -115,6 +115,9 @@ const std::vector<Case> k_cases{
                    "</contact>" NILAS_WATER
                    "<vessel name='ship' position='0.1 0' velocity='1 0 0' angular_velocity='0.02 0.05 0.1'>" NILAS_HULL
                    "<mass draught='0.2'/></vessel>" NILAS_PACKED},
+    {"FclsContacts",
+     "<contact law='coulomb' solver='nsgs' tolerance='1e-6' narrow_phase='fcl'>" NILAS_FRICTION "</contact>" NILAS_WATER
+     "<vessel name='ship' position='0.1 0' velocity='1 0 0'>" NILAS_HULL "<mass draught='0.2'/></vessel>" NILAS_PACKED},
     {"FreeVesselWithParts",
      "<contact law='coulomb' solver='nsgs' tolerance='1e-6' stabilisation='projection'>" NILAS_FRICTION
      "</contact>" NILAS_WATER "<vessel name='ship' position='0.1 0 -0.2' velocity='1 0 0'>" NILAS_HULL
