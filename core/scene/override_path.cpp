@@ -23,8 +23,10 @@ static std::vector<std::string> split_path(const std::string& text) {
   return parts;
 }
 
-/// The inside of [...]: a number, or @key='value' in single or double quotes.
+/// The inside of [...]: a number, @key='value' in single or double quotes, or +.
 static bool parse_predicate(const std::string& inside, PathStep& step) {
+  step.added = inside == "+";
+  if (step.added) return true;
   if (const auto number = parse_integer(inside)) {
     constexpr std::int64_t k_max_number = 1'000'000'000;
     if (*number < 1 || *number > k_max_number) return false;

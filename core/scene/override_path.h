@@ -1,5 +1,5 @@
 #pragma once
-/// The path of --set: [/][scene/]element[...]/.../@attribute, where [...] is a 1-based number or @name='value'.
+/// The path of --set: [/][scene/]element[...]/.../@attribute, where [...] is a 1-based number, @name='value', or +.
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +9,7 @@ namespace nilas {
 struct PathStep {
   std::string element;
   int number = 0;          ///< 0: none given
+  bool added = false;      ///< [+]: one that is not in the file
   std::string key, value;  ///< of [@key='value']; key empty: none given
   std::string text;        ///< as written
 };

@@ -19,7 +19,7 @@ class OneOverride {
     const auto path = parse_override_path(path_);
     if (!path)
       return report(
-          "this is no path; allowed: element/element[number]/element[@name='value']/@attribute, as in "
+          "this is no path; allowed: element/element[number]/element[@name='value']/element[+]/@attribute, as in "
           "contact/@tolerance");
     SceneElement* element = &root_;
     for (const auto& step : path->steps)
@@ -49,6 +49,7 @@ class OneOverride {
     std::vector<SceneElement*> same;
     for (auto& child : parent.children)
       if (child.name == step.element) same.push_back(&child);
+    if (step.added) return added(parent, step, *spec, same);
     if (!step.key.empty()) return with_value(parent, step, same);
     if (step.number > 0) return numbered(parent, step, same);
     if (same.size() == 1) return same.front();
@@ -56,6 +57,16 @@ class OneOverride {
       return &parent.children.emplace_back(make_element(step.element, &parent, {k_source}));
     report(holds(parent, step, same.size()) + (same.empty() ? "" : "; say which, as in " + step.element + "[1]"));
     return nullptr;
+  }
+
+  SceneElement* added(SceneElement& parent, const PathStep& step, const ElementSpec& spec,
+                      const std::vector<SceneElement*>& same) {
+    if (spec.count != Count::many) {
+      report("<" + parent.name + "> may hold one <" + step.element + "> only; [+] is for elements of any number");
+      return nullptr;
+    }
+    if (!same.empty() && same.back()->place.file == k_source) return same.back();
+    return &parent.children.emplace_back(make_element(step.element, &parent, {k_source}));
   }
 
   static std::string holds(const SceneElement& parent, const PathStep& step, std::size_t count) {

@@ -316,6 +316,13 @@ const CompareSetting& Plan::setting_of(const PlannedRun& run) const {
   return run.kind == RunKind::check ? check : settings[run.setting];
 }
 
+std::vector<Omission> absent_simplifications(const Scene& scene) {
+  std::vector<Omission> absent;
+  for (const Simplification which : all_simplifications())
+    if (const std::string why = no_effect(which, scene); !why.empty()) absent.push_back({name_of(which), why});
+  return absent;
+}
+
 std::vector<std::string> by_reason(const std::vector<Omission>& omissions) {
   std::vector<std::string> reasons, lists;
   for (const auto& omission : omissions) {

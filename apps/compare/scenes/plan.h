@@ -56,6 +56,9 @@ struct Omission {
   std::string what, why;
 };
 
+/// Simplifications that have nothing to change in a scene, and why.
+std::vector<Omission> absent_simplifications(const Scene& scene);
+
 /// "reason: this; that", one line for each reason.
 std::vector<std::string> by_reason(const std::vector<Omission>& omissions);
 

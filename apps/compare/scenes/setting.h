@@ -3,19 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "core/scene/read_scene.h"
+#include "apps/compare/scenes/simplification.h"
 
 namespace nilas {
-
-/// The simplifications of older tools that a comparison can turn on.
-enum class Simplification { pyramid, equal_friction, no_gyroscopic, split_impulse, discrete, fixed_sweeps, prismatic };
-/// As tables and pages name it.
-const char* name_of(Simplification simplification);
-/// What it does, in a sentence without a stop.
-const char* meaning_of(Simplification simplification);
-const std::vector<Simplification>& all_simplifications();
-/// Why the scene has nothing that it would change; empty where it has.
-std::string no_effect(Simplification simplification, const Scene& scene);
 
 struct CompareSetting {
   std::string solver, law, integrator, stabilisation;
@@ -31,7 +21,7 @@ struct CompareSetting {
 
 /// What the scene asks for.
 CompareSetting setting_of(const Scene& scene);
-/// The scene with every simplification taken out; `scene` must be what the overrides are for.
+/// The scene with every simplification taken out that it has anything of; `scene` must be what the overrides are for.
 CompareSetting without_simplifications(const Scene& scene);
 /// With some turned on, singly or together.
 CompareSetting with_simplifications(const Scene& scene, const std::vector<Simplification>& on);

@@ -119,6 +119,7 @@ class Comparison {
     constexpr double k_budget_s = 1200;
     study_.budget_s = options_.budget_s.value_or(k_budget_s);
     study_.keep_runs = options_.keep_runs;
+    if (study_.ablation) study_.absent = absent_simplifications(scene);
   }
 
   Probe probe_setting(const Scene& scene, const CompareSetting& setting, const char* name, double limit_s, double end,

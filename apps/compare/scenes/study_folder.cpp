@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int k_version = 3;
+constexpr int k_version = 4;
 constexpr int k_indent = 1;
 
 Json json_of(const Overrides& overrides) {
@@ -180,6 +180,7 @@ void StudyFolder::write(const Study& study) const {
                   {"jobs", study.jobs},
                   {"keep_runs", study.keep_runs},
                   {"refused", json_of(study.refused)},
+                  {"absent", json_of(study.absent)},
                   {"plan", json_of(study.plan)}};
   write_whole(path_ / k_study, json.dump(k_indent, ' ', false, Json::error_handler_t::replace) + "\n");
 }
@@ -206,6 +207,7 @@ Study StudyFolder::read() const {
     study.jobs = json.at("jobs");
     study.keep_runs = json.at("keep_runs");
     study.refused = omissions_of(json.at("refused"));
+    study.absent = omissions_of(json.at("absent"));
     study.plan = plan_of(json.at("plan"));
     return study;
   } catch (const std::exception&) {

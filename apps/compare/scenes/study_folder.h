@@ -31,6 +31,7 @@ struct Study {
   int jobs = 1;
   bool keep_runs = false;
   std::vector<Omission> refused;  ///< settings that the scene does not take
+  std::vector<Omission> absent;   ///< simplifications that an ablation has nothing to turn on for
 
   std::uint64_t seed = 0;  ///< of the scene as asked
 };

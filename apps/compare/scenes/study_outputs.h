@@ -68,6 +68,8 @@ class StudyOutputs {
   std::string runs_table() const;
   std::string how_measured() const;
   std::vector<std::string> load_notes() const;
+  /// What is taken out of the scene, put back one at a time, and what cannot be.
+  std::vector<std::string> ablation_notes() const;
 
   const Study& study_;
   const Findings& found_;

@@ -306,6 +306,7 @@ std::string StudyOutputs::loads_csv() const {
 
 Json StudyOutputs::json() const {
   Json settings = Json::array(), orders = Json::array(), left_out = Json::array(), refused = Json::array();
+  Json absent = Json::array();
   for (const auto& m : found_.merits) {
     const CompareSetting& s = study_.plan.settings[m.setting];
     settings.push_back({{"label", label(m.setting)},
@@ -341,6 +342,10 @@ Json StudyOutputs::json() const {
   for (const auto& omission : study_.plan.omissions)
     left_out.push_back({{"what", omission.what}, {"why", omission.why}});
   for (const auto& one : study_.refused) refused.push_back({{"what", one.what}, {"why", one.why}});
+  for (const auto& one : study_.absent) absent.push_back({{"what", one.what}, {"why", one.why}});
+  if (study_.ablation)
+    for (const Inexpressible& one : inexpressible_simplifications())
+      absent.push_back({{"what", one.name}, {"why", one.reason}});
   return {{"scene", study_.scene.string()},
           {"complete", ended_by_.empty() && late_.empty()},
           {"measure", found_.measure},
@@ -366,6 +371,7 @@ Json StudyOutputs::json() const {
           {"orders", orders},
           {"left_out", left_out},
           {"cannot_run", refused},
+          {"simplifications_without_a_row", absent},
           {"not_done_for_the_budget", late_},
           {"with_more_time", outlook_json(outlook_)},
           {"text", sentences()},

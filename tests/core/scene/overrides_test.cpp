@@ -64,6 +64,18 @@ TEST_F(Overriding, TheLastOfSeveralWins) {
   EXPECT_EQ(scene.time.step, 0.5);
 }
 
+TEST_F(Overriding, APlusIsOneMoreAndTheSameForAllPaths) {
+  const Scene scene = folder_.read(k_scene, {{"ice/vary[+]/@property", "thickness"}, {"ice/vary[+]/@cov", "0.1"}});
+  ASSERT_EQ(scene.ice->vary.size(), 1u);
+  EXPECT_EQ(scene.ice->vary[0].property, "thickness");
+  EXPECT_EQ(scene.ice->vary[0].cov, 0.1);
+  const Scene floes = folder_.read(k_scene, {{"ice/field[+]/@kind", "level"}, {"ice/field[+]/@region", "50 0 60 1"}});
+  ASSERT_EQ(floes.ice->fields.size(), 3u);
+  EXPECT_EQ(floes.ice->fields[2].kind, "level") << "behind those of the file";
+  expect_refused("contact[+]/@tolerance", "1", "contact[+]/@tolerance", {"<scene> may hold one <contact> only"});
+  expect_refused("ice/vary[+]/@cov", "0.1", "<ice><vary property>", {"the attribute is missing"});
+}
+
 TEST_F(Overriding, ValuesAreCheckedAsInTheFile) {
   expect_refused("contact/@tolerance", "-1", "<contact tolerance>", {"found '-1'", ">= 0 [m/s]"});
   expect_refused("water/waves/@height", "1", "<water><waves>", {"not built"});
