@@ -134,7 +134,7 @@ TEST(Compare, AblationShowsTheMissingGyroscopicTorqueAndNothingElseOfAFreeTop) {
   auto row = rows_by(settings, "label");
   ASSERT_TRUE(row.count("no gyroscopic torque"));
   EXPECT_GT(settings["turn_rad"][row["no gyroscopic torque"]], 0.1);
-  for (const char* other : {"pyramid", "split impulse", "discrete detection", "50 sweeps"})
+  for (const char* other : {"pyramid", "split impulse", "discrete detection", "FCL's contacts", "50 sweeps"})
     EXPECT_EQ(settings["turn_rad"][row[other]], 0) << other;
   EXPECT_FALSE(row.count("prismatic joint"));
   EXPECT_GT(fs::file_size(folder.path() / "out/ablation.svg"), 1000U);
@@ -146,7 +146,7 @@ TEST(Compare, OfATowedShipTurnsOnEverySimplification) {
   const auto result = run_nilas("compare ship.xml --ablate --seeds 2 --out out --quiet", folder.path());
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const Table settings(folder.path() / "out/settings.csv");
-  EXPECT_EQ(settings.rows(), 9U);
+  EXPECT_EQ(settings.rows(), 10U);
   for (std::size_t k = 0; k < settings.rows(); ++k) EXPECT_EQ(settings["done"][k], 2) << settings.text("label")[k];
   auto row = rows_by(settings, "label");
   const std::size_t together = settings.rows() - 1;

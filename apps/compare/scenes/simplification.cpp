@@ -40,6 +40,8 @@ const std::vector<SimplificationText>& texts() {
       {no_extrusion, "no extrusion", "crushed ice leaves the outline of its floe as it is"},
       {split_impulse, "split impulse", "penetration taken back by pseudo velocities, not by projection"},
       {discrete, "discrete detection", "contacts only where bodies are near at the step's start, not on their way"},
+      {library_contacts, "FCL's contacts",
+       "contacts as the collision library FCL gives them, not those of an exact search"},
       {equal_friction, "mu_s = mu_k", "static friction no higher than kinetic friction"},
       {no_rolling, "no rolling friction", "rolling and spinning friction left out"},
       {no_gyroscopic, "no gyroscopic torque", "the gyroscopic torque of spinning bodies left out"},
@@ -163,6 +165,8 @@ Overrides taking_out(Simplification simplification, const Scene& scene) {
       return {{"contact/@gyroscopic", "true"}};
     case discrete:
       return {{"contact/@detection", "continuous"}};
+    case library_contacts:
+      return {{"contact/@narrow_phase", "nilas"}};
     case prismatic:
       return {{"vessel/carriage/force_balance/@kind", "six-cells"}};
     case crushing_limit:
@@ -200,6 +204,8 @@ Overrides putting_in(Simplification simplification, const Scene& scene) {
       return {{"contact/@gyroscopic", "false"}};
     case discrete:
       return {{"contact/@detection", "discrete"}};
+    case library_contacts:
+      return {{"contact/@narrow_phase", "fcl"}};
     case fixed_sweeps:
       return {{"contact/@max_iterations", std::to_string(k_fixed_sweeps)}};
     case prismatic:

@@ -14,6 +14,7 @@ enum class Simplification {
   no_gyroscopic,
   split_impulse,
   discrete,
+  library_contacts,
   fixed_sweeps,
   prismatic,
   uniform_inertia,
