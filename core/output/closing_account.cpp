@@ -38,14 +38,16 @@ std::string worst_line(const char* label, const RunStatistics& statistics, const
 /// Who settled the pairs of convex parts; nothing where no pair came near.
 std::string detection_lines(const DetectorCounts& counts) {
   if (counts.candidate_pairs == 0) return {};
+  const long kept = counts.cached_separations + counts.kept_axes;
+  const long others = counts.candidate_pairs - kept - counts.by_fcl - counts.corrected;  // also where ice crushes
   const auto share = [&](long count) {
     return k_percent * static_cast<double>(count) / static_cast<double>(counts.candidate_pairs);
   };
   return fmt::format(
       "{:<22}{} in all: {:.3g} % by a kept axis, {:.3g} % by FCL,\n{:<22}{:.3g} % corrected after FCL, {:.3g} % by "
       "other searches\n",
-      "pairs of parts", counts.candidate_pairs, share(counts.cached_separations + counts.kept_axes),
-      share(counts.by_fcl), "", share(counts.corrected), share(counts.searched + counts.closed_forms));
+      "pairs of parts", counts.candidate_pairs, share(kept), share(counts.by_fcl), "", share(counts.corrected),
+      share(others));
 }
 
 /// One line for each thing that fell short, none in a healthy run.
