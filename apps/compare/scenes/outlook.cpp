@@ -107,6 +107,10 @@ std::vector<std::string> outlook_lines(const Outlook& view, const Study& study, 
   if (view.for_target)
     lines.push_back(fmt::format("To tell differences of {:g} % would take about {} realisations, {} more.",
                                 100 * k_target, *view.for_target, duration_text(view.for_target_s)));
+  if (view.least_s > 0)
+    lines.push_back(
+        fmt::format("On a machine as busy as now about --budget {:g} ({}) is needed to tell one difference.",
+                    view.least_s, duration_text(view.least_s)));
   if (view.whole_s > 0)
     lines.push_back(
         fmt::format("A new comparison that leaves nothing out of what was asked for needs about --budget {:g} ({}).",
@@ -127,6 +131,7 @@ nlohmann::ordered_json outlook_json(const Outlook& view) {
                     {"command", view.next->command}};
   json["realisations_for_2_percent"] = view.for_target ? Json(*view.for_target) : Json(nullptr);
   json["seconds_for_2_percent"] = view.for_target ? Json(view.for_target_s) : Json(nullptr);
+  json["budget_for_one_difference_s"] = view.least_s > 0 ? Json(view.least_s) : Json(nullptr);
   json["budget_for_all_s"] = view.whole_s > 0 ? Json(view.whole_s) : Json(nullptr);
   return json;
 }

@@ -25,6 +25,7 @@ struct Outlook {
   /// Realisations for differences of k_target of the load, and their wall time; beyond what `next` has.
   std::optional<int> for_target;
   double for_target_s = 0;  ///< [s]
+  double least_s = 0;       ///< budget of a new comparison that tells one difference; 0: not known, or one is told [s]
   double whole_s = 0;       ///< budget of a new comparison that leaves nothing out; 0: nothing was left out [s]
 };
 

@@ -74,17 +74,33 @@ class Planner {
   }
 
   Plan plan() {
+    if (!request_.reference && !request_.fixed_length) return against_first();
     if (!fits()) keep_core();
     if (!fits()) loosen_reference();
     if (!fits()) drop_tighter();
     if (!fits() && !request_.fixed_realisations) draft_.realisations = std::min(draft_.realisations, 2);
-    if (!fits() && !request_.fixed_length) shorten();
-    if (!fits()) drop_core();
+    if (!fits() && !request_.fixed_length) shorten(0);
+    if (!fits()) drop_core(1);
     refill();
     return written();
   }
 
  private:
+  /// The settings stand in the order of their importance, and each tells something by itself beside the first: rather
+  /// fewer of them than a window that is no more than the first touch of the ice.
+  Plan against_first() {
+    constexpr double k_quarter = 0.25;
+    const bool free = !request_.fixed_realisations;
+    if (!fits() && free) draft_.realisations = std::min(draft_.realisations, 2);
+    if (!fits()) shorten(k_quarter);
+    if (!fits() && free) draft_.realisations = 1;
+    if (!fits()) drop_core(2);
+    if (!fits()) shorten(0);
+    if (!fits()) drop_core(1);
+    refill();
+    return written();
+  }
+
   double setting_seconds(std::size_t k) const {
     const CompareSetting &setting = settings_[k], &first = settings_.front();
     return cost_.setup_s +
@@ -159,9 +175,12 @@ class Planner {
     return step;
   }
 
-  void shorten() {
+  /// Keeps a share of what follows the window's begin, and 20 steps of it at least.
+  void shorten(double share) {
     constexpr int k_least_steps = 20;
-    const double full = draft_.length, step = coarsest(), least = std::min(full, k_least_steps * step);
+    const double full = draft_.length, step = coarsest();
+    const double before = std::isnan(cost_.window_from) ? 0 : std::clamp(cost_.window_from - request_.start, 0.0, full);
+    const double least = std::min(full, before + std::max(share * (full - before), k_least_steps * step));
     double low = least, high = full;
     constexpr int k_halvings = 40;
     for (int k = 0; k < k_halvings; ++k) {
@@ -177,8 +196,8 @@ class Planner {
     return std::floor(length / unit) * unit;
   }
 
-  void drop_core() {
-    while (!fits() && draft_.kept.size() > 1) draft_.kept.pop_back();
+  void drop_core(std::size_t least) {
+    while (!fits() && draft_.kept.size() > least) draft_.kept.pop_back();
   }
 
   /// What was cut from the end comes back as far as there is room: cheap settings may stand behind costly ones.
@@ -247,7 +266,9 @@ class Planner {
     // realisation by realisation keeps what is done balanced, and what tells most comes first, so that a budget that is
     // used up early takes the least: what the others are judged by; the first setting and its twin, which tell what
     // chance does even where the budget has no room for the rest of their realisation; then the settings
-    const auto rank = [](const PlannedRun& run) {
+    // where the first setting judges, the one that matters most comes before what chance does to it
+    const bool judges = !request_.reference;
+    const auto rank = [judges](const PlannedRun& run) {
       const bool first = run.realisation == 0;
       switch (run.kind) {
         case RunKind::reference:
@@ -259,7 +280,7 @@ class Planner {
         case RunKind::grid:
           break;
       }
-      return run.setting == 0 ? 1 : 4;
+      return run.setting == 0 || (judges && first && run.setting == 1) ? 1 : 4;
     };
     const auto place = [&](const PlannedRun& run) { return std::tuple(run.realisation, rank(run), run.setting); };
     std::stable_sort(plan.runs.begin(), plan.runs.end(),
@@ -305,6 +326,14 @@ double CostModel::reference_weight(double tolerance) const {
 double loosest_reference(double tolerance) {
   constexpr double k_tighter = 0.1;
   return k_tighter * tolerance;
+}
+
+std::vector<double> measured_tolerances(double asked, bool fixed, const CompareSetting& own) {
+  std::vector<double> tolerances{asked};
+  constexpr double k_usual = 1e-6;  // where the scene goes by sweeps [m/s]
+  const double loosest = loosest_reference(own.tolerance > 0 ? own.tolerance : k_usual);
+  if (!fixed && loosest > asked) tolerances.push_back(loosest);
+  return tolerances;
 }
 
 double solver_weight(const CompareSetting& setting, const CompareSetting& first) {

@@ -1,5 +1,6 @@
 #pragma once
 /// Which runs a comparison makes within its budget, and what it leaves out.
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +19,7 @@ struct CostModel {
   };
   double setup_s = 0;  ///< reading, packing ice, writing [s]
   std::vector<Stretch> rate;
+  double window_from = std::numeric_limits<double>::quiet_NaN();  ///< of the mean load; NaN: not known [s]
   /// A tolerance of the reference [m/s], and the time of a step's solve to it over the first setting's.
   struct Tightness {
     double tolerance = 0, weight = 1;
@@ -36,6 +38,10 @@ constexpr double k_closing_s = 3;
 
 /// The loosest that judges settings whose tightest tolerance is `tolerance` [m/s]: a tenth.
 double loosest_reference(double tolerance);
+
+/// Tolerances of the reference whose cost is measured: `asked`, and the loosest that a plan may come to, where it is
+/// not `fixed`. `own`: the scene's own setting.
+std::vector<double> measured_tolerances(double asked, bool fixed, const CompareSetting& own);
 
 /// What a solve of one setting takes over one of the first, by what solvers are known to take.
 double solver_weight(const CompareSetting& setting, const CompareSetting& first);
@@ -105,7 +111,7 @@ struct PlanInput {
 /// from the first on one axis) go first, the last first; then the reference is loosened to a tenth of the tightest
 /// tolerance that is compared, and where it still takes three tenths of the time those that solve tighter than the
 /// first go and it is loosened on; then the third realisation goes, the simulated time is cut, and in the end whole
-/// settings.
+/// settings. Where the first setting judges, settings go before less than a quarter of the load's window is left.
 Plan make_plan(const PlanInput& input);
 
 /// Adds realisations up to `realisations`, the runs of each in the order of the first's, without a check.

@@ -26,4 +26,11 @@ std::vector<std::string> plan_lines(const Study& study) {
   return lines;
 }
 
+std::string shorter_line(const Plan& plan, double before, double factor) {
+  return fmt::format(
+      "the budget reaches less far than planned, as runs take {:.2g} times what was measured: all are told over {:g} s "
+      "of simulated time, not {:g} s",
+      factor, plan.end - plan.start, before - plan.start);
+}
+
 }  // namespace nilas

@@ -10,4 +10,7 @@ namespace nilas {
 /// A line per sentence.
 std::vector<std::string> plan_lines(const Study& study);
 
+/// That all runs are told over less time than until `before`, as they take `factor` times what was measured.
+std::string shorter_line(const Plan& plan, double before, double factor);
+
 }  // namespace nilas

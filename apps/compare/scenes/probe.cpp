@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "apps/compare/scenes/run_result.h"
+#include "apps/compare/scenes/allotment.h"
 
 namespace nilas {
 
@@ -35,6 +35,7 @@ Probe probe(const SceneRun& run, double start, double limit_s, int beside, const
   found.exit_code = ended.exit_code;
   const RunResult result = read_run(run.folder, run.log, ended);
   if (!ended.timed_out) found.trouble = result.cause;
+  found.window_from = run_end(result, start).window_from_s;
   StepTimes times = read_step_times(run.folder);
   found.time_s = std::move(times.time_s);
   found.ms = std::move(times.ms);
@@ -51,6 +52,7 @@ Probe probe(const SceneRun& run, double start, double limit_s, int beside, const
 CostModel cost_model(const Probe& first, double start) {
   CostModel cost;
   cost.setup_s = first.setup_s;
+  cost.window_from = first.window_from;
   constexpr std::size_t k_stretches = 8;
   const std::size_t stretches = std::min(k_stretches, first.steps);
   std::size_t done = 0;

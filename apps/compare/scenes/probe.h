@@ -1,5 +1,6 @@
 #pragma once
 /// What a scene costs, from the first seconds of a run that has the machine for itself.
+#include <limits>
 #include <optional>
 
 #include "apps/compare/scenes/plan.h"
@@ -8,8 +9,9 @@
 namespace nilas {
 
 struct Probe {
-  std::size_t steps = 0;                      ///< that it made
-  double length = 0;                          ///< simulated [s]
+  std::size_t steps = 0;                                          ///< that it made
+  double length = 0;                                              ///< simulated [s]
+  double window_from = std::numeric_limits<double>::quiet_NaN();  ///< of its mean load; NaN: no ice touched [s]
   double setup_s = 0;                         ///< wall time beside the steps: reading, packing ice, writing, starting
   std::vector<double> time_s, ms, solver_ms;  ///< per step
   std::string trouble;                        ///< why it made none, or ended by itself before its end

@@ -105,4 +105,9 @@ void find_orders(const Plan& plan, Findings& found) {
   }
 }
 
+bool anything_told(const Findings& found) {
+  return std::any_of(found.merits.begin(), found.merits.end(),
+                     [](const Merit& m) { return m.done > 0 && !m.judges && std::isfinite(m.error); });
+}
+
 }  // namespace nilas

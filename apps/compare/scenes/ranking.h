@@ -16,4 +16,7 @@ void choose(Findings& found);
 /// where the reference is of the same integrator and has a step r itself.
 void find_orders(const Plan& plan, Findings& found);
 
+/// Whether any setting has a difference from what judges it.
+bool anything_told(const Findings& found);
+
 }  // namespace nilas

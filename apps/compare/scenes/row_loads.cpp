@@ -21,6 +21,7 @@ std::optional<LoadSpan> span_of(const Plan& plan, const Findings& found, int rea
   if (row == nullptr) return std::nullopt;
   LoadSpan span{row->result.number("/window/from_s"), row->result.number("/window/to_s"),
                 row->result.summary.value(nlohmann::ordered_json::json_pointer("/window/reason"), std::string())};
+  span.to = std::min(span.to, plan.end);  // runs that began before the plan was cut go on longer
   if (!(span.to > span.from)) return std::nullopt;
   double coarsest = 0;
   for (const auto& setting : plan.settings) coarsest = std::max(coarsest, setting.step);

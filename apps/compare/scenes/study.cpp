@@ -6,16 +6,16 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
-#include <set>
 #include <sstream>
 
+#include "apps/compare/scenes/allotment.h"
 #include "apps/compare/scenes/given_reference.h"
 #include "apps/compare/scenes/load_series.h"
 #include "apps/compare/scenes/merits.h"
 #include "apps/compare/scenes/outlook.h"
-#include "apps/compare/scenes/pace.h"
 #include "apps/compare/scenes/plan_text.h"
 #include "apps/compare/scenes/probe.h"
+#include "apps/compare/scenes/ranking.h"
 #include "apps/compare/scenes/study_folder.h"
 #include "apps/compare/scenes/study_outputs.h"
 #include "core/base/error.h"
@@ -57,7 +57,7 @@ class Comparison {
       say("interrupted before it began");
       return k_interrupted;
     }
-    tell_plan();
+    for (const auto& line : plan_lines(study_)) tell(line);
     return execute();
   }
 
@@ -78,18 +78,15 @@ class Comparison {
     if (options_.budget_s) {
       const bool more = *options_.budget_s == 0 || *options_.budget_s > study_.budget_s;
       study_.budget_s = *options_.budget_s;
-      if (more) forget_slow_runs();
+      if (more)
+        for (const auto& [id, result] : folder_->results(study_.plan))
+          if (result.status == k_too_slow) folder_->forget(id);
       folder_->write(study_);
     }
     return execute();
   }
 
  private:
-  void forget_slow_runs() const {
-    for (const auto& [id, result] : folder_->results(study_.plan))
-      if (result.status == k_too_slow) folder_->forget(id);
-  }
-
   void say(const std::string& line) const {
     if (!options_.quiet) out_ << line << "\n" << std::flush;
   }
@@ -172,7 +169,8 @@ class Comparison {
       request.check = !study_.event_driven;
       request.fixed_reference = options_.fixed_reference_tolerance;
       request.fixed_tolerances = options_.grid.names_axes();
-      for (const double tolerance : reference_tolerances(grid.settings.front())) {
+      for (const double tolerance : measured_tolerances(options_.reference_tolerance,
+                                                        options_.fixed_reference_tolerance, grid.settings.front())) {
         CompareSetting tried = reference;
         tried.tolerance = tolerance;
         const Probe tight =
@@ -214,19 +212,6 @@ class Comparison {
     study_.plan = make_plan(input);
   }
 
-  /// Those whose cost is measured: what is asked for, and the loosest that the plan may come to.
-  std::vector<double> reference_tolerances(const CompareSetting& own) const {
-    std::vector<double> tolerances{options_.reference_tolerance};
-    constexpr double k_usual = 1e-6;  // where the scene goes by sweeps [m/s]
-    const double loosest = loosest_reference(own.tolerance > 0 ? own.tolerance : k_usual);
-    if (!options_.fixed_reference_tolerance && loosest > tolerances.front()) tolerances.push_back(loosest);
-    return tolerances;
-  }
-
-  void tell_plan() const {
-    for (const auto& line : plan_lines(study_)) tell(line);
-  }
-
   std::string run_label(const PlannedRun& run) const {
     if (run.kind == RunKind::reference || run.kind == RunKind::check) return full_label(study_.plan.setting_of(run));
     return label_of(study_.plan.setting_of(run), study_.plan.settings.front());
@@ -241,6 +226,33 @@ class Comparison {
     return out;
   }
 
+  /// What was ended at its limit counts as done where all runs are told over no more than it reached.
+  void judge_end(const PlannedRun& run, RunResult& result) {
+    const RunEnd end = run_end(result, study_.plan.start);
+    const double before = study_.plan.end;
+    switch (allotment_->ended(run, end)) {
+      case RunVerdict::as_it_ended:
+        break;
+      case RunVerdict::far_enough:
+        result.status = "done";
+        result.cause =
+            fmt::format("the budget ended it at {:g} s; all are told up to {:g} s", end.reached_s, study_.plan.end);
+        break;
+      case RunVerdict::too_slow:
+        result.status = k_too_slow;
+        result.cause = fmt::format("ended after {:.3g} s, where {:.3g} s were expected", result.wall_s,
+                                   allotment_->expected_of(run.id));
+        break;
+    }
+    tell_shorter(before);
+  }
+
+  void tell_shorter(double before) {
+    if (!(study_.plan.end < before)) return;
+    folder_->write(study_);
+    tell(shorter_line(study_.plan, before, allotment_->pace().factor()));
+  }
+
   void finish_run(const PlannedRun& run, const ChildResult& ended) {
     const std::filesystem::path folder = folder_->run_folder(run.id);
     RunResult result = read_run(folder, folder_->run_folder(run.id + ".log"), ended);
@@ -250,19 +262,13 @@ class Comparison {
         result.first_steps_ms += times.ms[k];
       if (times.ms.size() < study_.probe_steps) result.first_steps_ms = 0;
     }
-    if (result.status == "budget" && patient_.count(run.id) > 0) {
-      result.status = k_too_slow;
-      result.cause =
-          fmt::format("ended after {:.3g} s, where {:.3g} s were expected", result.wall_s, patient_.at(run.id));
-      if (run.kind == RunKind::grid) slow_.insert(run.setting);
-    }
+    judge_end(run, result);
     constexpr int k_file_error = 4;
     if (ended.exit_code == k_file_error) {
       if (file_error_.empty()) file_error_ = "run " + run.id + ": " + result.cause;
       result.status = "interrupted";
     }
     if (result.done()) {
-      pace_.took(run, result.wall_s);
       if (!keep_loads(folder)) result.status = "interrupted";  // without its loads it is not done
     }
     session_[run.id] = result;
@@ -301,7 +307,7 @@ class Comparison {
     room_told_ = true;
     auto results = folder_->results(study_.plan);
     results.insert(session_.begin(), session_.end());
-    const double wanted = pace_.left_s(study_.plan, results, study_.jobs), room = left();
+    const double wanted = allotment_->pace().left_s(study_.plan, results, study_.jobs), room = left();
     if (wanted > room)
       tell(fmt::format(
           "the other realisations take about {} by what the first took, {} are left of the budget: its runs "
@@ -313,40 +319,34 @@ class Comparison {
     std::vector<PlannedRun> runs;
     std::vector<ChildTask> tasks;
     for (const auto& run : study_.plan.runs) {
-      const auto known = results.find(run.id);
-      if (known != results.end() && known->second.status == k_too_slow && run.kind == RunKind::grid)
-        slow_.insert(run.setting);
-      if (known != results.end()) continue;
+      if (results.count(run.id) > 0) continue;
       runs.push_back(run);
       tasks.push_back(task_of(scene_run(run)));
     }
     ended_ = study_.plan.runs.size() - runs.size();
-    pace_ = Pace(std::max(1.0, static_cast<double>(study_.jobs) / usable_cores()));
-    pace_.took(study_.plan, results);
+    allotment_.emplace(study_.plan, study_.budget_s, study_.budget_s, study_.jobs,
+                       std::max(1.0, static_cast<double>(study_.jobs) / usable_cores()));
+    allotment_->took(results);
     const double pool_started = steady_seconds();
+    runs_begun_s_ = elapsed();
     ChildHooks hooks;
     hooks.stop = [this] { return stop_() || !file_error_.empty(); };
     hooks.begin = [&](std::size_t k, ChildTask& task) {
-      if (study_.budget_s <= 0) return true;
-      if (runs[k].realisation > 0) tell_room();
-      if (runs[k].kind == RunKind::grid && slow_.count(runs[k].setting) > 0) {
+      const double end = study_.plan.end;
+      const RunStart start = allotment_->begin(runs[k], elapsed());
+      tell_shorter(end);
+      if (study_.budget_s > 0 && runs[k].realisation > 0) tell_room();
+      if (start.too_slow) {
         RunResult& result = session_[runs[k].id];
         result.status = k_too_slow;
         result.cause = "not begun: another realisation of this setting was ended for its time";
         ++ended_;
-        return false;
+      } else if (!start.begins) {
+        late_.push_back(runs[k].id);
       }
-      const double left = study_.budget_s - k_closing_s * std::min(1.0, study_.budget_s / k_long_s) - elapsed();
-      const double expected = pace_.expected_s(runs[k]);
-      const bool fits = expected < left;
-      if (!fits) late_.push_back(runs[k].id);
-      // one that is far slower than thought must not take what the others need
-      constexpr double k_patience = 4, k_share = 0.1;
-      task.limit_s = left;
-      const bool needed = runs[k].kind == RunKind::reference || (runs[k].kind == RunKind::grid && runs[k].setting == 0);
-      if (!needed) task.limit_s = std::min(left, std::max(k_patience * expected, k_share * study_.budget_s));
-      if (task.limit_s < left) patient_[runs[k].id] = expected;
-      return fits;
+      task = task_of(scene_run(runs[k]));  // the plan may end earlier by now
+      task.limit_s = start.limit_s;
+      return start.begins;
     };
     hooks.ended = [&](std::size_t k, const ChildResult& ended) {
       busy_s_ += ended.wall_s;
@@ -371,8 +371,13 @@ class Comparison {
     Findings findings = find(study_.plan, results, folder_->path(), judged);
     const StudyTiming timing = timing_of(results);
     findings.slowdown = timing.slowdown;
-    const Outlook view = outlook(study_, findings, folder_->path(), pace_.left_s(study_.plan, results, study_.jobs),
-                                 pace_.realisation_s(study_.plan, study_.jobs));
+    Outlook view =
+        outlook(study_, findings, folder_->path(), allotment_->pace().left_s(study_.plan, results, study_.jobs),
+                allotment_->pace().realisation_s(study_.plan, study_.jobs));
+    if (const auto own = results.find("s00-r0");
+        study_.budget_s > 0 && own != results.end() && !anything_told(findings))
+      view.least_s =
+          needed_budget(study_.plan, run_end(own->second, study_.plan.start), runs_begun_s_, study_.jobs).value_or(0);
     const StudyOutputs outputs{study_, findings, timing, late_, trouble_, ended_by(), view};
     try {
       const std::string picture_trouble = outputs.write(folder_->path());
@@ -416,8 +421,6 @@ class Comparison {
     return timing;
   }
 
-  static constexpr double k_long_s = 30;  ///< budgets below it keep less than k_closing_s
-
   const StudyOptions& options_;
   const std::function<bool()>& stop_;
   std::ostream& out_;
@@ -427,12 +430,11 @@ class Comparison {
   std::string trouble_;                       ///< of the probe
   std::string file_error_;                    ///< what could not be written
   std::map<std::string, RunResult> session_;  ///< of this session, what is not kept too
-  std::map<std::string, double> patient_;     ///< runs that end before the budget does, and what they should take [s]
-  Pace pace_;
+  std::optional<Allotment> allotment_;
   bool room_told_ = false;
-  std::set<std::size_t> slow_;     ///< settings that had such a run
   std::vector<std::string> late_;  ///< runs that did not begin
   std::size_t ended_ = 0;
+  double runs_begun_s_ = 0;         ///< since the start
   double busy_s_ = 0, pool_s_ = 0;  ///< wall time of the runs, and of all of them together
 };
 

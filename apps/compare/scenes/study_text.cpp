@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "apps/compare/scenes/paired_text.h"
+#include "apps/compare/scenes/ranking.h"
 #include "apps/compare/scenes/study_outputs.h"
 #include "core/output/console.h"
 #include "core/output/ice_load_text.h"
@@ -221,10 +222,7 @@ void StudyOutputs::say_ablation(std::vector<std::string>& lines) const {
   }
 }
 
-bool StudyOutputs::compared() const {
-  return std::any_of(found_.merits.begin(), found_.merits.end(),
-                     [](const Merit& m) { return m.done > 0 && !m.judges && std::isfinite(m.error); });
-}
+bool StudyOutputs::compared() const { return anything_told(found_); }
 
 /// Why nothing could be judged.
 std::string StudyOutputs::blocked() const {

@@ -156,6 +156,39 @@ TEST(Plan, WithNextToNoBudgetStillHasTheFirstSettingAndItsReference) {
       std::any_of(cut.runs.begin(), cut.runs.end(), [](const auto& r) { return r.kind == RunKind::reference; }));
 }
 
+/// An ablation: the first setting judges, the others stand in the order of their importance.
+Plan ablation(double budget, double window_from = std::numeric_limits<double>::quiet_NaN()) {
+  PlanRequest request;
+  request.budget_s = request.stated_budget_s = budget;
+  request.end = 60;
+  request.reference = request.check = false;
+  CostModel model = cost();
+  model.window_from = window_from;
+  return make_plan({std::vector<CompareSetting>(16, k_own), 16, {}, model, request});
+}
+
+TEST(Plan, OfAnAblationGivesUpTheLastSettingsBeforeMostOfTheWindow) {
+  for (const double budget : {2000.0, 600.0, 300.0}) {
+    const Plan cut = ablation(budget, 20);
+    EXPECT_LE(runs_total(cut), 2 * budget) << budget;
+    EXPECT_GE(cut.end, 20 + 0.2 * 40) << budget << ": a quarter of the window, in two digits";
+    EXPECT_GE(cut.settings.size(), 2U) << budget;
+  }
+  EXPECT_LT(ablation(300, 20).settings.size(), 16U);
+  EXPECT_EQ(ablation(300, 20).realisations, 1);
+  const Plan least = ablation(100, 20);
+  EXPECT_EQ(least.settings.size(), 2U) << "base and the one that matters most";
+  EXPECT_GE(least.end, 20.2 - 1e-9);
+}
+
+TEST(Plan, OfAnAblationRunsTheOneThatMattersMostBesideTheFirst) {
+  const Plan all = ablation(0);
+  EXPECT_EQ(all.runs[0].id, "s00-r0");
+  EXPECT_EQ(all.runs[1].id, "s01-r0");
+  EXPECT_EQ(all.runs[2].id, "s00-r0-twin");
+  EXPECT_EQ(all.runs.size(), 3U * 17);
+}
+
 TEST(Plan, StoresStatesAtTimesThatAllStepsShare) {
   const Plan all = plan(0);
   const double samples = all.sample_every / 0.02;
