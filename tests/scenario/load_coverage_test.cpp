@@ -70,8 +70,8 @@ TEST(LoadCoverage, OfLevelIceHoldsAndWidensWhereTheSolverStopsShort) {
   }
   EXPECT_GE(held, 3) << "of 4";
   EXPECT_LE(held_fast, 1) << "or the memory of the ice would not matter";
-  // with a tenth of the sweeps the load is less than half of it: no run knows that, but each says that it does not know
-  EXPECT_LT(mean_of(few), 0.5 * truth);
+  // with a tenth of the sweeps the load is a third lower: no run knows that, but each says that it does not know
+  EXPECT_LT(mean_of(few), 0.75 * truth);
   for (const auto& runs : {shipped, few})
     for (const Said& said : runs) EXPECT_TRUE(said.at_least);
   const auto solver = [](const std::vector<Said>& runs) {

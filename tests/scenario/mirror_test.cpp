@@ -17,8 +17,8 @@ using namespace nilas_test;
 
 TEST(Mirror, PairsOfFloesStayImages) {
   const ScratchFolder folder;
-  const auto result =
-      run_nilas("run '" + shipped_scene("mirror-25.xml").string() + "' --quiet --out run --until 5", folder.path());
+  const auto result = run_nilas(
+      "run '" + shipped_scene("mirror-25.xml").string() + "' --solver auto --quiet --out run --until 5", folder.path());
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const Table bodies(folder.path() / "run/bodies.csv");
   std::map<std::string, std::map<double, std::size_t>> rows;
@@ -44,12 +44,10 @@ TEST(Mirror, PairsOfFloesStayImages) {
 }
 
 /// Every column of every row, over the scene's whole length.
-TEST(Mirror, OrderFreeSumsKeepPairsOfFloesImagesToTheLastBit) {
+void expect_images_to_the_last_bit(const std::string& flags) {
   const ScratchFolder folder;
   const auto result =
-      run_nilas("run '" + shipped_scene("mirror-25.xml").string() +
-                    "' --law coulomb --solver eg-order-free --set contact/@tolerance=1e-6 --quiet --out run",
-                folder.path());
+      run_nilas("run '" + shipped_scene("mirror-25.xml").string() + "' --quiet --out run " + flags, folder.path());
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const Table bodies(folder.path() / "run/bodies.csv");
   const std::set<std::string> turned{"y_m", "qx", "qz", "vy_m_s", "wx_rad_s", "wz_rad_s"};
@@ -77,6 +75,13 @@ TEST(Mirror, OrderFreeSumsKeepPairsOfFloesImagesToTheLastBit) {
       for (const double x : vessel[load + std::string(part)]) EXPECT_EQ(x, 0) << load << part;
   const auto& ahead = vessel["contact_fx_N"];
   EXPECT_LT(*std::min_element(ahead.begin(), ahead.end()), -1);
+}
+
+TEST(Mirror, PairsOfFloesAreImagesToTheLastBitAsShipped) { expect_images_to_the_last_bit(""); }
+
+/// On six cells the rounding of their modes couples the two sides, which this solver passes on and Newton's does not.
+TEST(Mirror, OrderFreeSumsKeepPairsOfFloesImagesToTheLastBit) {
+  expect_images_to_the_last_bit("--solver eg-order-free --set vessel/carriage/force_balance/@kind=rigid");
 }
 
 }  // namespace
