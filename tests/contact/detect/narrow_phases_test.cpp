@@ -96,6 +96,28 @@ TEST(NarrowPhases, FclAndThePlaneAgreeWithTheClosedForm) {
   }
 }
 
+/// A plate half a metre or less aside on an equal one, at a hundred places: FCL's way out is the long one, sideways,
+/// where the plates lie deep in each other.
+TEST(NarrowPhases, FclErrsInPlatesDeepInEachOther) {
+  constexpr double k_thickness = 0.01;
+  int wrong = 0;
+  for (int x = 0; x < 10; ++x)
+    for (int z = 0; z < 10; ++z) {
+      const double aside = 0.05 * x, depth = k_thickness * (1 - 0.1 * (z + 0.5));
+      Bodies bodies;
+      add_body(bodies, box_shape({1, 1, k_thickness}), Vec3::Zero());
+      add_body(bodies, box_shape({1, 1, k_thickness}), {aside, 0, k_thickness - depth});
+      const auto exact = ContactDetector().detect(bodies, k_margin);
+      const auto found = ContactDetector(1, NarrowPhase::fcl).detect(bodies, k_margin);
+      EXPECT_NEAR(pairs::deepest_point(exact)->gap, -depth, 1e-12) << aside << " " << depth;
+      if (pairs::deepest_point(found)->n.z() > std::cos(8 * k_deg)) continue;
+      ++wrong;
+      EXPECT_GT(depth, 0.5 * k_thickness) << aside;
+      EXPECT_LT(pairs::deepest_point(found)->gap, -0.99 * (1 - aside)) << depth;  // the overlap sideways
+    }
+  EXPECT_GE(wrong, 20);
+}
+
 /// FCL misses none of these pairs; on compact bodies nearly all of its depths are right, on plates that overlap not.
 TEST(NarrowPhases, FclsContactsAreJudgedByTheOracle) {
   for (const pairs::PairClass& c : pairs::all_classes()) {
