@@ -14,8 +14,11 @@ ConsoleStyle phase_style(bool quiet, bool json) {
   return json ? ConsoleStyle::silent : ConsoleStyle::plain;
 }
 
-PhaseProgress::PhaseProgress(std::ostream& out, ConsoleStyle style, std::string phase, PhaseTimes times)
-    : out_(out), style_(style), times_(times), line_(std::make_shared<StatusLine>(out)), phase_(std::move(phase)) {
+PhaseProgress::PhaseProgress(std::ostream& out, ConsoleStyle style, std::string phase, const PhaseTimes& times)
+    : out_(out),
+      style_(style),
+      line_(std::make_shared<StatusLine>(out)),
+      lines_(style, std::move(phase), now(), times) {
   if (style_ != ConsoleStyle::silent) thread_ = std::jthread([this](const std::stop_token& stop) { watch(stop); });
 }
 
@@ -27,9 +30,7 @@ void PhaseProgress::make_room_for(spdlog::logger& logger) const {
 
 void PhaseProgress::next(std::string phase) {
   const std::lock_guard hold(mutex_);
-  phase_ = std::move(phase);
-  since_ = Clock::now();
-  is_new_ = true;
+  lines_.next(std::move(phase), now());
   changed_.notify_all();
 }
 
@@ -41,29 +42,19 @@ void PhaseProgress::end() {
 }
 
 void PhaseProgress::watch(const std::stop_token& stop) {
-  const auto seconds = [](double s) {
-    return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(s));
-  };
   std::unique_lock hold(mutex_);
-  changed_.wait_for(hold, stop, seconds(times_.first), [] { return false; });
   while (!stop.stop_requested()) {
-    if (std::exchange(is_new_, false)) {
-      changed_.wait_for(hold, stop, seconds(times_.settle), [this] { return is_new_; });
-      continue;
-    }
-    tell();
-    const double pause = style_ == ConsoleStyle::terminal ? times_.redraw : times_.again;
-    changed_.wait_for(hold, stop, seconds(pause), [this] { return is_new_; });
+    if (const std::optional<std::string> line = lines_.line(now())) tell(*line);
+    const double due = lines_.due();
+    changed_.wait_for(hold, stop, std::chrono::duration<double>(due - now()), [&] { return lines_.due() != due; });
   }
 }
 
-void PhaseProgress::tell() {
-  const double so_far = std::chrono::duration<double>(Clock::now() - since_).count();
-  const std::string text = phase_ + (so_far < 1 ? "" : ", " + duration_text(std::floor(so_far)) + " so far");
+void PhaseProgress::tell(const std::string& line) {
   if (style_ == ConsoleStyle::terminal)
-    line_->draw(text.substr(0, k_console_columns - 1));
+    line_->draw(line.substr(0, k_console_columns - 1));
   else
-    out_ << text + "\n" << std::flush;
+    out_ << line + "\n" << std::flush;
 }
 
 }  // namespace nilas

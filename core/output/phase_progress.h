@@ -1,5 +1,6 @@
 #pragma once
 /// What a command is at while its results are not there yet.
+#include <chrono>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
@@ -8,6 +9,7 @@
 #include <thread>
 
 #include "core/output/console.h"
+#include "core/output/phase_lines.h"
 #include "core/output/status_line.h"
 
 namespace nilas {
@@ -15,20 +17,12 @@ namespace nilas {
 /// For standard error. `json`: another program reads the results, so that only a terminal is told.
 ConsoleStyle phase_style(bool quiet, bool json);
 
-/// When it speaks [s].
-struct PhaseTimes {
-  double first = 2;     ///< after the start of the command; shorter ones stay silent
-  double settle = 0.5;  ///< after the start of a phase; shorter ones are passed over
-  double redraw = 1;    ///< on a terminal
-  double again = 10;    ///< else: the next line about a phase that goes on
-};
-
 /// Says which phase is at work and for how long, from a thread of its own, so that the phases may be single calls of a
 /// library. A terminal has one line that is erased at the end, anything else a line per phase and every ten seconds.
 class PhaseProgress {
  public:
   /// `out` must outlive it. `phase`: "reading the mesh".
-  PhaseProgress(std::ostream& out, ConsoleStyle style, std::string phase, PhaseTimes times = {});
+  PhaseProgress(std::ostream& out, ConsoleStyle style, std::string phase, const PhaseTimes& times = {});
   /// Ends it.
   ~PhaseProgress();
   PhaseProgress(const PhaseProgress&) = delete;
@@ -42,18 +36,16 @@ class PhaseProgress {
 
  private:
   using Clock = std::chrono::steady_clock;
+  static double now() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
   void watch(const std::stop_token& stop);
-  void tell();
+  void tell(const std::string& line);
 
   std::ostream& out_;
   ConsoleStyle style_;
-  PhaseTimes times_;
   std::shared_ptr<StatusLine> line_;
   std::mutex mutex_;
   std::condition_variable_any changed_;
-  std::string phase_;
-  Clock::time_point since_ = Clock::now();
-  bool is_new_ = false;  ///< a phase that was not told yet, after the first seconds
+  PhaseLines lines_;
   std::jthread thread_;
 };
 

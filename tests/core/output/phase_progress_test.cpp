@@ -1,75 +1,92 @@
+/// The thread that tells phases. When it does is phase_lines_test.cpp: here nothing is due, or all is at once.
 #include "core/output/phase_progress.h"
 
 #include <gtest/gtest.h>
 #include <spdlog/sinks/ostream_sink.h>
 
-#include <chrono>
 #include <sstream>
-#include <thread>
 
 namespace nilas {
 namespace {
 
-void wait(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
+constexpr PhaseTimes k_at_once{.first = 0, .settle = 0, .redraw = 1e6, .again = 1e6}, k_never{.first = 1e6};
 
-/// All times a fortieth.
-constexpr PhaseTimes k_fast{.first = 0.05, .settle = 0.0125, .redraw = 0.025, .again = 0.25};
-
-std::string said(ConsoleStyle style, double seconds, const PhaseTimes& times) {
-  std::ostringstream out;
-  {
-    const PhaseProgress progress(out, style, "packing", times);
-    wait(seconds);
+/// A stream that one thread writes and another waits for.
+class WatchedText : public std::stringbuf {
+ public:
+  /// Waits until as much has been flushed.
+  void wait_for(const std::string& text) {
+    std::unique_lock hold(mutex_);
+    flushed_.wait(hold, [&] { return text_ == text; });
   }
-  return out.str();
+  std::string text() {
+    const std::lock_guard hold(mutex_);
+    return text_;
+  }
+
+ private:
+  int sync() override {
+    const std::lock_guard hold(mutex_);
+    text_ = str();
+    flushed_.notify_all();
+    return 0;
+  }
+
+  std::mutex mutex_;
+  std::condition_variable flushed_;
+  std::string text_;
+};
+
+TEST(PhaseProgress, SaysNothingWhileNothingIsDue) {
+  for (const ConsoleStyle style : {ConsoleStyle::plain, ConsoleStyle::terminal}) {
+    std::ostringstream out;
+    { PhaseProgress(out, style, "packing", k_never).next("cutting"); }
+    EXPECT_EQ(out.str(), "");
+  }
 }
 
-TEST(PhaseProgress, SaysNothingOfWhatIsShort) {
-  EXPECT_EQ(said(ConsoleStyle::plain, 0.01, {}), "");
-  EXPECT_EQ(said(ConsoleStyle::terminal, 0.01, {}), "");
-}
-
-TEST(PhaseProgress, SaysNothingWhenSilent) { EXPECT_EQ(said(ConsoleStyle::silent, 0.2, k_fast), ""); }
-
-TEST(PhaseProgress, PrintsALinePerPhaseAndAgainWhereItGoesOn) {
+TEST(PhaseProgress, SaysNothingWhenSilent) {
   std::ostringstream out;
-  PhaseProgress progress(out, ConsoleStyle::plain, "reading", k_fast);
-  progress.next("mending");  // within the first moments: "reading" is never told
-  wait(0.15);
-  progress.next("sorting");  // passed over
-  progress.next("cutting");
-  wait(0.7);
-  progress.end();
-  const std::string text = out.str();
-  progress.next("drawing");
-  EXPECT_EQ(out.str(), text) << "after its end";
-  EXPECT_EQ(text.rfind("mending\ncutting\ncutting\n", 0), 0u) << text;
+  { PhaseProgress(out, ConsoleStyle::silent, "packing", k_at_once).next("cutting"); }
+  EXPECT_EQ(out.str(), "");
 }
 
-TEST(PhaseProgress, TellsHowLongAPhaseTakes) {
-  const std::string text = said(ConsoleStyle::plain, 1.3, {.first = 1.1, .settle = 0.5, .redraw = 1, .again = 10});
-  EXPECT_EQ(text, "packing, 1 s so far\n");
+TEST(PhaseProgress, PrintsALinePerPhaseAndNoneAfterItsEnd) {
+  WatchedText text;
+  std::ostream out(&text);
+  PhaseProgress progress(out, ConsoleStyle::plain, "mending", k_at_once);
+  text.wait_for("mending\n");
+  progress.next("cutting");  // brings the next line forward, by days
+  text.wait_for("mending\ncutting\n");
+  progress.end();
+  progress.next("drawing");
+  EXPECT_EQ(text.text(), "mending\ncutting\n");
 }
 
 TEST(PhaseProgress, ATerminalHasOneLineThatIsGoneAtTheEnd) {
-  const std::string text = said(ConsoleStyle::terminal, 0.3, k_fast), erase = "\r\x1b[K";
-  EXPECT_EQ(text.rfind(erase + "packing" + erase + "packing", 0), 0u) << text;
-  EXPECT_EQ(text.substr(text.size() - erase.size()), erase);
-  EXPECT_EQ(text.find('\n'), std::string::npos);
+  WatchedText text;
+  std::ostream out(&text);
+  const std::string erase = "\r\x1b[K";
+  PhaseProgress progress(out, ConsoleStyle::terminal, "packing", k_at_once);
+  text.wait_for(erase + "packing");
+  progress.next("cutting");
+  text.wait_for(erase + "packing" + erase + "cutting");
+  progress.end();
+  EXPECT_EQ(text.text(), erase + "packing" + erase + "cutting" + erase);
 }
 
 TEST(PhaseProgress, GivesWayToMessages) {
-  std::ostringstream out;
-  spdlog::logger logger("test", std::make_shared<spdlog::sinks::ostream_sink_mt>(out));
+  WatchedText text;
+  std::ostream out(&text);
+  spdlog::logger logger("test", std::make_shared<spdlog::sinks::ostream_sink_mt>(out, true));
   logger.set_pattern("%v");
-  PhaseProgress progress(out, ConsoleStyle::terminal, "packing",
-                         {.first = 0.02, .settle = 0.5, .redraw = 100, .again = 100});
+  PhaseProgress progress(out, ConsoleStyle::terminal, "packing", k_at_once);
   progress.make_room_for(logger);
-  wait(0.3);
+  text.wait_for("\r\x1b[Kpacking");
   logger.warn("thin ice");
   progress.end();
   logger.warn("again");
-  EXPECT_EQ(out.str(), "\r\x1b[Kpacking\r\x1b[Kthin ice\nagain\n");
+  EXPECT_EQ(text.text(), "\r\x1b[Kpacking\r\x1b[Kthin ice\nagain\n");
 }
 
 }  // namespace
