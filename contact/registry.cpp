@@ -67,7 +67,7 @@ const std::vector<SolverEntry>& solver_registry() {
        convex_sets, make<EgSolver, EgSettings>},
       {"eg-order-free",
        "eg with exact cuts of every sum: mirror images, permuted bodies and contacts and any number of threads give "
-       "the same bits, at about twice the cost of eg; for studies of symmetry.",
+       "the same bits, at about twice the cost of eg; for sliding fields, newton-order-free elsewhere.",
        convex_sets, make_order_free, false, true},
       {"apgd",
        "Accelerated projected gradient with De Saxce's outer loop, one product with W per iteration, O(contacts); 100 "
@@ -92,8 +92,8 @@ const std::vector<SolverEntry>& solver_registry() {
        all_laws, make<NewtonSolver, NewtonSettings>},
       {"newton-order-free",
        "newton whose steps are solved to many more digits than are kept: mirror images, permuted bodies and contacts "
-       "and any number of threads give the same bits, at about three times the cost of newton; for studies of "
-       "symmetry in ice that jams.",
+       "and any number of threads give the same bits, at one to three times the cost of newton; the first choice for "
+       "studies of symmetry.",
        convex_sets, make_order_free_newton, false, true},
       {"auto",
        "Climbs from nsgs over admm and newton to ipm until the tolerance holds, island by island, and says what it "

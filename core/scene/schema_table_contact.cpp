@@ -21,7 +21,8 @@ static std::vector<AttributeSpec> law_and_solver() {
        .choices = {"auto", "pgs", "nsgs", "eg", "eg-order-free", "apgd", "admm", "newton", "newton-order-free", "ipm",
                    "enumerate"},
        .default_value = "auto",
-       .doc = "auto, or a name that `nilas solvers` lists, with the laws that each takes."},
+       .doc = "auto, or a name that `nilas solvers` lists, with the laws that each takes. For studies of symmetry: "
+              "newton-order-free, which gives mirror images the same bits."},
       {.name = "tolerance",
        .unit = "m/s",
        .range = at_least(0),
