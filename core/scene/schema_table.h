@@ -15,6 +15,14 @@ inline Range inside(double low, double high) {
   return {.min = low, .max = high, .min_inclusive = false, .max_inclusive = false};
 }
 
+/// Of bodies and of parts of vessels: shape, size, radius, height, mesh and material.
+std::vector<AttributeSpec> shape_attributes(const std::vector<std::string>& shapes, const std::string& doc,
+                                            const std::string& material);
+/// mass, density and inertia. `owner`: "body".
+std::vector<AttributeSpec> mass_attributes(const std::string& owner);
+/// Three numbers, 0 0 0 by default.
+AttributeSpec three(const std::string& name, const std::string& unit, const std::string& doc);
+
 std::vector<ElementSpec> run_elements();
 std::vector<ElementSpec> contact_elements();
 std::vector<ElementSpec> water_elements();

@@ -63,48 +63,8 @@ static std::vector<AttributeSpec> part_start() {
   };
 }
 
-static std::vector<AttributeSpec> part_body() {
+static std::vector<AttributeSpec> part_place() {
   return {
-      {.name = "shape",
-       .type = ValueType::choice,
-       .choices = {"box", "sphere", "cylinder", "mesh"},
-       .default_value = "box",
-       .doc = "A cylinder's axis is its z."},
-      {.name = "size",
-       .min_count = 3,
-       .max_count = 3,
-       .unit = "m",
-       .range = above(0),
-       .default_value = "1 1 1",
-       .applies = {"shape", {"box"}},
-       .doc = "Edge lengths of a box."},
-      {.name = "radius",
-       .unit = "m",
-       .range = above(0),
-       .default_value = "0.5",
-       .applies = {"shape", {"sphere", "cylinder"}},
-       .doc = "Radius."},
-      {.name = "height",
-       .unit = "m",
-       .range = above(0),
-       .default_value = "1",
-       .applies = {"shape", {"cylinder"}},
-       .doc = "Height of a cylinder."},
-      {.name = "mesh",
-       .type = ValueType::hull,
-       .default_note = "none: the shape mesh needs it",
-       .applies = {"shape", {"mesh"}},
-       .doc = "Hull folder, or a convex STL file."},
-      {.name = "material",
-       .type = ValueType::words,
-       .default_value = "hull",
-       .doc = "Name used in <friction between>."},
-      {.name = "mass", .unit = "kg", .range = above(0), .default_note = "from the density", .doc = "Mass."},
-      {.name = "density",
-       .unit = "kg/m^3",
-       .range = above(0),
-       .default_note = "1000 where no mass is given",
-       .doc = "In place of a mass."},
       {.name = "cog",
        .min_count = 3,
        .max_count = 3,
@@ -112,24 +72,8 @@ static std::vector<AttributeSpec> part_body() {
        .default_note = "the centre of the volume",
        .applies = {"shape", {"mesh"}},
        .doc = "Centre of mass in the part's own frame."},
-      {.name = "inertia",
-       .min_count = 6,
-       .max_count = 6,
-       .unit = "kg m^2",
-       .default_note = "that of uniform density",
-       .doc = "About the centre of mass in the part's own frame, tensor entries xx yy zz xy xz yz."},
-      {.name = "position",
-       .min_count = 3,
-       .max_count = 3,
-       .unit = "m",
-       .default_value = "0 0 0",
-       .doc = "Of the part's origin in V while all joints are at zero."},
-      {.name = "rotation_deg",
-       .min_count = 3,
-       .max_count = 3,
-       .unit = "deg",
-       .default_value = "0 0 0",
-       .doc = "Yaw, pitch, roll in V then: about z, then the new y, then the new x."},
+      three("position", "m", "Of the part's origin in V while all joints are at zero."),
+      three("rotation_deg", "deg", "Yaw, pitch, roll in V then: about z, then the new y, then the new x."),
   };
 }
 
@@ -142,7 +86,10 @@ ElementSpec part_element() {
           "A body that a joint holds to the hull or to another part: a pod, a rudder, a hinged barge. What "
           "a joint holds together does not collide; all else does. With parts the hull needs a mass by "
           "value and a position of three numbers."};
-  for (const auto& attributes : {part_joint(), part_start(), part_body()})
+  for (const auto& attributes :
+       {part_joint(), part_start(),
+        shape_attributes({"box", "sphere", "cylinder", "mesh"}, "A cylinder's axis is its z.", "hull"),
+        mass_attributes("part"), part_place()})
     part.attributes.insert(part.attributes.end(), attributes.begin(), attributes.end());
   return part;
 }
