@@ -5,23 +5,13 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "tests/apps/small_scenes.h"
+#include "tests/support/mentions.h"
 #include "tests/support/program.h"
 
 namespace {
 
 using namespace nilas_test;
-
-constexpr const char* k_box = R"(<scene version="1" name="box">
-  <time step="0.01" start="0" end="0.2"/>
-  <contact law="coulomb" solver="pgs" tolerance="1e-9">
-    <friction between="structure structure" static="0.3" kinetic="0.3"/>
-  </contact>
-  <body name="ground" shape="plane" fixed="true"/>
-  <body name="box" shape="box" size="1 1 1" mass="2" position="0 0 0.5" velocity="1 0 0"/>
-</scene>
-)";
-
-bool mentions(const std::string& text, const std::string& word) { return text.find(word) != std::string::npos; }
 
 TEST(Cli, HelpNamesEveryCommand) {
   const ScratchFolder folder;
@@ -102,7 +92,7 @@ TEST(Cli, MissingFilesAndUnwritableOutput) {
   EXPECT_EQ(read_text(folder.path() / "full/notes.txt"), "mine");
 }
 
-constexpr const char* k_ship = R"(<scene version="1" name="ship">
+constexpr const char* k_hull_in_water = R"(<scene version="1" name="ship">
   <time end="0.1"/>
   <water density="1000"/>
   <hydro><buoyancy/></hydro>
@@ -111,7 +101,7 @@ constexpr const char* k_ship = R"(<scene version="1" name="ship">
 )";
 
 std::string ship_with(const std::string& hull) {
-  std::string text = k_ship;
+  std::string text = k_hull_in_water;
   return text.replace(text.find("HULL"), 4, hull);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "tests/support/mentions.h"
 #include "tests/support/program.h"
 
 namespace {
@@ -29,8 +30,6 @@ const std::string k_ice = R"(<?xml version="1.0"?>
   </ice>
 </scene>
 )";
-
-bool mentions(const std::string& text, const std::string& word) { return text.find(word) != std::string::npos; }
 
 nlohmann::json field_json(const ScratchFolder& folder, const std::string& arguments) {
   const auto made = run_nilas("field " + arguments + " --json", folder.path());

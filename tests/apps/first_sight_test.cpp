@@ -3,14 +3,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tests/support/mentions.h"
 #include "tests/support/program.h"
 
 namespace {
 
 using namespace nilas_test;
 using Json = nlohmann::json;
-
-bool mentions(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
 
 /// One line with single blanks, so that wrapped sentences can be searched.
 std::string unwrapped(const std::string& text) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "tests/support/mentions.h"
 #include "tests/support/started_program.h"
 
 namespace {
@@ -36,8 +37,6 @@ constexpr const char* k_ice = R"(<scene version="1" name="ice">
     <size distribution="lognormal" mean="0.4" sd="0.1" min="0.2" max="0.6"/></field></ice>
 </scene>
 )";
-
-bool mentions(const std::string& text, const std::string& word) { return text.find(word) != std::string::npos; }
 
 class PortableRun : public ::testing::Test {
  protected:

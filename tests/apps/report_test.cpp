@@ -5,32 +5,16 @@
 #include <regex>
 
 #include "apps/report/floe_outlines.h"
+#include "tests/apps/small_scenes.h"
 #include "tests/support/program.h"
 
 namespace {
 
 using namespace nilas_test;
 
-constexpr const char* k_ship_in_floes = R"(<scene version="1" name="two floes">
-  <time step="0.01" end="1"/>
-  <contact law="coulomb" solver="auto" tolerance="1e-6"><friction between="hull ice" static="0.1" kinetic="0.1"/></contact>
-  <water density="1005"/>
-  <hydro><buoyancy/><drag form="1" skin="0.005"/></hydro>
-  <vessel name="ship" position="0 0">
-    <hull generate="icebreaker" length="3" beam="0.8" draught="0.2" depth="0.4" triangles="600"/>
-    <mass draught="0.2"/>
-    <carriage speed="0.5" ramp="0.1"/>
-  </vessel>
-  <ice thickness="0.05">
-    <floe name="port" outline="2.9 0.02 3.4 0.02 3.4 0.5 2.9 0.5"/>
-    <floe name="starboard" outline="2.95 -0.6 3.4 -0.6 3.4 -0.02 2.95 -0.02"/>
-  </ice>
-</scene>
-)";
-
 TEST(Report, DrawsTheContactsOfAWindowWithItsMeanForce) {
   const ScratchFolder folder;
-  folder.write("ship.xml", k_ship_in_floes);
+  folder.write("ship.xml", k_ship);
   ASSERT_EQ(run_nilas("run ship.xml --quiet --out run", folder.path()).exit_code, 0);
   const auto result = run_nilas("report run --contacts 0.5,0.8 --window 0.1 --out pictures", folder.path());
   ASSERT_EQ(result.exit_code, 0) << result.err;
@@ -149,7 +133,7 @@ TEST(Report, DrawsFixedBodiesOfARunWithoutAVessel) {
 
 TEST(Report, SaysWhatIsMissing) {
   const ScratchFolder folder;
-  folder.write("ship.xml", k_ship_in_floes);
+  folder.write("ship.xml", k_ship);
   folder.write("box.xml", R"(<scene version="1"><time end="0.1"/><body shape="box"/></scene>)");
   ASSERT_EQ(run_nilas("run ship.xml --quiet --until 0.1 --out run", folder.path()).exit_code, 0);
   ASSERT_EQ(

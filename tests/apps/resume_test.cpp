@@ -11,13 +11,12 @@
 #include <thread>
 
 #include "contact/hdf5_file.h"
+#include "tests/support/mentions.h"
 #include "tests/support/started_program.h"
 
 namespace {
 
 using namespace nilas_test;
-
-bool mentions(const std::string& text, const std::string& word) { return text.find(word) != std::string::npos; }
 
 std::set<std::string> files_in(const fs::path& folder) {
   std::set<std::string> files;

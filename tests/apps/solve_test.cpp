@@ -6,11 +6,13 @@
 
 #include "contact/fclib_io.h"
 #include "contact/measure.h"
+#include "tests/support/mentions.h"
 #include "tests/support/program.h"
 
 namespace {
 
 using namespace nilas;
+using nilas_test::mentions;
 using nilas_test::run_nilas;
 using nilas_test::ScratchFolder;
 
@@ -24,8 +26,6 @@ ContactProblem oblique_particle() {
   problem.mu[0] = problem.mu_static[0] = 0.5;
   return problem;
 }
-
-bool mentions(const std::string& text, const std::string& word) { return text.find(word) != std::string::npos; }
 
 TEST(Solve, AParticleSlidesByExactCoulombFriction) {
   const ScratchFolder folder;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "tests/apps/small_scenes.h"
+#include "tests/support/mentions.h"
 #include "tests/support/program.h"
 
 namespace {
@@ -13,18 +15,6 @@ using Json = nlohmann::json;
 
 const std::string k_presawn =
     std::string("'") + NILAS_SOURCE_DIR + "/apps/scenes/presawn-a.xml' --set output/@trajectory_every=0 ";
-
-constexpr const char* k_box = R"(<scene version="1" name="box">
-  <time step="0.01" start="0" end="0.2"/>
-  <contact law="coulomb" solver="pgs" tolerance="1e-9">
-    <friction between="structure structure" static="0.3" kinetic="0.3"/>
-  </contact>
-  <body name="ground" shape="plane" fixed="true"/>
-  <body name="box" shape="box" size="1 1 1" mass="2" position="0 0 0.5" velocity="1 0 0"/>
-</scene>
-)";
-
-bool mentions(const std::string& text, const std::string& word) { return text.find(word) != std::string::npos; }
 
 TEST(Twins, OfAChaoticScenePartAndLeaveTheRunItselfAsItIs) {
   const ScratchFolder folder;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "tests/support/mentions.h"
 #include "tests/support/program.h"
 
 namespace {
@@ -17,8 +18,6 @@ constexpr const char* k_box = R"(<scene version="1" name="box">
   <body name="box" shape="box" size="1 1 1" mass="2" position="0 0 0.5" velocity="1 0 0"/>
 </scene>
 )";
-
-bool mentions(const std::string& text, const std::string& word) { return text.find(word) != std::string::npos; }
 
 class Usage : public ::testing::Test {
  protected:

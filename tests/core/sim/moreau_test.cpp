@@ -4,30 +4,16 @@
 #include <cmath>
 #include <string>
 
-#include "core/scene/read_scene.h"
-#include "core/sim/simulation.h"
-#include "tests/support/scratch_folder.h"
+#include "tests/core/sim/scene_rig.h"
 
 namespace {
 
 using namespace nilas;
 
-struct Rig {
-  explicit Rig(const std::string& body)
-      : file(folder.write("scene.xml", "<scene version='1'>" + body + "</scene>")),
-        simulation(read_scene(file), 1, warnings) {}
-  StepRecord step() {
-    const StepRecord record = simulation.step();
-    EXPECT_LE(record.momentum_imbalance, 1e-12 * record.momentum_scale + 1e-15);
-    EXPECT_LE(record.angular_momentum_imbalance, 1e-12 * record.angular_momentum_scale + 1e-15);
-    return record;
-  }
-  double height() const { return simulation.bodies().p_GB.back().z(); }
-
-  test::ScratchFolder folder;
-  std::filesystem::path file;
-  WarningCounts warnings{make_logger("off", "")};
-  Simulation simulation;
+struct Rig : test::SceneRig {
+  using SceneRig::SceneRig;
+  StepRecord step() { return balanced_step(1e-12, 1e-15); }
+  double height() const { return bodies().p_GB.back().z(); }
 };
 
 std::string contact(const std::string& integrator, double restitution) {

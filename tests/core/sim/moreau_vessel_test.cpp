@@ -4,39 +4,25 @@
 #include <cmath>
 #include <string>
 
-#include "core/scene/read_scene.h"
-#include "core/sim/simulation.h"
-#include "tests/support/scratch_folder.h"
+#include "tests/core/sim/scene_rig.h"
 
 namespace {
 
 using namespace nilas;
 
-struct Rig {
-  explicit Rig(const std::string& body)
-      : file(folder.write("scene.xml", "<scene version='1'>" + body + "</scene>")),
-        simulation(read_scene(file), 1, warnings) {}
-  StepRecord step() {
-    const StepRecord record = simulation.step();
-    EXPECT_LE(record.momentum_imbalance, 1e-12 * record.momentum_scale + 1e-15);
-    EXPECT_LE(record.angular_momentum_imbalance, 1e-12 * record.angular_momentum_scale + 1e-15);
-    return record;
-  }
+struct Rig : test::SceneRig {
+  using SceneRig::SceneRig;
+  StepRecord step() { return balanced_step(1e-12, 1e-15); }
   StepRecord run(int steps) {
     StepRecord record;
     for (int k = 0; k < steps; ++k) record = step();
     return record;
   }
   std::size_t vessel() const { return static_cast<std::size_t>(simulation.vessel_index()); }
-  Vec3 place() const { return simulation.bodies().p_GB[vessel()]; }
-  Quat attitude() const { return simulation.bodies().q_GB[vessel()]; }
-  Vec3 velocity() const { return simulation.bodies().v_GB[vessel()]; }
-  Vec3 spin() const { return simulation.bodies().w_GB[vessel()]; }
-
-  test::ScratchFolder folder;
-  std::filesystem::path file;
-  WarningCounts warnings{make_logger("off", "")};
-  Simulation simulation;
+  Vec3 place() const { return bodies().p_GB[vessel()]; }
+  Quat attitude() const { return bodies().q_GB[vessel()]; }
+  Vec3 velocity() const { return bodies().v_GB[vessel()]; }
+  Vec3 spin() const { return bodies().w_GB[vessel()]; }
 };
 
 std::string time(double step) { return "<time step='" + std::to_string(step) + "' end='1000'/>"; }

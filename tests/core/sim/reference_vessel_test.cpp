@@ -5,37 +5,23 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "core/bodies/mesh.h"
 #include "core/numerics/event_ode.h"
-#include "core/scene/read_scene.h"
-#include "core/sim/simulation.h"
-#include "tests/support/scratch_folder.h"
+#include "tests/core/sim/scene_rig.h"
 
 namespace {
 
 using namespace nilas;
 
-struct Rig {
-  explicit Rig(const std::string& body) {
-    write_stl(box_shape(Vec3(2, 1, 0.5)).surface, folder / "box.stl");
-    scene = read_scene(folder.write("scene.xml", "<scene version='1'>" + body + "</scene>"));
-    simulation = std::make_unique<Simulation>(scene, 1, warnings);
-  }
+struct Rig : test::SceneRig {
+  using SceneRig::SceneRig;
   StepRecord run(double t) {
     StepRecord record;
-    while (simulation->time() < t - 1e-9) {
-      record = simulation->step();
-      EXPECT_LT(std::abs(record.ledger.imbalance),
-                1e-8 * (1 + record.ledger.kinetic + std::abs(record.ledger.potential)));
+    while (simulation.time() < t - 1e-9) {
+      record = simulation.step();
+      test::expect_energy_kept(record, 1e-8);
     }
     return record;
   }
-  const Bodies& bodies() const { return simulation->bodies(); }
-
-  test::ScratchFolder folder;
-  Scene scene;
-  WarningCounts warnings{make_logger("off", "")};
-  std::unique_ptr<Simulation> simulation;
 };
 
 std::string settings(const std::string& integrator, double step, double friction = 0.3, double restitution = 0) {
@@ -104,8 +90,8 @@ TEST(ReferenceVessel, AFreeHullIsTheFreeBodyThatItIs) {
            "' angular_velocity='0.8 0.5 0.1' mass='60' inertia=" + inertia + "/>");
   double impulse = 0;
   for (int k = 0; k < 20; ++k) {
-    impulse += 0.05 * vessel.simulation->step().vessel->contact.force.z();
-    body.simulation->step();
+    impulse += 0.05 * vessel.simulation.step().vessel->contact.force.z();
+    body.simulation.step();
     ASSERT_LT((vessel.bodies().p_GB[0] - body.bodies().p_GB[1]).norm(), 1e-8) << k;
     ASSERT_LT(vessel.bodies().q_GB[0].angularDistance(body.bodies().q_GB[1]), 1e-7) << k;
   }

@@ -5,29 +5,18 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "core/bodies/mesh.h"
-#include "core/scene/read_scene.h"
-#include "core/sim/simulation.h"
-#include "tests/support/scratch_folder.h"
+#include "tests/core/sim/scene_rig.h"
 
 namespace {
 
 using namespace nilas;
 
-/// A hull of 2 m x 1 m x 0.5 m about its frame's origin, and what is in the scene with it.
-struct Rig {
-  explicit Rig(const std::string& body, int threads = 1) {
-    write_stl(box_shape(Vec3(2, 1, 0.5)).surface, folder / "box.stl");
-    scene = read_scene(folder.write("scene.xml", "<scene version='1'>" + body + "</scene>"));
-    simulation = std::make_unique<Simulation>(scene, threads, warnings);
-  }
+struct Rig : test::SceneRig {
+  using SceneRig::SceneRig;
   /// One step whose momenta must balance, joints included, and whose energy account must close.
   StepRecord step() {
-    StepRecord record = simulation->step();
-    EXPECT_LE(record.momentum_imbalance, 1e-11 * record.momentum_scale + 1e-13);
-    EXPECT_LE(record.angular_momentum_imbalance, 1e-11 * record.angular_momentum_scale + 1e-13);
-    EXPECT_LE(std::abs(record.ledger.imbalance),
-              1e-9 * (1 + record.ledger.kinetic + std::abs(record.ledger.potential)));
+    const StepRecord record = balanced_step(1e-11, 1e-13);
+    test::expect_energy_kept(record, 1e-9);
     return record;
   }
   StepRecord run(int steps) {
@@ -35,12 +24,6 @@ struct Rig {
     for (int k = 0; k < steps; ++k) record = step();
     return record;
   }
-  const Bodies& bodies() const { return simulation->bodies(); }
-
-  test::ScratchFolder folder;
-  Scene scene;
-  WarningCounts warnings{make_logger("off", "")};
-  std::unique_ptr<Simulation> simulation;
 };
 
 std::string time(double step) { return "<time step='" + std::to_string(step) + "' end='1000'/>"; }

@@ -9,6 +9,7 @@
 #include "contact/fclib_io.h"
 #include "core/base/error.h"
 #include "tests/support/cone_problems.h"
+#include "tests/support/mentions.h"
 #include "tests/support/program.h"
 #include "tests/support/size_limit.h"
 #include "tests/support/started_program.h"
@@ -39,8 +40,6 @@ const StudyRow& find(const std::vector<StudyRow>& rows, const std::string& probl
     if (row.problem.name == problem && row.solver == solver) return row;
   throw std::runtime_error("no row of " + problem + " by " + solver);
 }
-
-bool mentions(const std::string& text, const std::string& word) { return text.find(word) != std::string::npos; }
 
 TEST(ProblemStudy, JudgesByTheYardstickAndListsFailuresByCause) {
   const ScratchFolder folder;
