@@ -105,6 +105,7 @@ std::string closing_account(const RunStatistics& statistics, double wall_s, cons
   const Worst& imbalance = statistics.worst("imbalance_J");
   text += fmt::format("{:<22}{:.3g} J at {:g} s, {:.2g} of the energy put in\n", "worst energy error", imbalance.value,
                       imbalance.time, statistics.relative_imbalance());
+  text += reaction_lines(statistics.reactions());
   if (ice_load) text += ice_load_lines(*ice_load, statistics.load_error(twins).value());
   for (const StructureLoad& structure : told_structures(statistics)) text += structure_lines(structure);
   if (twins != nullptr) text += twin_lines(*twins);

@@ -20,7 +20,8 @@ RunStatistics::RunStatistics(const RunInfo& info)
     : info_(info),
       structure_series_(info.structures.size() * structure_load_names().size()),
       structure_first_ice_(info.structures.size(), k_never),
-      works_(info.work_names.size(), 0) {
+      works_(info.work_names.size(), 0),
+      reactions_(info) {
   for (const auto& residual : residual_columns()) worst_.push_back({residual.name});
   for (const char* name :
        {"penetration_max_m", "penetration_mean_m", "imbalance_J", "momentum_imbalance_Ns",
@@ -55,6 +56,7 @@ void RunStatistics::add(const StepRecord& record, const std::vector<double>& ves
   shortfalls_.unconverged_steps += record.solver_short;
   shortfalls_.uncorrected_steps += !record.positions_corrected;
   detection_ += record.detection;
+  reactions_.add(record);
   h_ = record.h;
   if (!record.broken.empty()) first_break_ = std::min(first_break_, record.t);
   costs_.add(record);
@@ -128,6 +130,7 @@ void RunStatistics::save(StateWriter out) const {
   std::vector<long> counts;
   for (const auto count : k_detector_counts) counts.push_back(detection_.*count);
   out.add("detection", counts);
+  reactions_.save(out.group("reactions"));
 }
 
 void RunStatistics::restore(const StateReader& in) {
@@ -169,6 +172,7 @@ void RunStatistics::restore(const StateReader& in) {
   std::vector<long> counts;
   in.get("detection", counts, k_detector_counts.size());
   for (std::size_t k = 0; k < counts.size(); ++k) detection_.*k_detector_counts[k] = counts[k];
+  reactions_.restore(in.group("reactions"));
 }
 
 const Worst& RunStatistics::worst(const std::string& name) const {

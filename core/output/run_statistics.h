@@ -7,6 +7,7 @@
 #include "core/base/state.h"
 #include "core/output/ice_load.h"
 #include "core/output/load_error.h"
+#include "core/output/reaction_balance.h"
 #include "core/output/slowdown.h"
 #include "core/output/vessel_channels.h"
 #include "core/sim/step_record.h"
@@ -52,6 +53,8 @@ class RunStatistics {
   const Shortfalls& shortfalls() const { return shortfalls_; }
   /// Of all steps.
   const DetectorCounts& detection() const { return detection_; }
+  /// Of carriage and parts, over all steps.
+  const ReactionBalance& reactions() const { return reactions_; }
 
   const std::vector<std::string>& load_names() const { return load_names_; }
   const std::vector<double>& load_series(std::size_t channel) const { return load_series_[channel]; }
@@ -102,6 +105,7 @@ class RunStatistics {
   std::array<double, k_num_phases> total_ms_{};
   Shortfalls shortfalls_;
   DetectorCounts detection_;
+  ReactionBalance reactions_;
 };
 
 }  // namespace nilas

@@ -34,15 +34,32 @@ Json shortfalls_json(const RunStatistics& statistics) {
 }
 
 Json detection_json(const DetectorCounts& counts) {
-  return {{"pairs", counts.candidate_pairs},
-          {"kept_separating_axis", counts.cached_separations},
-          {"kept_contact_axis", counts.kept_axes},
-          {"settled_by_fcl", counts.by_fcl},
-          {"corrected_after_fcl", counts.corrected},
-          {"exact_search_alone", counts.searched},
-          {"closed_form", counts.closed_forms},
-          {"asked_fcl", counts.fcl_queries},
+  return {{"pairs", counts.candidate_pairs},         {"kept_separating_axis", counts.cached_separations},
+          {"kept_contact_axis", counts.kept_axes},   {"settled_by_fcl", counts.by_fcl},
+          {"corrected_after_fcl", counts.corrected}, {"exact_search_alone", counts.searched},
+          {"closed_form", counts.closed_forms},      {"asked_fcl", counts.fcl_queries},
           {"fcl_without_answer", counts.fallbacks}};
+}
+
+Json joint_balance_json(const JointBalance& joint, double relative) {
+  return {{"force_N", joint.force},
+          {"force_time_s", joint.force_time},
+          {"torque_Nm", joint.torque},
+          {"torque_time_s", joint.torque_time},
+          {"largest_force_N", joint.largest_force},
+          {"largest_torque_Nm", joint.largest_torque},
+          {"relative", relative},
+          {"limit", ReactionBalance::k_limit}};
+}
+
+/// carriage_balance and joint_balance, where there is a carriage and where there are parts.
+void add_reactions(const ReactionBalance& reactions, Json& summary) {
+  Json parts = Json::object();
+  for (const JointBalance& joint : reactions.joints()) {
+    const Json json = joint_balance_json(joint, reactions.relative(joint));
+    (joint.name.empty() ? summary["carriage_balance"] : parts[joint.name]) = json;
+  }
+  if (!parts.empty()) summary["joint_balance"] = parts;
 }
 
 Json loads_json(const RunStatistics& statistics) {
@@ -112,6 +129,7 @@ Json summary_json(const RunInfo& info, const RunStatistics& statistics, const Su
   summary["worst"] = worst_json(statistics);
   summary["shortfalls"] = shortfalls_json(statistics);
   summary["detection"] = detection_json(statistics.detection());
+  add_reactions(statistics.reactions(), summary);
   const TwinStatistics* const twins = input.twins ? &*input.twins : nullptr;
   if (info.has_vessel) summary["window"] = window_json(statistics.window());
   if (input.ice_load) {

@@ -170,6 +170,10 @@ void Simulation::World::note_vessel(const StepMotion& motion, const std::vector<
     if (!sum.carriage) sum.carriage.emplace();
     add_share(part.carriage->about_com, share, sum.carriage->about_com);
     add_share(part.carriage->about_joint, share, sum.carriage->about_joint);
+    if (part.carriage->disagreement) {
+      if (!sum.carriage->disagreement) sum.carriage->disagreement.emplace();
+      add_share(*part.carriage->disagreement, share, *sum.carriage->disagreement);
+    }
     for (std::size_t k = 0; k < part.carriage->cells.size(); ++k)
       sum.carriage->cells[k] += share * part.carriage->cells[k];
   }

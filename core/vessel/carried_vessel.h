@@ -36,6 +36,14 @@ class CarriedVessel : public VesselMotion {
   /// Mean twist of the centre of mass, now at state_, that the carriage imposes while it goes from now_ to `next` in
   /// h_.
   Vec6 mean_carriage_twist(const CarriageMotion::State& next) const;
+  /// One end of a step.
+  struct StepEnd {
+    VecX q, u;
+    CarriageMotion::State carriage;
+  };
+  /// After read_loads(): what Simbody's reaction halfway between both ends says beside it. `given`: mean load of all
+  /// but the carriage (force; torque about the centre of mass). Leaves the tree halfway.
+  void ask_simbody(const StepEnd& start, const StepEnd& end, const Vec6& given);
   /// `reaction`: mean load (force; torque about the centre of mass); com, carriage: where its torques are taken.
   void read_loads(const Vec6& reaction, const Vec3& com, const CarriageMotion::State& carriage);
 

@@ -75,6 +75,7 @@ class JointedVessel : public VesselMotion {
   void add_impulses(const CarriageMotion::State& carriage, double share, const std::vector<Wrench>& joints,
                     double& work);
   void read_states();
+  Wrench unbalanced(std::size_t b, const Wrench& given) const;
   void read_loads(const std::vector<Wrench>& given);
   std::vector<Wrench> free_loads() const;
   std::vector<Wrench> contact_impulses(const Wrench& on_hull) const;
@@ -282,20 +283,27 @@ void JointedVessel::read_states() {
   }
 }
 
+/// What a body's momenta lack against all loads on it, as a mean over the step.
+Wrench JointedVessel::unbalanced(std::size_t b, const Wrench& given) const {
+  const Vec6 gained = (tree_.momentum(static_cast<int>(b)) - momenta_[b]) / h_;
+  const Wrench net = over(impulses_.net[b], h_);
+  return {gained.head<3>() - given.force - net.force, gained.tail<3>() - given.torque - net.torque};
+}
+
 /// Means over the step, and what the momenta say beside them.
 void JointedVessel::read_loads(const std::vector<Wrench>& given) {
   for (std::size_t k = 0; k < parts_.size(); ++k) {
-    const std::size_t b = k + 1;
-    parts_[k].joint = over(impulses_.joint[b], h_);
-    const Vec6 gained = (tree_.momentum(static_cast<int>(b)) - momenta_[b]) / h_;
-    const Wrench net = over(impulses_.net[b], h_);
-    parts_[k].unbalanced_force = (gained.head<3>() - given[b].force - net.force).norm();
-    parts_[k].unbalanced_torque = (gained.tail<3>() - given[b].torque - net.torque).norm();
+    parts_[k].joint = over(impulses_.joint[k + 1], h_);
+    const Wrench lack = unbalanced(k + 1, given[k + 1]);
+    parts_[k].unbalanced_force = lack.force.norm();
+    parts_[k].unbalanced_torque = lack.torque.norm();
   }
   if (!motion_) return;
   loads_.about_joint = over(impulses_.carriage_about_point, h_);
   loads_.about_com = loads_.about_joint;
   loads_.about_com.torque += (now_.p - state_.pose.p).cross(loads_.about_com.force);
+  const Wrench lack = unbalanced(0, given.front());
+  loads_.disagreement = {-lack.force, -lack.torque};
 }
 
 void JointedVessel::save_motion(StateWriter& out) const {

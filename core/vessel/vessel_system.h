@@ -117,6 +117,9 @@ struct CarriageLoads {
   Wrench about_com;
   Wrench about_joint;             ///< the same force
   std::array<double, 6> cells{};  ///< six-cells only: the readings that balance about_joint [N]
+  /// Simbody's reaction of the joint less the load that the momenta show, about the centre of mass; nothing where only
+  /// one of them is known.
+  std::optional<Wrench> disagreement;
 };
 
 /// What acts on a vessel at rest beside its carriage, and the scales of it.

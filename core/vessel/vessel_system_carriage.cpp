@@ -156,6 +156,23 @@ void CarriedVessel::read_loads(const Vec6& reaction, const Vec3& com, const Carr
   Eigen::Map<Vec6>(loads_.cells.data()) = cells_->solve(transmitted);
 }
 
+/// The momenta know the reaction as a mean over the step. Simbody knows it at an instant: so it is asked halfway, with
+/// the mean of the speeds, their realised change as the acceleration, and contact impulses spread over the step.
+void CarriedVessel::ask_simbody(const StepEnd& start, const StepEnd& end, const Vec6& given) {
+  CarriageMotion::State halfway, acceleration;
+  halfway.p = 0.5 * (start.carriage.p + end.carriage.p);
+  halfway.yaw = 0.5 * (start.carriage.yaw + end.carriage.yaw);
+  halfway.v = 0.5 * (start.carriage.v + end.carriage.v);
+  halfway.yaw_rate = 0.5 * (start.carriage.yaw_rate + end.carriage.yaw_rate);
+  acceleration.v = (end.carriage.v - start.carriage.v) / h_;
+  acceleration.yaw_rate = (end.carriage.yaw_rate - start.carriage.yaw_rate) / h_;
+  tree_.set_coordinates(0.5 * (start.q + end.q));
+  tree_.set_carriage(halfway);
+  tree_.set_speeds(0.5 * (start.u + end.u));
+  const Wrench simbody = tree_.reaction({given.head<3>(), given.tail<3>()}, (end.u - start.u) / h_, acceleration);
+  loads_.disagreement = {simbody.force - loads_.about_com.force, simbody.torque - loads_.about_com.torque};
+}
+
 namespace {
 
 /// Semi-implicit Euler.
@@ -193,6 +210,7 @@ void EulerCarriedVessel::finish_step(const Wrench& contact) {
   given.head<3>() += h_ * free_.force;
   given.tail<3>() += h_ * free_.torque;
   const Vec6 before = momentum();
+  const StepEnd start{q_, u_, now_};
 
   // new speeds, new pose
   u_ = u_without_contact_ + step_.response * (jacobian_.transpose() * impulse);
@@ -204,6 +222,8 @@ void EulerCarriedVessel::finish_step(const Wrench& contact) {
   // what the momenta lack is what the carriage gave
   keep_free_momentum(before + given);
   read_loads((momentum() - before - given) / h_, state_.pose.p, now_);
+  ask_simbody(start, {q_, u_, now_}, given / h_);
+  place(now_, u_);
 }
 
 /// Chooses the speeds of the free coordinates so that at the new pose the reaction has no part along them. Where the

@@ -24,15 +24,14 @@ class MoreauCarriedVessel : public CarriedVessel {
   void place_halfway(const VecX& q_end);
 
   double theta_;
-  VecX q_start_;
+  StepEnd start_;
   Vec6 momentum_start_ = Vec6::Zero();
-  CarriageMotion::State start_, end_;  ///< of the carriage at both ends of the step under way
-  MatX free_mass_;                     ///< of the free coordinates at the middle pose
+  CarriageMotion::State end_;  ///< of the carriage at the end of the step under way
+  MatX free_mass_;             ///< of the free coordinates at the middle pose
 };
 
 void MoreauCarriedVessel::move_before_step(double h) {
-  start_ = now_;
-  q_start_ = q_;
+  start_ = {q_, u_, now_};
   momentum_start_ = momentum();
   q_ += (1 - theta_) * h * u_;
   const double t = time_ + (1 - theta_) * h;
@@ -49,8 +48,8 @@ VesselBlock MoreauCarriedVessel::begin_step() {
   end_ = motion_.at(time_ + h_);
   // the mean acceleration over the step, so that kinks of the motion keep the momenta exact
   CarriageMotion::State acceleration;
-  acceleration.v = (end_.v - start_.v) / h_;
-  acceleration.yaw_rate = (end_.yaw_rate - start_.yaw_rate) / h_;
+  acceleration.v = (end_.v - start_.carriage.v) / h_;
+  acceleration.yaw_rate = (end_.yaw_rate - start_.carriage.yaw_rate) / h_;
   jacobian_ = tree_.jacobian();
   const MatX mass = tree_.mass_matrix();
   free_mass_ = mass(free_coordinates_, free_coordinates_);
@@ -79,6 +78,7 @@ void MoreauCarriedVessel::finish_step(const Wrench& contact) {
   const Vec6 reaction = (momentum_at_end(q_middle) - momentum_start_ - given) / h_;
   place_halfway(q_);
   read_loads(reaction, tree_.pose().p, motion_.at(time_ + 0.5 * h_));
+  ask_simbody(start_, {q_, u_, end_}, given / h_);
   now_ = end_;
   place(now_, u_);
 }
@@ -93,7 +93,7 @@ Vec6 MoreauCarriedVessel::momentum_at_end(const VecX& q_middle) {
 
 /// The tree between the step's ends, where the reaction is read; the state stays at the end.
 void MoreauCarriedVessel::place_halfway(const VecX& q_end) {
-  tree_.set_coordinates(0.5 * (q_start_ + q_end));
+  tree_.set_coordinates(0.5 * (start_.q + q_end));
   tree_.set_carriage(motion_.at(time_ + 0.5 * h_));
 }
 

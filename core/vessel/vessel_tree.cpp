@@ -17,13 +17,38 @@ struct VesselTree::Implementation {
     system.realize(state, stage);
     return state;
   }
+  SimTK::Vector_<SimTK::SpatialVec> on_vessel(const Wrench& load) const;
+  SimTK::Vector missing_forces(const SimTK::Vector_<SimTK::SpatialVec>& loads, const VecX& accelerations,
+                               const CarriageMotion::State& acceleration) const;
 
   SimTK::MultibodySystem system;
   SimTK::SimbodyMatterSubsystem matter{system};
+  SimTK::GeneralForceSubsystem forces{system};
+  SimTK::Force::DiscreteForces applied{forces, matter};
+  SimTK::MobilizedBody::Planar planar;  ///< the carriage
   SimTK::MobilizedBody vessel;
   SimTK::State state;
   int carriage = 0, speeds = 0;
 };
+
+SimTK::Vector_<SimTK::SpatialVec> VesselTree::Implementation::on_vessel(const Wrench& load) const {
+  SimTK::Vector_<SimTK::SpatialVec> loads(matter.getNumBodies(), SimTK::SpatialVec(SimTK::Vec3(0), SimTK::Vec3(0)));
+  loads[vessel.getMobilizedBodyIndex()] = SimTK::SpatialVec(to_simbody(load.torque), to_simbody(load.force));
+  return loads;
+}
+
+/// Forces along the speeds that are missing for these accelerations under these loads.
+SimTK::Vector VesselTree::Implementation::missing_forces(const SimTK::Vector_<SimTK::SpatialVec>& loads,
+                                                         const VecX& accelerations,
+                                                         const CarriageMotion::State& acceleration) const {
+  SimTK::Vector known(state.getNU(), 0.0), missing;
+  if (carriage > 0)
+    known(0, carriage) = SimTK::Vector(SimTK::Vec3(acceleration.yaw_rate, acceleration.v.x(), acceleration.v.y()));
+  for (int i = 0; i < accelerations.size(); ++i) known[carriage + i] = accelerations[i];
+  matter.calcResidualForceIgnoringConstraints(at(SimTK::Stage::Velocity), SimTK::Vector(state.getNU(), 0.0), loads,
+                                              known, missing);
+  return missing;
+}
 
 VesselTree::VesselTree(const MassProperties& mass) : implementation_(std::make_unique<Implementation>()) {
   Implementation& tree = *implementation_;
@@ -34,8 +59,8 @@ VesselTree::VesselTree(const MassProperties& mass) : implementation_(std::make_u
 VesselTree::VesselTree(const MassProperties& mass, const TreeJoint& joint)
     : implementation_(std::make_unique<Implementation>()) {
   Implementation& tree = *implementation_;
-  SimTK::MobilizedBody::Planar carriage = add_carriage(tree.matter, joint);
-  tree.vessel = add_carried(carriage, rigid_body(mass.mass, mass.inertia), joint);
+  tree.planar = add_carriage(tree.matter, joint);
+  tree.vessel = add_carried(tree.planar, rigid_body(mass.mass, mass.inertia), joint);
   constexpr int k_planar_speeds = 3;
   tree.complete(k_planar_speeds);
 }
@@ -103,19 +128,31 @@ MatX VesselTree::jacobian() const {
 
 VecX VesselTree::force(const Wrench& load, const CarriageMotion::State& acceleration) const {
   const Implementation& tree = *implementation_;
-  const SimTK::State& state = tree.at(SimTK::Stage::Velocity);
-  SimTK::Vector no_mobility_forces(state.getNU(), 0.0), known(state.getNU(), 0.0), residual;
-  // Accelerations of the carriage that are given, zero for the vessel: what is missing for these is what drives the
-  // vessel.
-  if (tree.carriage > 0)
-    known(0, tree.carriage) = SimTK::Vector(SimTK::Vec3(acceleration.yaw_rate, acceleration.v.x(), acceleration.v.y()));
-  SimTK::Vector_<SimTK::SpatialVec> loads(tree.matter.getNumBodies(),
-                                          SimTK::SpatialVec(SimTK::Vec3(0), SimTK::Vec3(0)));
-  loads[tree.vessel.getMobilizedBodyIndex()] = SimTK::SpatialVec(to_simbody(load.torque), to_simbody(load.force));
-  tree.matter.calcResidualForceIgnoringConstraints(state, no_mobility_forces, loads, known, residual);
+  // What is missing where the vessel's speeds stay is what drives it.
+  const SimTK::Vector missing = tree.missing_forces(tree.on_vessel(load), VecX::Zero(tree.speeds), acceleration);
   VecX force(tree.speeds);
-  for (int i = 0; i < tree.speeds; ++i) force[i] = -residual[tree.carriage + i];
+  for (int i = 0; i < tree.speeds; ++i) force[i] = -missing[tree.carriage + i];
   return force;
+}
+
+Wrench VesselTree::reaction(const Wrench& load, const VecX& accelerations, const CarriageMotion::State& acceleration) {
+  Implementation& tree = *implementation_;
+  NILAS_DEMAND(tree.carriage > 0 && accelerations.size() == tree.speeds);
+  const SimTK::Vector_<SimTK::SpatialVec> loads = tree.on_vessel(load);
+  SimTK::Vector drive = tree.missing_forces(loads, accelerations, acceleration);
+  drive(0, tree.carriage) = SimTK::Vector(tree.carriage, 0.0);
+  tree.planar.lockAt(tree.state, SimTK::Vec3(acceleration.yaw_rate, acceleration.v.x(), acceleration.v.y()),
+                     SimTK::Motion::Acceleration);
+  tree.applied.setAllMobilityForces(tree.state, drive);
+  tree.applied.setAllBodyForces(tree.state, loads);
+  SimTK::Vector_<SimTK::SpatialVec> reactions;
+  const SimTK::State& state = tree.at(SimTK::Stage::Acceleration);
+  tree.matter.calcMobilizerReactionForces(state, reactions);
+  const SimTK::SpatialVec& at_joint = reactions[tree.vessel.getMobilizedBodyIndex()];
+  const SimTK::Transform& X = tree.vessel.getBodyTransform(state);
+  const Vec3 arm = from_simbody(X.R() * tree.vessel.getOutboardFrame(state).p());
+  const Vec3 force = from_simbody(at_joint[1]);
+  return {force, from_simbody(at_joint[0]) + arm.cross(force)};
 }
 
 }  // namespace nilas

@@ -42,6 +42,10 @@ class VesselTree {
   /// acceleration; in `acceleration` only v [m/s^2] and yaw_rate [rad/s^2] count, as accelerations. For a free vessel:
   /// the load alone and its gyroscopic term.
   VecX force(const Wrench& load, const CarriageMotion::State& acceleration) const;
+  /// Simbody's reaction of the vessel's joint to its carriage, on the vessel about its centre of mass in G: under
+  /// `load`, with these accelerations of the speeds (n) and, as above, of the carriage. What springs and dampers do
+  /// along the joint's coordinates is in it.
+  Wrench reaction(const Wrench& load, const VecX& accelerations, const CarriageMotion::State& acceleration);
 
  private:
   struct Implementation;

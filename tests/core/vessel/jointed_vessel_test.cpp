@@ -204,6 +204,8 @@ TEST(JointedVessel, CarriageLoadIsWhatTheMomentaLack) {
         const Vec6 after = example::totals(model, system).momentum;
         const Vec3 lack = (after - before).head<3>() / h - weight;
         worst = std::max(worst, (system.carriage_loads().about_com.force - lack).norm());
+        const Wrench& apart = system.carriage_loads().disagreement.value();
+        ASSERT_LT(apart.force.norm() + apart.torque.norm(), 1e-5 * model.mass.mass * example::k_gravity);
         if (heaves) {
           ASSERT_NEAR(system.carriage_loads().about_com.force.z(), 0, 1e-8 * weight.norm());
         }
