@@ -11,6 +11,10 @@ namespace nilas {
 
 /// How the vessel hangs on its carriage, which model.carriage must name.
 TreeJoint carriage_joint(const VesselModel& model);
+/// Coordinates of that joint along which it transmits nothing.
+std::vector<int> free_coordinates(const CarriageModel& carriage);
+/// The cells of its force balance, none but of six-cells. Throws InputError when they cannot hold the vessel.
+std::vector<TreeCell> carriage_cells(const CarriageModel& carriage);
 
 /// Coordinates q: those of the tree's joint; u: their rates, along stiff coordinates as the mean over the last step.
 class CarriedVessel : public VesselMotion {
@@ -21,7 +25,7 @@ class CarriedVessel : public VesselMotion {
   Vec6 velocity_after_impulses() const override;
   void displace(const Vec6&, double) override {}
   std::optional<CarriageLoads> settle(const RestModel& rest, bool start_there) override;
-  double spring_energy() const override { return 0.5 * q_.dot(stiffness_ * q_); }
+  double spring_energy() const override { return tree_.cell_energy(); }
   VecX coordinates() const override;
 
  protected:
@@ -60,7 +64,6 @@ class CarriedVessel : public VesselMotion {
   VecX u_without_contact_;
 
  private:
-  void build_cells(const CarriageModel& carriage);
   /// Coordinates that come to rest: those that cells hold, and free ones that water balances.
   std::vector<int> settling_coordinates(bool afloat) const;
   /// Of the coordinates at q, without any motion; leaves the tree there.

@@ -59,17 +59,28 @@ std::array<LoadCell, 6> read_cells(const std::string& csv_file) {
   return cells;
 }
 
-Mat6 condensed_stiffness(const Mat6& cell_wrenches, double stiffness, const std::vector<int>& free) {
-  const Mat6 K6 = stiffness * (cell_wrenches * cell_wrenches.transpose());
+Mat6 cell_shortenings(const Mat6& cell_wrenches, const std::vector<int>& free) {
   std::vector<int> held;
   for (int i = 0; i < 6; ++i)
     if (std::find(free.begin(), free.end(), i) == free.end()) held.push_back(i);
+  Mat6 B = Mat6::Zero();
+  if (held.empty()) return B;
+  // the platform gives way by least squares: the sum of squared tensions is the energy
+  const Mat6 rigid = cell_wrenches.transpose();
+  MatX left = rigid(Eigen::all, held);
+  if (!free.empty()) {
+    const MatX given = rigid(Eigen::all, free);
+    left -= given * MatX(given.householderQr().solve(left));
+  }
+  B(Eigen::all, held) = left;
+  return B;
+}
+
+Mat6 condensed_stiffness(const Mat6& cell_wrenches, double stiffness, const std::vector<int>& free) {
+  const Mat6 B = cell_shortenings(cell_wrenches, free);
   Mat6 K = Mat6::Zero();
-  if (held.empty()) return K;
-  MatX rest = K6(held, held);
-  if (!free.empty()) rest -= K6(held, free) * MatX(K6(free, free)).llt().solve(MatX(K6(free, held)));
-  K(held, held) = 0.5 * (rest + rest.transpose());
-  return K;
+  K.selfadjointView<Eigen::Lower>().rankUpdate(B.transpose(), stiffness);
+  return K.selfadjointView<Eigen::Lower>();
 }
 
 }  // namespace nilas

@@ -16,9 +16,14 @@ Mat6 cell_wrenches(const std::array<LoadCell, 6>& cells);
 double layout_condition(const std::array<LoadCell, 6>& cells);
 constexpr double k_max_layout_condition = 1e8;  ///< beyond it, half of the digits of a reading are lost
 
-/// K = K6 - K6 S (S^T K6 S)^-1 S^T K6 with K6 = stiffness A A^T: what the joint transmits to the cells through a
-/// massless platform when it is free along the unit columns S, the entries `free` (0..5). Rows and columns of these are
-/// exactly zero. stiffness: of each cell [N/m].
+/// B, row k: how much shorter cell k gets per unit of each coordinate of the joint, where a massless platform between
+/// cells and joint gives way along the entries `free` (0..5), whose columns are exactly zero:
+/// B = A^T (1 - S (S^T A A^T S)^-1 S^T A A^T), S the unit columns of these entries. B^T maps the cells' tensions to
+/// what they do along the coordinates.
+Mat6 cell_shortenings(const Mat6& cell_wrenches, const std::vector<int>& free);
+
+/// K = stiffness B^T B, which is K6 - K6 S (S^T K6 S)^-1 S^T K6 with K6 = stiffness A A^T: what the joint feels of the
+/// cells. Rows and columns of `free` are exactly zero. stiffness: of each cell [N/m].
 Mat6 condensed_stiffness(const Mat6& cell_wrenches, double stiffness, const std::vector<int>& free);
 
 }  // namespace nilas

@@ -67,15 +67,15 @@ StiffBlock stiff_block(const MatX& mass, const MatX& stiffness, double damping_t
                        double h) {
   if (mass.rows() == 0) return {};
   const Modes modes = find_modes(mass, stiffness, free);
-  VecX decay(modes.omega.size()), response(modes.omega.size());
+  VecX kept(modes.omega.size()), response(modes.omega.size());
   for (Eigen::Index j = 0; j < modes.omega.size(); ++j) {
     const ExponentialMode mode = exponential_mode(modes.omega[j], damping_time, h);
-    decay[j] = mode.decay;
+    kept[j] = mode.decay + mode.response * h * damping_time * modes.omega[j] * modes.omega[j];
     response[j] = mode.response;
   }
   const MatX momentum = mass * modes.shape;
   return {weighted_square(momentum, response.cwiseInverse()), weighted_square(modes.shape, response),
-          modes.shape * decay.asDiagonal() * momentum.transpose()};
+          modes.shape * kept.asDiagonal() * momentum.transpose()};
 }
 
 }  // namespace nilas

@@ -9,14 +9,16 @@ namespace nilas {
 /// The step of M u' + damping_time K u + K q = F with an unknown impulse r, in the speeds u = (q - q of the step
 /// before) / h:
 ///
-///   u+ = decay u + response (h (F - K q) + r),    q+ = q + h u+.
+///   u+ = kept u + response (h (F - damping_time K u - K q) + r),    q+ = q + h u+,
 ///
-/// Each mode of K phi = omega^2 M phi, phi^T M phi = 1, takes the exact step of exponential_mode.h. With Phi the modes
-/// as columns: response = Phi diag(response_j) Phi^T and decay = Phi diag(decay_j) Phi^T M.
+/// so all forces are those at the step's start, springs and dampers included. Each mode of K phi = omega^2 M phi,
+/// phi^T M phi = 1, takes the exact step of exponential_mode.h, whose decay holds the damper's part: kept_j = decay_j +
+/// response_j h damping_time omega_j^2. With Phi the modes as columns: response = Phi diag(response_j) Phi^T and kept =
+/// Phi diag(kept_j) Phi^T M.
 struct StiffBlock {
   MatX mass;      ///< n x n, response^-1, symmetric positive definite: M itself for coordinates without spring
   MatX response;  ///< n x n, symmetric positive definite
-  MatX decay;     ///< n x n
+  MatX kept;      ///< n x n: of the speeds before
 };
 
 /// mass: M, n x n, symmetric positive definite. stiffness: K, n x n, symmetric, its rows and columns of the coordinates

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "core/base/error.h"
 #include "core/vessel/carried_vessel.h"
@@ -32,6 +33,27 @@ Quat turned(double yaw) { return Quat(Eigen::AngleAxisd(yaw, Vec3::UnitZ())); }
 
 }  // namespace
 
+std::vector<int> free_coordinates(const CarriageModel& carriage) {
+  const std::vector<int> axes = free_axes(carriage);
+  if (carriage.balance == BalanceKind::six_cells) return axes;
+  std::vector<int> all(axes.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+std::vector<TreeCell> carriage_cells(const CarriageModel& carriage) {
+  if (carriage.balance != BalanceKind::six_cells) return {};
+  const std::string where = "force balance six-cells: ";
+  if (!(carriage.stiffness > 0)) throw InputError(where + "stiffness must be > 0 N/m");
+  if (!(carriage.damping >= 0)) throw InputError(where + "damping must be >= 0 N s/m");
+  if (!(layout_condition(carriage.cells) <= k_max_layout_condition))
+    throw InputError(where + "the layout of the cells is singular");
+  const Mat6 shortenings = cell_shortenings(cell_wrenches(carriage.cells), free_axes(carriage));
+  std::vector<TreeCell> cells;
+  for (int k = 0; k < 6; ++k) cells.push_back({shortenings.row(k).transpose(), carriage.stiffness, carriage.damping});
+  return cells;
+}
+
 TreeJoint carriage_joint(const VesselModel& model) {
   const CarriageModel& carriage = *model.carriage;
   const CarriageMotion::State rest = at_rest(carriage.motion);
@@ -48,16 +70,20 @@ TreeJoint carriage_joint(const VesselModel& model) {
 }
 
 CarriedVessel::CarriedVessel(const VesselModel& model, double t0)
-    : VesselMotion(model, t0), motion_(model.carriage->motion), tree_(model.mass, carriage_joint(model)) {
+    : VesselMotion(model, t0),
+      motion_(model.carriage->motion),
+      tree_(model.mass, carriage_joint(model), carriage_cells(*model.carriage)) {
   const CarriageModel& carriage = *model.carriage;
   const int n = tree_.size();
   axes_ = coordinate_axes(carriage);
   has_three_angles_ = axes_.size() >= 3 && axes_[2] == 2;
+  free_coordinates_ = free_coordinates(carriage);
   stiffness_ = MatX::Zero(n, n);
   if (carriage.balance == BalanceKind::six_cells) {
-    build_cells(carriage);
-  } else {
-    for (int i = 0; i < n; ++i) free_coordinates_.push_back(i);
+    const Mat6 wrenches = cell_wrenches(carriage.cells);
+    cells_.emplace(wrenches);
+    stiffness_ = condensed_stiffness(wrenches, carriage.stiffness, free_coordinates_);
+    damping_time_ = carriage.damping / carriage.stiffness;
   }
   q_ = VecX::Zero(n);
   u_ = VecX::Zero(n);
@@ -96,19 +122,6 @@ void CarriedVessel::restore_motion(const StateReader& in) {
   tree_.set_coordinates(q_);
   tree_.set_carriage(now_);
   tree_.set_speeds(u_);
-}
-
-void CarriedVessel::build_cells(const CarriageModel& carriage) {
-  const std::string where = "force balance six-cells: ";
-  if (!(carriage.stiffness > 0)) throw InputError(where + "stiffness must be > 0 N/m");
-  if (!(carriage.damping >= 0)) throw InputError(where + "damping must be >= 0 N s/m");
-  if (!(layout_condition(carriage.cells) <= k_max_layout_condition))
-    throw InputError(where + "the layout of the cells is singular");
-  const Mat6 wrenches = cell_wrenches(carriage.cells);
-  cells_.emplace(wrenches);
-  free_coordinates_ = free_axes(carriage);
-  stiffness_ = condensed_stiffness(wrenches, carriage.stiffness, free_coordinates_);
-  damping_time_ = carriage.damping / carriage.stiffness;
 }
 
 void CarriedVessel::place(const CarriageMotion::State& carriage, const VecX& u) {
@@ -199,7 +212,7 @@ VesselBlock EulerCarriedVessel::begin_step() {
   const VecX force = tree_.force(free_, acceleration);
   jacobian_ = tree_.jacobian();
   step_ = stiff_block(tree_.mass_matrix(), stiffness_, damping_time_, free_coordinates_, h_);
-  u_without_contact_ = step_.decay * u_ + h_ * (step_.response * (force - stiffness_ * q_));
+  u_without_contact_ = step_.kept * u_ + h_ * (step_.response * (force + tree_.cell_force()));
   return {step_.mass, step_.mass * u_without_contact_, {jacobian_, mean_carriage_twist(next_)}, {}};
 }
 

@@ -27,6 +27,7 @@ class MoreauCarriedVessel : public CarriedVessel {
   StepEnd start_;
   Vec6 momentum_start_ = Vec6::Zero();
   CarriageMotion::State end_;  ///< of the carriage at the end of the step under way
+  VecX of_cells_;              ///< their force before the impulses
   MatX free_mass_;             ///< of the free coordinates at the middle pose
 };
 
@@ -41,7 +42,7 @@ void MoreauCarriedVessel::move_before_step(double h) {
 }
 
 VecX MoreauCarriedVessel::speeds_under(const VecX& force) const {
-  return step_.decay * u_ + h_ * (step_.response * (force - stiffness_ * q_));
+  return step_.kept * u_ + h_ * (step_.response * (force + of_cells_));
 }
 
 VesselBlock MoreauCarriedVessel::begin_step() {
@@ -54,6 +55,7 @@ VesselBlock MoreauCarriedVessel::begin_step() {
   const MatX mass = tree_.mass_matrix();
   free_mass_ = mass(free_coordinates_, free_coordinates_);
   step_ = stiff_block(mass, stiffness_, damping_time_, free_coordinates_, h_);
+  of_cells_ = tree_.cell_force();
   // Coriolis terms with the mean of the speeds at both ends: with those before alone they would be of first order
   const VecX predicted = speeds_under(tree_.force(free_, acceleration));
   tree_.set_speeds(0.5 * (u_ + predicted));

@@ -39,7 +39,7 @@ VecX CarriedVessel::static_force(const RestModel& rest, const VecX& q) {
   tree_.set_coordinates(q);
   tree_.set_carriage(standing(now_));
   tree_.set_speeds(VecX::Zero(tree_.size()));
-  return tree_.force(rest.load(tree_.pose()), {}) - stiffness_ * q;
+  return tree_.force(rest.load(tree_.pose()), {}) + tree_.cell_force();
 }
 
 VecX CarriedVessel::equilibrium(const RestModel& rest) {

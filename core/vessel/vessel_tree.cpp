@@ -1,6 +1,7 @@
 #include "core/vessel/vessel_tree.h"
 
 #include "core/base/error.h"
+#include "core/vessel/cell_force.h"
 #include "core/vessel/simbody_bodies.h"
 
 namespace nilas {
@@ -24,7 +25,11 @@ struct VesselTree::Implementation {
   SimTK::MultibodySystem system;
   SimTK::SimbodyMatterSubsystem matter{system};
   SimTK::GeneralForceSubsystem forces{system};
+  /// Loads that are known before a step. Weight, water and contact act once per step and are evaluated for all bodies
+  /// at once, so Simbody is given their sums: a force element that sums up the drag of wetted triangles itself would do
+  /// so anew for each of the states at which a step asks the tree (docs/theory_vessel.md).
   SimTK::Force::DiscreteForces applied{forces, matter};
+  CellForces cells;
   SimTK::MobilizedBody::Planar planar;  ///< the carriage
   SimTK::MobilizedBody vessel;
   SimTK::State state;
@@ -56,11 +61,12 @@ VesselTree::VesselTree(const MassProperties& mass) : implementation_(std::make_u
   tree.complete(0);
 }
 
-VesselTree::VesselTree(const MassProperties& mass, const TreeJoint& joint)
+VesselTree::VesselTree(const MassProperties& mass, const TreeJoint& joint, const std::vector<TreeCell>& cells)
     : implementation_(std::make_unique<Implementation>()) {
   Implementation& tree = *implementation_;
   tree.planar = add_carriage(tree.matter, joint);
   tree.vessel = add_carried(tree.planar, rigid_body(mass.mass, mass.inertia), joint);
+  tree.cells.add(tree.forces, tree.vessel, cells);
   constexpr int k_planar_speeds = 3;
   tree.complete(k_planar_speeds);
 }
@@ -135,12 +141,24 @@ VecX VesselTree::force(const Wrench& load, const CarriageMotion::State& accelera
   return force;
 }
 
+VecX VesselTree::cell_force() const {
+  const Implementation& tree = *implementation_;
+  return tree.cells.along_speeds(tree.at(SimTK::Stage::Velocity)).tail(tree.speeds);
+}
+
+double VesselTree::cell_energy() const {
+  const Implementation& tree = *implementation_;
+  return tree.cells.energy(tree.at(SimTK::Stage::Position));
+}
+
 Wrench VesselTree::reaction(const Wrench& load, const VecX& accelerations, const CarriageMotion::State& acceleration) {
   Implementation& tree = *implementation_;
   NILAS_DEMAND(tree.carriage > 0 && accelerations.size() == tree.speeds);
   const SimTK::Vector_<SimTK::SpatialVec> loads = tree.on_vessel(load);
   SimTK::Vector drive = tree.missing_forces(loads, accelerations, acceleration);
   drive(0, tree.carriage) = SimTK::Vector(tree.carriage, 0.0);
+  const VecX cells = cell_force();
+  for (int i = 0; i < tree.speeds; ++i) drive[tree.carriage + i] -= cells[i];
   tree.planar.lockAt(tree.state, SimTK::Vec3(acceleration.yaw_rate, acceleration.v.x(), acceleration.v.y()),
                      SimTK::Motion::Acceleration);
   tree.applied.setAllMobilityForces(tree.state, drive);
