@@ -60,10 +60,6 @@ void check_parts(const SceneElement& root, const SceneElement& vessel, std::vect
   const auto position = numbers_of(vessel, "position");
   if (position && position->size() != 3)
     faults.push_back(fault_of(vessel, "position", "found 2 numbers; with <part> allowed: 3 numbers [m]"));
-  const SceneElement* carriage = child_of(vessel, "carriage");
-  const SceneElement* balance = carriage ? child_of(*carriage, "force_balance") : nullptr;
-  if (balance && text_of(*balance, "kind") == "six-cells")
-    faults.push_back(fault_of(*balance, "kind", "found 'six-cells'; a vessel with <part> allows: rigid, prismatic"));
   const SceneElement* contact = child_of(root, "contact");
   if (contact && text_of(*contact, "gyroscopic") == "false")
     faults.push_back(fault_of(*contact, "gyroscopic", "found 'false'; a vessel with <part> allows: true"));

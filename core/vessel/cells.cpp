@@ -29,6 +29,15 @@ Mat6 cell_wrenches(const std::array<LoadCell, 6>& cells) {
   return A;
 }
 
+std::array<double, 6> cell_readings(const Eigen::PartialPivLU<Mat6>& layout, const Wrench& about_joint, double yaw) {
+  const Quat to_carriage(Eigen::AngleAxisd(-yaw, Vec3::UnitZ()));
+  Vec6 transmitted;
+  transmitted << to_carriage * about_joint.torque, to_carriage * about_joint.force;
+  std::array<double, 6> readings{};
+  Eigen::Map<Vec6>(readings.data()) = layout.solve(transmitted);
+  return readings;
+}
+
 double layout_condition(const std::array<LoadCell, 6>& cells) {
   double reach = 0;
   for (const auto& cell : cells) reach = std::max(reach, cell.point.norm());

@@ -12,6 +12,10 @@ namespace nilas {
 /// Columns: the wrench on the vessel from one newton of tension in each cell, so that readings = matrix^-1 wrench.
 Mat6 cell_wrenches(const std::array<LoadCell, 6>& cells);
 
+/// What each cell reads where the joint transmits `about_joint` (in G), the carriage at `yaw` [rad]. `layout`: of
+/// cell_wrenches.
+std::array<double, 6> cell_readings(const Eigen::PartialPivLU<Mat6>& layout, const Wrench& about_joint, double yaw);
+
 /// Condition number of cell_wrenches with lengths divided by the farthest cell's distance from the joint.
 double layout_condition(const std::array<LoadCell, 6>& cells);
 constexpr double k_max_layout_condition = 1e8;  ///< beyond it, half of the digits of a reading are lost

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/vessel/carried_vessel.h"
+#include "core/vessel/cell_force.h"
 #include "core/vessel/simbody_bodies.h"
 
 namespace nilas {
@@ -85,6 +86,7 @@ struct JointedTree::Implementation {
   SimTK::SimbodyMatterSubsystem matter{system};
   SimTK::GeneralForceSubsystem forces{system};
   SimTK::Force::DiscreteForces applied{forces, matter};
+  CellForces cells;
   SimTK::MobilizedBody::Planar carriage;
   std::vector<Body> bodies;
   SimTK::State state;
@@ -140,6 +142,7 @@ JointedTree::JointedTree(const VesselModel& model) : implementation_(std::make_u
     tree.carriage = add_carriage(tree.matter, joint);
     tree.carried = 3;  // Simbody's planar mobilizer
     hull_mobilized = add_carried(tree.carriage, hull, joint);
+    tree.cells.add(tree.forces, hull_mobilized, carriage_cells(*model.carriage));
   } else {
     hull_mobilized = SimTK::MobilizedBody::Free(tree.matter.updGround(), hull);
     tree.free_hull = true;
@@ -319,11 +322,23 @@ VecX JointedTree::force(const std::vector<Wrench>& loads, const CarriageMotion::
   return force;
 }
 
+VecX JointedTree::cell_force() const {
+  const Implementation& tree = *implementation_;
+  return tree.cells.along_speeds(tree.at(SimTK::Stage::Velocity)).tail(tree.speeds);
+}
+
+double JointedTree::cell_energy() const {
+  const Implementation& tree = *implementation_;
+  return tree.cells.energy(tree.at(SimTK::Stage::Position));
+}
+
 std::vector<Wrench> JointedTree::joint_loads(const VecX& accelerations, const CarriageMotion::State& acceleration,
                                              const std::vector<Wrench>& loads) {
   Implementation& tree = *implementation_;
   const SimTK::Vector_<SimTK::SpatialVec> on_bodies = tree.spatial(loads);
   SimTK::Vector mobility = tree.residual(tree.all_accelerations(accelerations, acceleration), on_bodies);
+  const VecX of_cells = tree.cells.along_speeds(tree.at(SimTK::Stage::Velocity));
+  for (int i = 0; i < of_cells.size(); ++i) mobility[i] -= of_cells[i];
   if (tree.carried > 0) {
     mobility(0, tree.carried) = SimTK::Vector(tree.carried, 0.0);
     tree.carriage.lockAt(tree.state, SimTK::Vec3(acceleration.yaw_rate, acceleration.v.x(), acceleration.v.y()),

@@ -12,8 +12,8 @@ namespace nilas {
 
 class JointedTree {
  public:
-  /// Free, fixed, or on a rigid or prismatic carriage, at the model's start. Throws InputError naming the part whose
-  /// mass or inertia cannot be.
+  /// Free, fixed, or on a carriage, at the model's start; each of its cells is a force element of Simbody. Throws
+  /// InputError naming the part whose mass or inertia cannot be, and for cells that cannot hold the vessel.
   explicit JointedTree(const VesselModel& model);
   ~JointedTree();
   JointedTree(JointedTree&&) noexcept;
@@ -46,8 +46,11 @@ class JointedTree {
   /// Generalised force of the loads (one per body), less Coriolis and centrifugal terms and the inertia forces of the
   /// carriage's acceleration, of which only v [m/s^2] and yaw_rate [rad/s^2] count, as accelerations. n entries.
   VecX force(const std::vector<Wrench>& loads, const CarriageMotion::State& acceleration) const;
+  /// What all cells of the carriage do along the speeds at these coordinates and speeds. n entries.
+  VecX cell_force() const;
+  double cell_energy() const;  ///< of their springs [J]
   /// Simbody's reaction of each body's joint to its parent, hull first, on the body at its joint point: with these
-  /// accelerations of the speeds (n) and the carriage under these loads; springs and dampers included.
+  /// accelerations of the speeds (n) and the carriage under these loads; springs, dampers and cells included.
   std::vector<Wrench> joint_loads(const VecX& accelerations, const CarriageMotion::State& acceleration,
                                   const std::vector<Wrench>& loads);
   Vec3 joint_point(int body) const;  ///< where that load acts, in G

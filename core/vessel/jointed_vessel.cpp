@@ -1,5 +1,9 @@
 /// The vessel of several bodies: its step. docs/theory_vessel.md
+#include <optional>
+
 #include "core/base/error.h"
+#include "core/vessel/carried_vessel.h"
+#include "core/vessel/cells.h"
 #include "core/vessel/jointed_drift.h"
 #include "core/vessel/jointed_tree.h"
 #include "core/vessel/vessel_motion.h"
@@ -44,6 +48,23 @@ CarriageMotion::State change_between(const CarriageMotion::State& before, const 
   return change;
 }
 
+/// The cells of the carriage as the step needs them.
+struct HullCells {
+  Eigen::PartialPivLU<Mat6> layout;
+  MatX stiffness;           ///< n x n; the hull's speeds come first
+  double damping_time = 0;  ///< [s]
+  std::vector<int> free;    ///< speeds that no cell holds: of the parts, and of the hull's free axes
+};
+
+HullCells hull_cells(const CarriageModel& carriage, int speeds) {
+  const Mat6 wrenches = cell_wrenches(carriage.cells);
+  HullCells cells{Eigen::PartialPivLU<Mat6>(wrenches), MatX::Zero(speeds, speeds),
+                  carriage.damping / carriage.stiffness, free_coordinates(carriage)};
+  cells.stiffness.topLeftCorner<6, 6>() = condensed_stiffness(wrenches, carriage.stiffness, cells.free);
+  for (int i = 6; i < speeds; ++i) cells.free.push_back(i);
+  return cells;
+}
+
 /// The step is a velocity step where the contacts are found, in which weight, water, contact, springs and dampers act
 /// and nothing moves, between motions in which only the joints act: none and h with semi-implicit Euler, (1 - theta) h
 /// and theta h with theta. In a motion the carriage has the mean of its speeds over it, and the vessel bears the
@@ -81,6 +102,7 @@ class JointedVessel : public VesselMotion {
   std::vector<Wrench> contact_impulses(const Wrench& on_hull) const;
 
   std::optional<CarriageMotion> motion_;
+  std::optional<HullCells> cells_;
   JointedTree tree_;
   double theta_;                      ///< share of the motion after the velocity step
   double damper_share_;               ///< of the speeds after it in what dampers see
@@ -100,7 +122,7 @@ JointedVessel::JointedVessel(const VesselModel& model, double t0)
       impulses_(model.parts.size() + 1) {
   NILAS_DEMAND(model.gyroscopic);
   if (model.carriage) {
-    NILAS_DEMAND(model.carriage->balance != BalanceKind::six_cells);
+    if (model.carriage->balance == BalanceKind::six_cells) cells_ = hull_cells(*model.carriage, tree_.num_speeds());
     motion_ = model.carriage->motion;
     now_ = motion_->at(t0);
     tree_.set_carriage(now_);
@@ -113,7 +135,7 @@ JointedVessel::JointedVessel(const VesselModel& model, double t0)
 
 double JointedVessel::spring_energy() const {
   const VecX x = tree_.stretch();
-  return 0.5 * x.dot(tree_.stiffness().cwiseProduct(x));
+  return 0.5 * x.dot(tree_.stiffness().cwiseProduct(x)) + tree_.cell_energy();
 }
 
 VecX JointedVessel::coordinates() const {
@@ -201,7 +223,8 @@ std::vector<Wrench> JointedVessel::contact_impulses(const Wrench& on_hull) const
 }
 
 /// Springs act at the mean of three poses, this one and those before and after it, dampers at the speeds after the step
-/// or at the mean of both: no stiffness and no damping asks for a shorter step.
+/// or at the mean of both: no stiffness and no damping asks for a shorter step. Cells take the exact step of
+/// stiff_block.h, in which the parts' speeds are free.
 VesselBlock JointedVessel::begin_step() {
   const double start = time_ + (1 - theta_) * h_;
   if (start == time_) begin_account();
@@ -210,18 +233,24 @@ VesselBlock JointedVessel::begin_step() {
   acceleration.v /= h_;
   acceleration.yaw_rate /= h_;
   u_before_ = tree_.speeds();
+  const VecX of_cells = tree_.cell_force();
   // at rest, so that the force is free of Coriolis terms: those act while the vessel moves
   const VecX still = VecX::Zero(u_before_.size());
   tree_.set_speeds(still);
   tree_.set_carriage(stopped(now_));
   const VecX force = tree_.force(free_loads(), acceleration);
-  const MatX mass = tree_.mass_matrix();
+  MatX mass = tree_.mass_matrix(), momentum = mass;
+  if (cells_) {
+    const StiffBlock step = stiff_block(mass, cells_->stiffness, cells_->damping_time, cells_->free, h_);
+    mass = step.mass;
+    momentum = step.mass * step.kept;
+  }
   const VecX spring = 0.25 * h_ * h_ * tree_.stiffness(), damper = h_ * tree_.damping();
   block_ = {};
   block_.mass = mass;
   block_.mass.diagonal() += spring + damper_share_ * damper;
-  block_.f = mass * u_before_ + (spring - (1 - damper_share_) * damper).cwiseProduct(u_before_) +
-             h_ * (force - tree_.stiffness().cwiseProduct(tree_.stretch()));
+  block_.f = momentum * u_before_ + (spring - (1 - damper_share_) * damper).cwiseProduct(u_before_) +
+             h_ * (force + of_cells - tree_.stiffness().cwiseProduct(tree_.stretch()));
   tree_.set_carriage(next_);
   block_.hull = {tree_.jacobian(0), tree_.twist(0)};
   for (int b = 1; b < tree_.num_bodies(); ++b) block_.parts.push_back({tree_.jacobian(b), tree_.twist(b)});
@@ -302,6 +331,7 @@ void JointedVessel::read_loads(const std::vector<Wrench>& given) {
   loads_.about_joint = over(impulses_.carriage_about_point, h_);
   loads_.about_com = loads_.about_joint;
   loads_.about_com.torque += (now_.p - state_.pose.p).cross(loads_.about_com.force);
+  if (cells_) loads_.cells = cell_readings(cells_->layout, loads_.about_joint, now_.yaw);
   const Wrench lack = unbalanced(0, given.front());
   loads_.disagreement = {-lack.force, -lack.torque};
 }

@@ -162,11 +162,7 @@ void CarriedVessel::read_loads(const Vec6& reaction, const Vec3& com, const Carr
   loads_.about_com = {reaction.head<3>(), reaction.tail<3>()};
   loads_.about_joint = loads_.about_com;
   loads_.about_joint.torque += (com - carriage.p).cross(loads_.about_com.force);
-  if (!cells_) return;
-  const Quat to_carriage = turned(-carriage.yaw);
-  Vec6 transmitted;
-  transmitted << to_carriage * loads_.about_joint.torque, to_carriage * loads_.about_joint.force;
-  Eigen::Map<Vec6>(loads_.cells.data()) = cells_->solve(transmitted);
+  if (cells_) loads_.cells = cell_readings(*cells_, loads_.about_joint, carriage.yaw);
 }
 
 /// The momenta know the reaction as a mean over the step. Simbody knows it at an instant: so it is asked halfway, with

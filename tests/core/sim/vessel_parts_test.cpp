@@ -184,6 +184,35 @@ TEST(VesselParts, AreTowedByARigidCarriage) {
   }
 }
 
+TEST(VesselParts, AreTowedOnSixCells) {
+  // the same on load cells and afloat, heave free, into a pier; the cells read what the carriage gives
+  for (const std::string integrator : {"semi-implicit-euler", "moreau"}) {
+    const std::string scene =
+        time(0.005) + contact(integrator) + "<water density='1000' level='0'/><hydro><buoyancy/><drag/></hydro>" +
+        hull("position='0 0 0'",
+             "<carriage speed='1' ramp='0.5' joint='0 0 0' free='heave'><force_balance kind='six-cells' "
+             "stiffness='1e7' damping='1e4'/></carriage>" +
+                 barge("stiffness='5000' damping='300'"),
+             500) +
+        "<body name='floe' shape='box' size='1 1 0.5' density='500' position='4 0.2 0.1'/>";
+    Rig rig(scene), other(scene, 2);
+    double touched = 0, pulled = 0;
+    for (int k = 0; k < 300; ++k) {
+      const StepRecord record = rig.step();
+      ASSERT_EQ(record.state_hash, other.step().state_hash);
+      const CarriageLoads& carriage = record.vessel->carriage.value();
+      EXPECT_NEAR(carriage.cells[0], carriage.about_joint.force.x(), 1e-8);
+      const Wrench& apart = carriage.disagreement.value();
+      EXPECT_LT(apart.force.norm() + apart.torque.norm(), 1e-2);
+      touched = std::max(touched, record.vessel->contact.force.norm());
+      pulled = std::max(pulled, carriage.cells[0]);
+    }
+    EXPECT_GT(touched, 100);
+    EXPECT_GT(pulled, 100);
+    EXPECT_NEAR(rig.bodies().v_GB[0].x(), 1, 0.01);
+  }
+}
+
 TEST(VesselParts, WhatDoesNotGoTogetherIsNamed) {
   const auto refused = [](const std::string& inside, const std::string& attributes, const std::string& expected,
                           const std::string& more = "") {
@@ -198,7 +227,6 @@ TEST(VesselParts, WhatDoesNotGoTogetherIsNamed) {
   refused(part + "<mass draught='0.2'/>", at, "with parts the mass of the hull cannot follow from the water",
           "<water/>");
   refused(mass + part, "position='0 0'", "with <part> allowed: 3 numbers", "<water/>");
-  refused(mass + part + "<carriage><force_balance kind='six-cells'/></carriage>", at, "allows: rigid, prismatic");
   refused(mass + part, at, "a vessel with <part> allows: true", "<contact gyroscopic='false'/>");
   refused(mass + "<part name='p' joint='hinge' axis='0 0 0'/>", at, "an axis without length");
   refused(mass + "<part name='p' joint='hinge' to='q'/>", at, "allowed: the vessel or a part before this one: hull");
