@@ -38,6 +38,7 @@ static CarriageScene build_carriage(const SceneElement& element) {
   assign(carriage.speed, element, "speed");
   assign(carriage.heading_deg, element, "heading_deg");
   assign(carriage.ramp, element, "ramp");
+  assign(carriage.ramp_shape, element, "ramp_shape");
   assign(carriage.joint, element, "joint");
   const auto& axes = find_attribute(*find_element("carriage"), "free")->choices;
   for (const auto& axis : words_of(element, "free"))

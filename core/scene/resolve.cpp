@@ -131,6 +131,8 @@ class Resolver {
     if (element.name != "carriage" || !child_of(element, "path")) return;
     for (const char* attribute : {"speed", "heading_deg", "ramp"})
       if (is_given_nonzero(element, attribute)) note(where_of(element, attribute), "no effect with <path>");
+    if (const SceneAttribute* shape = attribute_of(element, "ramp_shape"); shape && shape->given)
+      note(where_of(element, "ramp_shape"), "no effect with <path>");
   }
 
   /// Each strength with what uses it.

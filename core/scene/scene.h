@@ -100,6 +100,7 @@ struct ForceBalanceScene {
 };
 struct CarriageScene {
   double speed = 0, ramp = 0;
+  std::string ramp_shape = "linear";  ///< or smooth
   double heading_deg = 0;             ///< direction of motion in G
   std::optional<Vec3> joint;          ///< in V [m]; default: the centre of mass
   std::array<bool, 6> free{};         ///< surge sway heave roll pitch yaw

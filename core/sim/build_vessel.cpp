@@ -93,8 +93,9 @@ CarriageModel carriage_model(const Scene& scene, const VesselModel& model, doubl
   carriage.joint_V = given.joint.value_or(model.mass.com);
   const Vec3 start = model.pose_V.p + model.pose_V.q * carriage.joint_V;
   const double yaw = scene.vessel->heading_deg * k_deg;
+  const RampShape shape = given.ramp_shape == "smooth" ? RampShape::smooth : RampShape::linear;
   carriage.motion = given.path.empty() ? CarriageMotion::straight(start, yaw, given.speed, given.heading_deg * k_deg,
-                                                                  given.ramp, scene.time.start)
+                                                                  given.ramp, scene.time.start, shape)
                                        : CarriageMotion::path(start, yaw, given.path);
   carriage.free = given.free;
   carriage.stiffness = given.balance.stiffness;

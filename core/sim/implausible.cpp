@@ -20,6 +20,23 @@ double two_digits(double x, double (*round)(double)) {
   return round(x / unit) * unit;
 }
 
+/// The most that a ramp leaves of the speed as the swing of a mode with this period [s]: the modulus of its
+/// acceleration's Fourier transform, or a bound of it. With x = omega ramp: 2 sin(x/2) / x of a linear ramp;
+/// 12/x^2 (2 sin(x/2) / x - cos(x/2)) of a smooth one.
+double swing_after(const CarriageScene& carriage, double period) {
+  const double x = 2 * k_pi / period * carriage.ramp;
+  constexpr double k_smooth = 12;
+  if (carriage.ramp_shape == "smooth") return x > 0 ? std::min(1.0, k_smooth / (x * x) * (1 + 2 / x)) : 1;
+  return x > 0 ? 2 / x : 1;
+}
+
+/// Length from which on a ramp of the same shape leaves no more than `share` of the speed [s].
+double gentle_ramp(const CarriageScene& carriage, double period, double share) {
+  constexpr double k_smooth = 12;
+  const double x = carriage.ramp_shape == "smooth" ? 1 + std::sqrt(k_smooth / share) : 2 / share;
+  return x * period / (2 * k_pi);
+}
+
 class Doubts {
  public:
   Doubts(const Scene& scene, const WorldParts& parts, std::vector<Fault>& warnings)
@@ -166,19 +183,18 @@ class Doubts {
     const auto& carriage = scene_.vessel ? scene_.vessel->carriage : std::nullopt;
     const double h = scene_.time.step;
     for (const NaturalPeriod& mode : natural_periods(scene_, parts_)) {
-      // linear ramps leave an oscillation of at most 2 / (omega ramp) of the speed
       constexpr double k_overshoot = 0.05, k_percent = 100;
       const bool along = mode.motion == "surge" || mode.motion == "sway";
       if (mode.on_cells && along && carriage && carriage->path.empty() && carriage->speed != 0) {
         const double drift = (carriage->heading_deg - scene_.vessel->heading_deg) * k_deg;
         const double share = std::abs(mode.motion == "surge" ? std::cos(drift) : std::sin(drift));
-        const double overshoot = share * (carriage->ramp > 0 ? mode.period / (k_pi * carriage->ramp) : 1);
+        const double overshoot = share * swing_after(*carriage, mode.period);
         if (overshoot > k_overshoot)
           doubt("vessel/carriage/@ramp",
                 fmt::format("the ramp of {:g} s sets the vessel swinging on its load cells in {} ({:.3g} s): its speed "
                             "overshoots by up to {:.0f} %; take stiffer cells or a ramp of {:g} s",
                             carriage->ramp, mode.motion, mode.period, k_percent * overshoot,
-                            two_digits(share * mode.period / (k_pi * k_overshoot), std::ceil)));
+                            two_digits(gentle_ramp(*carriage, mode.period, k_overshoot / share), std::ceil)));
       }
       constexpr double k_steps_on_water = 10;
       // faster turns on the cells die out unseen, but surge and sway are what the tow force shows

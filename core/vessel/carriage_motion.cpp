@@ -17,8 +17,11 @@ struct CarriageMotion::Knots {
 
   /// Second derivatives from the tridiagonal system of continuous slopes, zero at both ends.
   void fit();
-  /// Value and first derivative; t within the knots.
-  std::pair<Vec3, Vec3> at(double time) const;
+  struct Curve {
+    Vec3 value, rate, bend;  ///< and its first and second derivative
+  };
+  /// The cubic between the two knots around `within`, which is within the knots.
+  Curve at(double time, double within) const;
 };
 
 void CarriageMotion::Knots::fit() {
@@ -36,8 +39,8 @@ void CarriageMotion::Knots::fit() {
   for (std::size_t i = n - 2; i > 0; --i) second[i] = (second[i] - (t[i + 1] - t[i]) * second[i + 1]) / pivot[i];
 }
 
-std::pair<Vec3, Vec3> CarriageMotion::Knots::at(double time) const {
-  const auto above = std::upper_bound(t.begin() + 1, t.end() - 1, time);
+CarriageMotion::Knots::Curve CarriageMotion::Knots::at(double time, double within) const {
+  const auto above = std::upper_bound(t.begin() + 1, t.end() - 1, within);
   const auto i = static_cast<std::size_t>(above - t.begin()) - 1;
   const double span = t[i + 1] - t[i];
   const double b = (time - t[i]) / span, a = 1 - b;
@@ -47,11 +50,11 @@ std::pair<Vec3, Vec3> CarriageMotion::Knots::at(double time) const {
       a * value[i] + b * value[i + 1] + bend * ((a * a * a - a) * second[i] + (b * b * b - b) * second[i + 1]);
   const Vec3 v = (value[i + 1] - value[i]) / span +
                  k_sixth * span * ((1 - 3 * a * a) * second[i] + (3 * b * b - 1) * second[i + 1]);
-  return {p, v};
+  return {p, v, a * second[i] + b * second[i + 1]};
 }
 
 CarriageMotion CarriageMotion::straight(const Vec3& start, double yaw, double speed, double direction, double ramp,
-                                        double t0) {
+                                        double t0, RampShape shape) {
   NILAS_DEMAND(ramp >= 0);
   CarriageMotion motion;
   motion.start_ = start;
@@ -60,6 +63,7 @@ CarriageMotion CarriageMotion::straight(const Vec3& start, double yaw, double sp
   motion.direction_ = direction;
   motion.ramp_ = ramp;
   motion.t0_ = t0;
+  motion.shape_ = shape;
   return motion;
 }
 
@@ -88,26 +92,45 @@ std::array<double, 2> CarriageMotion::path_span() const {
   return {knots_->t.front(), knots_->t.back()};
 }
 
-CarriageMotion::State CarriageMotion::at(double t) const {
-  State state{start_, yaw_, Vec3::Zero(), 0};
+std::vector<double> CarriageMotion::kinks() const {
+  if (knots_) return knots_->t;
+  if (speed_ == 0) return {};
+  return ramp_ > 0 ? std::vector<double>{t0_, t0_ + ramp_} : std::vector<double>{t0_};
+}
+
+CarriageMotion::Moment CarriageMotion::moment(double t, double within) const {
+  Moment moment{{start_, yaw_, Vec3::Zero(), 0}, {}};
+  State& state = moment.now;
   if (knots_) {
     const double first = knots_->t.front(), last = knots_->t.back();
-    const auto [value, rate] = knots_->at(std::clamp(t, first, last));
-    state.p += Vec3(value.x(), value.y(), 0);
-    state.yaw += value.z();
-    if (t >= first && t <= last) {
-      state.v = {rate.x(), rate.y(), 0};
-      state.yaw_rate = rate.z();
-    }
-    return state;
+    const bool rests = within < first || within > last;
+    const double held = std::clamp(within, first, last);
+    const Knots::Curve curve = knots_->at(rests ? held : t, held);
+    state.p += Vec3(curve.value.x(), curve.value.y(), 0);
+    state.yaw += curve.value.z();
+    if (rests) return moment;
+    state.v = {curve.rate.x(), curve.rate.y(), 0};
+    state.yaw_rate = curve.rate.z();
+    moment.acceleration.v = {curve.bend.x(), curve.bend.y(), 0};
+    moment.acceleration.yaw_rate = curve.bend.z();
+    return moment;
   }
   const double run = t - t0_;
-  if (run < 0) return state;
+  if (within - t0_ < 0) return moment;
   const Vec3 along(std::cos(direction_), std::sin(direction_), 0);
-  const bool ramping = run < ramp_;
+  const bool ramping = within - t0_ < ramp_;
+  if (ramping && shape_ == RampShape::smooth) {
+    const double s = run / ramp_;
+    constexpr double k_slope = 6;  // of s^2 (3 - 2 s): 6 s (1 - s)
+    state.p += speed_ * ramp_ * s * s * s * (1 - 0.5 * s) * along;
+    state.v = speed_ * s * s * (3 - 2 * s) * along;
+    moment.acceleration.v = k_slope * speed_ / ramp_ * s * (1 - s) * along;
+    return moment;
+  }
   state.p += (ramping ? 0.5 * speed_ * run * run / ramp_ : speed_ * (run - 0.5 * ramp_)) * along;
   state.v = (ramping ? speed_ * run / ramp_ : speed_) * along;
-  return state;
+  if (ramping) moment.acceleration.v = speed_ / ramp_ * along;
+  return moment;
 }
 
 }  // namespace nilas

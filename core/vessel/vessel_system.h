@@ -28,7 +28,11 @@ std::array<LoadCell, 6> default_cells(double arm);
 /// layout.
 std::array<LoadCell, 6> read_cells(const std::string& csv_file);
 
-/// Position and yaw of the carriage over time, with exact first derivatives.
+/// How a straight run reaches its speed. linear: at constant acceleration. smooth: at an acceleration that rises from
+/// zero and falls back to it, with the speed V s^2 (3 - 2 s) at the share s of the ramp. Both end at the same place.
+enum class RampShape { linear, smooth };
+
+/// Position and yaw of the carriage over time, with exact derivatives.
 class CarriageMotion {
  public:
   struct State {
@@ -37,13 +41,22 @@ class CarriageMotion {
     Vec3 v = Vec3::Zero();  ///< [m/s]
     double yaw_rate = 0;    ///< [rad/s]
   };
-  /// Speed along `direction` (rad from X), reached linearly over `ramp` seconds from t0; yaw constant.
-  static CarriageMotion straight(const Vec3& start, double yaw, double speed, double direction, double ramp, double t0);
+  struct Moment {
+    State now;
+    State acceleration;  ///< only v [m/s^2] and yaw_rate [rad/s^2] count
+  };
+  /// Speed along `direction` (rad from X), reached over `ramp` seconds from t0; yaw constant.
+  static CarriageMotion straight(const Vec3& start, double yaw, double speed, double direction, double ramp, double t0,
+                                 RampShape shape = RampShape::linear);
   /// Natural cubic spline through rows t_s,x_m,y_m,yaw_deg of a CSV file: their differences to the first row, along the
   /// axes of G, are added to `start` and `yaw`. At rest before the first and after the last row. Throws FileError,
   /// InputError.
   static CarriageMotion path(const Vec3& start, double yaw, const std::string& csv_file);
-  State at(double t) const;
+  State at(double t) const { return moment(t, t).now; }
+  /// The motion at t as the smooth stretch around the instant `within` would go on there.
+  Moment moment(double t, double within) const;
+  /// Instants in rising order at which speed, acceleration or its rate may jump: the ends of the stretches [s].
+  std::vector<double> kinks() const;
   bool follows_path() const { return knots_ != nullptr; }
   /// First and last time of a path [s]. Throws ContractError where the motion follows none.
   std::array<double, 2> path_span() const;
@@ -55,6 +68,7 @@ class CarriageMotion {
   std::shared_ptr<const Knots> knots_;  ///< of a path
   Vec3 start_ = Vec3::Zero();
   double yaw_ = 0, speed_ = 0, direction_ = 0, ramp_ = 0, t0_ = 0;
+  RampShape shape_ = RampShape::linear;
 };
 
 enum class BalanceKind { rigid, six_cells, prismatic };

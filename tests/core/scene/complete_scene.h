@@ -42,7 +42,7 @@ inline const char* const k_complete_scene = R"(<?xml version="1.0" encoding="UTF
   <tank length="40" width="20" depth="2.5" wall_thickness="0.3" floor="false"/>
   <vessel name="polaris" hull="hulls/icebreaker" position="1 2" heading_deg="20">
     <mass value="1500" cog="2.9 0 0.1" inertia="90 3200 3250 0 5 0"/>
-    <carriage speed="0.3" heading_deg="10" ramp="2" joint="2.9 0 0.2" free="heave yaw">
+    <carriage speed="0.3" heading_deg="10" ramp="2" ramp_shape="smooth" joint="2.9 0 0.2" free="heave yaw">
       <force_balance kind="six-cells" stiffness="2e7" damping="2e4" layout="cells.csv"/>
     </carriage>
   </vessel>

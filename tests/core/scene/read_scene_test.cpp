@@ -100,6 +100,7 @@ TEST_F(CompleteScene, Vessel) {
   EXPECT_EQ(c.speed, 0.3);
   EXPECT_EQ(c.heading_deg, 10);
   EXPECT_EQ(c.ramp, 2);
+  EXPECT_EQ(c.ramp_shape, "smooth");
   EXPECT_EQ(*c.joint, Vec3(2.9, 0, 0.2));
   EXPECT_EQ(c.free, (std::array<bool, 6>{false, false, true, false, false, true}));
   EXPECT_EQ(c.balance.kind, "six-cells");
@@ -268,10 +269,12 @@ TEST(ReadScene, APathTakesThePlaceOfTheSpeed) {
   folder.write("track.csv", "t_s,x_m,y_m,yaw_deg\n");
   const Scene scene =
       folder.read(in_scene("<contact preset='seed-2014'/><output contacts='none'/><vessel><hull/>"
-                           "<mass value='1'/><carriage speed='0.3' ramp='0'><path file='track.csv'/>"
-                           "</carriage></vessel>"));
+                           "<mass value='1'/><carriage speed='0.3' ramp='0' ramp_shape='smooth'>"
+                           "<path file='track.csv'/></carriage></vessel>"));
   EXPECT_EQ(scene.vessel->carriage->path, (folder.path() / "track.csv").string());
-  EXPECT_EQ(scene.notes, std::vector<std::string>{"<vessel><carriage speed>: no effect with <path>."});
+  const std::vector<std::string> expected{"<vessel><carriage speed>: no effect with <path>.",
+                                          "<vessel><carriage ramp_shape>: no effect with <path>."};
+  EXPECT_EQ(scene.notes, expected);
 }
 
 TEST(ReadScene, AFileThatCannotBeOpenedIsAFileError) {

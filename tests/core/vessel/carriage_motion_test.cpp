@@ -36,6 +36,49 @@ TEST(CarriageMotion, StraightRampIsTheClosedForm) {
   EXPECT_EQ(motion.at(15).yaw_rate, 0);
 }
 
+/// The same place and speed after the ramp as by the linear one; its acceleration begins and ends at zero.
+TEST(CarriageMotion, SmoothRampIsTheClosedForm) {
+  const double direction = 30 * k_deg, speed = 0.6, ramp = 2;
+  const auto motion = CarriageMotion::straight({1, 2, 3}, 0.4, speed, direction, ramp, 10, RampShape::smooth);
+  const auto linear = CarriageMotion::straight({1, 2, 3}, 0.4, speed, direction, ramp, 10);
+  const Vec3 along(std::cos(direction), std::sin(direction), 0);
+  for (const double t : {9.0, 10.0, 12.0, 15.0}) {
+    EXPECT_LT((motion.at(t).p - linear.at(t).p).norm(), 1e-15) << t;
+    EXPECT_LT((motion.at(t).v - linear.at(t).v).norm(), 1e-15) << t;
+  }
+  const double s = 0.3;
+  EXPECT_LT((motion.at(10 + s * ramp).v - speed * s * s * (3 - 2 * s) * along).norm(), 1e-15);
+  EXPECT_LT((motion.moment(11, 11).acceleration.v - 1.5 * speed / ramp * along).norm(), 1e-15);
+  for (const double t : {10.0, 12.0}) EXPECT_LT(motion.moment(t, 11).acceleration.v.norm(), 1e-15) << t;
+  EXPECT_EQ(motion.kinks(), (std::vector<double>{10, 12}));
+}
+
+/// Every stretch of every motion: v and the acceleration are the derivatives of p and v, also beyond its ends.
+TEST(CarriageMotion, DerivativesAreThoseOfEachStretch) {
+  const example::TemporaryFile file("t_s,x_m,y_m,yaw_deg\n0,0,0,0\n0.3,1,0.2,5\n2,0.4,-1,-40\n2.5,3,0,10\n6,1,1,0\n");
+  const std::vector<CarriageMotion> motions{CarriageMotion::straight({1, 2, 3}, 0.4, 0.6, 0.5, 2, 1),
+                                            CarriageMotion::straight({1, 2, 3}, 0.4, 0.6, 0.5, 2, 1, RampShape::smooth),
+                                            CarriageMotion::path({1, 2, 3}, 0.4, file.path())};
+  constexpr double k_step = 1e-5;
+  for (const CarriageMotion& motion : motions) {
+    std::vector<double> ends = motion.kinks();
+    ends.insert(ends.begin(), ends.front() - 1);
+    ends.push_back(ends.back() + 1);
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+      const double within = 0.5 * (ends[i] + ends[i + 1]);
+      for (double t = ends[i] - 0.1; t < ends[i + 1] + 0.1; t += 0.0371) {
+        const auto now = motion.moment(t, within), before = motion.moment(t - k_step, within),
+                   after = motion.moment(t + k_step, within);
+        EXPECT_LT((now.now.v - (after.now.p - before.now.p) / (2 * k_step)).norm(), 1e-8) << t;
+        EXPECT_LT((now.acceleration.v - (after.now.v - before.now.v) / (2 * k_step)).norm(), 1e-8) << t;
+        EXPECT_NEAR(now.now.yaw_rate, (after.now.yaw - before.now.yaw) / (2 * k_step), 1e-8) << t;
+        EXPECT_NEAR(now.acceleration.yaw_rate, (after.now.yaw_rate - before.now.yaw_rate) / (2 * k_step), 1e-8) << t;
+      }
+      EXPECT_EQ(motion.moment(within, within).now.p, motion.at(within).p);
+    }
+  }
+}
+
 TEST(CarriageMotion, WithoutRampMovesFromTheStart) {
   const auto motion = CarriageMotion::straight(Vec3::Zero(), 0, 0.6, 0, 0, 10);
   EXPECT_EQ(motion.at(10).v, Vec3(0.6, 0, 0));
