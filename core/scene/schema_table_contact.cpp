@@ -60,7 +60,8 @@ static std::vector<AttributeSpec> time_stepping() {
        .default_value = "semi-implicit-euler",
        .doc =
            "How velocities and positions advance: impulses in the middle of the motion (moreau) or before it; or, for "
-           "few free bodies without a vessel, between impacts and other events at their own instants, with a local "
+           "few free bodies and a vessel that touches few of them, between impacts and other events at their own "
+           "instants, with a local "
            "error of 1e-15 per step in free motion and 1e-13 on closed contacts (reference: detection and "
            "stabilisation have no part in it)."},
       {.name = "theta",

@@ -197,6 +197,7 @@ class Doubts {
                             two_digits(gentle_ramp(*carriage, mode.period, k_overshoot / share), std::ceil)));
       }
       constexpr double k_steps_on_water = 10;
+      if (scene_.contact.integrator == "reference") continue;  // its own steps resolve all
       // faster turns on the cells die out unseen, but surge and sway are what the tow force shows
       if (mode.on_cells && !along) continue;
       const double longest = mode.period / (mode.on_cells ? k_least_steps_on_cells : k_steps_on_water);

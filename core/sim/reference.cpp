@@ -66,7 +66,8 @@ void note_changes(double t, const std::vector<SustainedContact>& before, const s
 
 std::optional<ReferenceVessel> moving_vessel(const WorldParts& parts) {
   if (!parts.vessel || parts.vessel->fixed()) return std::nullopt;
-  return std::optional<ReferenceVessel>(std::in_place, *parts.vessel_model, parts.vessel_index);
+  return std::optional<ReferenceVessel>(std::in_place, *parts.vessel_model, parts.vessel_index, parts.vessel->time(),
+                                        parts.vessel->coordinates());
 }
 
 double moment_of(const Vec3& p, const Wrench& load) { return (p.cross(load.force) + load.torque).norm(); }
@@ -79,7 +80,6 @@ void demand_reference(const Scene& scene) {
                      "; allowed: " + allowed);
   };
   const ContactScene& contact = scene.contact;
-  if (scene.vessel && scene.vessel->carriage) refuse("a vessel on a <carriage>", "a free vessel, or <fixed/>");
   if (contact.law != "coulomb" && contact.law != "frictionless")
     refuse("law '" + contact.law + "'", "coulomb, frictionless");
   if (scene.fracture) refuse("<fracture>", "ice that cannot break");
@@ -103,8 +103,9 @@ ReferenceIntegrator::ReferenceIntegrator(const Scene& scene, int threads, WorldP
       model_(model),
       gravity_(scene.gravity),
       vessel_(moving_vessel(parts)),
+      no_vessel_loads_(parts.num_parts, vessel_ && vessel_->is_towed()),
       state_(parts.bodies, parts.info.work_names.size(), vessel_ ? &*vessel_ : nullptr,
-             parts.vessel ? std::optional(parts.num_parts) : std::nullopt),
+             parts.vessel ? &no_vessel_loads_ : nullptr),
       contacts_(parts.friction, acceleration_solver(scene.contact, threads), scene.contact.law == "frictionless",
                 rest_speed(scene.contact.tolerance), vessel_ ? &*vessel_ : nullptr,
                 [&parts](int a, int b) { return parts.are_joined(a, b); }),
@@ -160,8 +161,7 @@ Wrenches ReferenceIntegrator::free_loads(double t) {
 
 ReferenceLoads ReferenceIntegrator::loads(double t) {
   Bodies& bodies = parts_.bodies;
-  ReferenceLoads out(bodies.id.size(), parts_.info.work_names.size());
-  out.vessel.on_parts.resize(static_cast<std::size_t>(parts_.num_parts));
+  ReferenceLoads out(bodies.id.size(), parts_.info.work_names.size(), no_vessel_loads_);
   out.total = free_loads(t);
   for (int k = 0; k < bodies.size(); ++k) {
     const auto b = static_cast<std::size_t>(k);
@@ -194,6 +194,14 @@ ReferenceLoads ReferenceIntegrator::loads(double t) {
     if (sustained_.at[i].found)
       add_to_vessel(sustained_.at[i].point, sustained_.at[i].frame * sustained_.force[i], out.vessel);
   }
+  if (out.vessel.carriage) {
+    const auto hull = static_cast<std::size_t>(parts_.vessel_index);
+    out.vessel.carriage = vessel_->carriage_loads(out.total);
+    const Wrench& held = out.vessel.carriage->about_com;
+    out.powers[carriage_work()] += held.force.dot(bodies.v_GB[hull]) + held.torque.dot(bodies.w_GB[hull]);
+    out.force_sum += held.force.norm();
+    out.moment_sum += moment_of(bodies.p_GB[hull], held);
+  }
   return out;
 }
 
@@ -214,12 +222,12 @@ void ReferenceIntegrator::begin_smooth_motion(double t0, double longest_step) {
   EventOde ode;
   // events are found to a share of the time since the last one, not of the time of day
   ode.derivative = [this, t0](double since, const VecX& y, VecX& dy) {
-    state_.unpack(y, parts_.bodies);
+    state_.unpack(t0 + since, y, parts_.bodies);
     state_.derivative(parts_.bodies, y, loads(t0 + since), dy);
   };
   ode.num_events = 1 + 2 * static_cast<int>(contacts_.list().size());
   ode.events = [this, t0](double since, const VecX& y, VecX& g) {
-    state_.unpack(y, parts_.bodies);
+    state_.unpack(t0 + since, y, parts_.bodies);
     watch(t0 + since, g);
   };
   OdeSettings settings;
@@ -239,7 +247,7 @@ void ReferenceIntegrator::impact(double t, std::vector<ContactPoint> points, Ref
   step.events.push_back({t, ContactEventKind::impact, hardest->a, hardest->b, -approach(*hardest)});
   for (auto& point : points) point.gap = 0;
   std::vector<ArticulatedBlock> vessel;
-  if (vessel_) vessel.push_back(vessel_->block(vessel_->speeds()));
+  if (vessel_) vessel.push_back(vessel_->velocity_block());
   AssembledContacts contacts =
       assemble(bodies, Wrenches(bodies.id.size()), points, parts_.friction, impact_settings_, vessel);
   const ContactSolution solution = model_.solve(contacts.problem, {});
@@ -276,6 +284,7 @@ void ReferenceIntegrator::impact(double t, std::vector<ContactPoint> points, Ref
 void ReferenceIntegrator::book(const ContactImpulses& impulses, const Velocities& before,
                                ReferenceAccount& account) const {
   const Bodies& bodies = parts_.bodies;
+  ReferenceVesselLoads on_vessel = no_vessel_loads_;
   for (std::size_t i = 0; i < impulses.points.size(); ++i) {
     const ContactPoint& c = impulses.points[i];
     const auto sum_at = [&](int body) -> Vec3 {
@@ -287,8 +296,9 @@ void ReferenceIntegrator::book(const ContactImpulses& impulses, const Velocities
     account.impact -= normal;
     account.friction -= impulse.dot(mean) - normal;
     add_to_vessel(c, impulse, account.vessel);
+    add_to_vessel(c, impulse, on_vessel);
     const auto counts = [&](int body) {
-      return bodies.is_free(body) || (has_free_vessel() && vessel_->holds(body)) ? 1 : 0;
+      return bodies.is_free(body) || (accounts_for_vessel() && vessel_->holds(body)) ? 1 : 0;
     };
     const double on_free = counts(c.b) - counts(c.a);
     account.impulse += on_free * impulse;
@@ -296,6 +306,47 @@ void ReferenceIntegrator::book(const ContactImpulses& impulses, const Velocities
     account.impulse_scale += impulse.norm();
     account.angular_scale += c.p.cross(impulse).norm();
   }
+  if (on_vessel.carriage) book_carriage(on_vessel.contact, before, account);
+}
+
+/// Among the works: before that of the joints, which come last.
+std::size_t ReferenceIntegrator::carriage_work() const {
+  return parts_.info.work_names.size() - (parts_.num_parts > 0 ? 2 : 1);
+}
+
+/// The carriage's impulse is what the vessel's momenta lack against that of its contacts, about the hull's centre of
+/// mass.
+void ReferenceIntegrator::book_carriage(const Wrench& contact, const Velocities& before,
+                                        ReferenceAccount& account) const {
+  const Bodies& bodies = parts_.bodies;
+  const auto hull = static_cast<std::size_t>(parts_.vessel_index);
+  Wrench held{-contact.force, -contact.torque};
+  for (int k = parts_.vessel_index; vessel_->holds(k); ++k) {
+    const auto b = static_cast<std::size_t>(k);
+    const Vec3 gained = bodies.mass[b] * (bodies.v_GB[b] - before.v[b]);
+    held += {gained,
+             (bodies.p_GB[b] - bodies.p_GB[hull]).cross(gained) + bodies.inertia_G(k) * (bodies.w_GB[b] - before.w[b])};
+  }
+  const CarriageLoads impulse = vessel_->carriage_impulse(held);
+  CarriageLoads& sum = *account.vessel.carriage;
+  sum.about_com += impulse.about_com;
+  sum.about_joint += impulse.about_joint;
+  for (std::size_t i = 0; i < sum.cells.size(); ++i) sum.cells[i] += impulse.cells[i];
+  account.works[carriage_work()] +=
+      0.5 * (held.force.dot(bodies.v_GB[hull] + before.v[hull]) + held.torque.dot(bodies.w_GB[hull] + before.w[hull]));
+  account.impulse += held.force;
+  account.angular_impulse += bodies.p_GB[hull].cross(held.force) + held.torque;
+  account.impulse_scale += held.force.norm();
+  account.angular_scale += moment_of(bodies.p_GB[hull], held);
+}
+
+/// Where the carriage's motion has a kink at t: goes on beyond it.
+bool ReferenceIntegrator::enter_stretch(double t, ReferenceStep& step) {
+  if (!vessel_ || t < vessel_->stretch_end()) return false;
+  const Velocities before{parts_.bodies.v_GB, parts_.bodies.w_GB};
+  vessel_->enter_next_stretch(parts_.bodies);
+  book({}, before, step.account);
+  return true;
 }
 
 /// Open points close where their gap falls through zero, or through a little less where rounding or a bounce that is
@@ -362,18 +413,20 @@ OdeStop ReferenceIntegrator::follow(double t1, VecX& y) {
 ReferenceStep ReferenceIntegrator::advance(double t0, double t1) {
   ReferenceStep step;
   step.account.works.assign(parts_.info.work_names.size(), 0);
-  step.account.vessel.on_parts.resize(static_cast<std::size_t>(parts_.num_parts));
+  step.account.vessel = no_vessel_loads_;
   if (!settled_ || contacts_.trusted() || sunk()) settle(t0, step);
   for (double t = t0; t < t1;) {
     if (!smooth_) begin_smooth_motion(t, t1 - t0);
     VecX y;
-    const OdeStop stop = follow(t1, y);
-    state_.unpack(y, parts_.bodies);
+    const double end = vessel_ ? std::min(t1, vessel_->stretch_end()) : t1;
+    const OdeStop stop = follow(end, y);
+    const bool reached = stop.events.empty();
+    t = reached ? end : smooth_start_ + stop.t;
+    state_.unpack(t, y, parts_.bodies);
+    if (vessel_) vessel_->demand_regular(t);
     state_.add_account(y - accounted_, step.account);
     accounted_ = y;
-    if (stop.events.empty()) break;
-    t = smooth_start_ + stop.t;
-    settle(t, step);
+    if (enter_stretch(t, step) || !reached) settle(t, step);
   }
   step.contacts = static_cast<int>(contacts_.list().size());
   return step;

@@ -40,8 +40,8 @@ class ReferenceIntegrator {
   ReferenceStep advance(double t0, double t1);
   /// Hull and parts as they are, joint loads of this instant `t` [s]; where a vessel moves.
   std::vector<PartState> parts_now(double t);
-  /// Whether a vessel moves that nothing holds.
-  bool has_free_vessel() const { return vessel_ && vessel_->is_free(); }
+  /// Whether a vessel moves that is free or towed: its momenta are in the account.
+  bool accounts_for_vessel() const { return vessel_ && vessel_->has_known_loads(); }
   bool has_vessel() const { return vessel_.has_value(); }
 
  private:
@@ -51,8 +51,11 @@ class ReferenceIntegrator {
   void begin_smooth_motion(double t0, double longest_step);
   OdeStop follow(double t1, VecX& y);
   void settle(double t, ReferenceStep& step);
+  bool enter_stretch(double t, ReferenceStep& step);
   void impact(double t, std::vector<ContactPoint> points, ReferenceStep& step);
   void book(const ContactImpulses& impulses, const Velocities& before, ReferenceAccount& account) const;
+  void book_carriage(const Wrench& contact, const Velocities& before, ReferenceAccount& account) const;
+  std::size_t carriage_work() const;
   void add_to_vessel(const ContactPoint& c, const Vec3& on_b, ReferenceVesselLoads& sum) const;
   bool moves(int body) const;
   void set_levels(const std::vector<ContactPoint>& points);
@@ -64,6 +67,7 @@ class ReferenceIntegrator {
   ContactModel& model_;
   Vec3 gravity_;
   std::optional<ReferenceVessel> vessel_;
+  ReferenceVesselLoads no_vessel_loads_;
   ReferenceState state_;
   SustainedContacts contacts_;
   SustainedForces sustained_;           ///< of the last call to loads()

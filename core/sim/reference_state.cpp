@@ -5,6 +5,8 @@ namespace nilas {
 namespace {
 
 constexpr Eigen::Index k_per_body = 13;  // p, q, v, L
+/// Of the loads on a vessel: as a whole, on each part, of the carriage.
+constexpr Eigen::Index k_whole = 15, k_part = 6, k_carriage = 15;
 /// After the works: friction, impulse, angular impulse, and the two scales.
 constexpr Eigen::Index k_friction = 0, k_impulse = 1, k_angular = 4, k_scales = 7, k_sums = 9;
 
@@ -15,6 +17,14 @@ Vec3 angular_momentum(const Bodies& bodies, std::size_t b) {
 
 }  // namespace
 
+ReferenceVesselLoads::ReferenceVesselLoads(int num_parts, bool towed) : on_parts(static_cast<std::size_t>(num_parts)) {
+  if (towed) carriage.emplace();
+}
+
+Eigen::Index ReferenceVesselLoads::size() const {
+  return k_whole + k_part * static_cast<Eigen::Index>(on_parts.size()) + (carriage ? k_carriage : 0);
+}
+
 VecX ReferenceVesselLoads::numbers() const {
   VecX all(size());
   all.head<k_whole>() << contact.force, contact.torque, hydro.force, hydro.torque, ice;
@@ -23,6 +33,9 @@ VecX ReferenceVesselLoads::numbers() const {
     all.segment<k_part>(at) << load.force, load.torque;
     at += k_part;
   }
+  if (carriage)
+    all.segment<k_carriage>(at) << carriage->about_com.force, carriage->about_com.torque, carriage->about_joint.torque,
+        Eigen::Map<const Vec6>(carriage->cells.data());
   return all;
 }
 
@@ -35,12 +48,17 @@ void ReferenceVesselLoads::add(const VecX& all) {
     load += {all.segment<3>(at), all.segment<3>(at + 3)};
     at += k_part;
   }
+  if (!carriage) return;
+  const auto sums = all.segment<k_carriage>(at);
+  carriage->about_com += {sums.segment<3>(0), sums.segment<3>(3)};
+  carriage->about_joint += {sums.segment<3>(0), sums.segment<3>(6)};
+  Eigen::Map<Vec6>(carriage->cells.data()) += sums.segment<6>(9);
 }
 
 ReferenceState::ReferenceState(const Bodies& bodies, std::size_t works, ReferenceVessel* vessel,
-                               std::optional<int> num_parts)
+                               const ReferenceVesselLoads* sums)
     : vessel_(vessel), works_(static_cast<Eigen::Index>(works)) {
-  if (num_parts) vessel_sums_ = ReferenceVesselLoads::k_whole + ReferenceVesselLoads::k_part * *num_parts;
+  if (sums != nullptr) vessel_sums_ = sums->size();
   for (int b = 0; b < bodies.size(); ++b)
     if (bodies.is_free(b)) free_.push_back(b);
   at_vessel_ = k_per_body * static_cast<Eigen::Index>(free_.size());
@@ -62,7 +80,7 @@ VecX ReferenceState::pack(const Bodies& bodies) const {
   return y;
 }
 
-void ReferenceState::unpack(const VecX& y, Bodies& bodies) const {
+void ReferenceState::unpack(double t, const VecX& y, Bodies& bodies) const {
   Eigen::Index at = 0;
   for (const int k : free_) {
     const auto b = static_cast<std::size_t>(k);
@@ -72,7 +90,9 @@ void ReferenceState::unpack(const VecX& y, Bodies& bodies) const {
     bodies.w_GB[b] = R * (bodies.inertia_inverse_B[b] * (R.transpose() * y.segment<3>(at + 10)));
     at += k_per_body;
   }
-  if (vessel_ != nullptr) vessel_->set_state(y.segment(at_vessel_, vessel_->size()), bodies);
+  if (vessel_ == nullptr) return;
+  vessel_->go_to(t);
+  vessel_->set_state(y.segment(at_vessel_, vessel_->size()), bodies);
 }
 
 void ReferenceState::add_account(const VecX& y, ReferenceAccount& account) const {
@@ -106,12 +126,13 @@ void ReferenceState::derivative(const Bodies& bodies, const VecX& y, const Refer
   }
   if (vessel_ != nullptr) {
     dy.segment(at_vessel_, vessel_->size()) = vessel_->state_rate(vessel_->accelerations(loads.total));
-    for (int k = vessel_->hull(); vessel_->is_free() && vessel_->holds(k); ++k) {
-      const auto b = static_cast<std::size_t>(k);
-      const Wrench& load = loads.total[b];
+    const auto add = [&](int k, const Wrench& load) {
       sums.segment<3>(k_impulse) += load.force;
-      sums.segment<3>(k_angular) += bodies.p_GB[b].cross(load.force) + load.torque;
-    }
+      sums.segment<3>(k_angular) += bodies.p_GB[static_cast<std::size_t>(k)].cross(load.force) + load.torque;
+    };
+    for (int k = vessel_->hull(); vessel_->has_known_loads() && vessel_->holds(k); ++k)
+      add(k, loads.total[static_cast<std::size_t>(k)]);
+    if (loads.vessel.carriage) add(vessel_->hull(), loads.vessel.carriage->about_com);
   }
   if (vessel_sums_ > 0) dy.segment(account_ + works_, vessel_sums_) = loads.vessel.numbers();
   for (Eigen::Index k = 0; k < works_; ++k) dy[account_ + k] = loads.powers[static_cast<std::size_t>(k)];

@@ -17,9 +17,10 @@ struct ReferenceVesselLoads {
   Wrench contact, hydro;
   Vec3 ice = Vec3::Zero();       ///< the part of the contact force that floes exert
   std::vector<Wrench> on_parts;  ///< contact on each part about its centre of mass, that of the vessel's own included
+  std::optional<CarriageLoads> carriage;  ///< of a towed vessel
 
-  static constexpr Eigen::Index k_whole = 15, k_part = 6;
-  Eigen::Index size() const { return k_whole + k_part * static_cast<Eigen::Index>(on_parts.size()); }
+  ReferenceVesselLoads(int num_parts, bool towed);
+  Eigen::Index size() const;
   VecX numbers() const;
   void add(const VecX& numbers);
 };
@@ -32,29 +33,31 @@ struct ReferenceLoads {
   double force_sum = 0;        ///< of the absolute forces of all sources: a scale [N]
   double moment_sum = 0;       ///< the same about G's origin [N m]
   ReferenceVesselLoads vessel;
-  explicit ReferenceLoads(std::size_t bodies, std::size_t works) : total(bodies), powers(works, 0) {}
+  ReferenceLoads(std::size_t bodies, std::size_t works, ReferenceVesselLoads none)
+      : total(bodies), powers(works, 0), vessel(std::move(none)) {}
 };
 
 /// Works and impulses over a stretch of time.
 struct ReferenceAccount {
   std::vector<double> works;            ///< [J]
   double friction = 0, impact = 0;      ///< taken [J]
-  Vec3 impulse = Vec3::Zero();          ///< of all loads on the free bodies [N s]
+  Vec3 impulse = Vec3::Zero();          ///< of all loads on the bodies of momenta() [N s]
   Vec3 angular_impulse = Vec3::Zero();  ///< about G's origin [N m s]
   double impulse_scale = 0, angular_scale = 0;
-  ReferenceVesselLoads vessel;
+  ReferenceVesselLoads vessel{0, false};
 };
 
 /// y holds per free body: p, q (w x y z), v of the centre of mass, L = I w; all in G. Then the vessel's state and the
 /// account.
 class ReferenceState {
  public:
-  /// `vessel`: null where none moves. `num_parts`: of the scene's vessel, nothing without one.
-  ReferenceState(const Bodies& bodies, std::size_t works, ReferenceVessel* vessel, std::optional<int> num_parts);
+  /// `vessel`: null where none moves. `sums`: on the scene's vessel, null without one.
+  ReferenceState(const Bodies& bodies, std::size_t works, ReferenceVessel* vessel, const ReferenceVesselLoads* sums);
 
   /// The bodies as they are, with an empty account.
   VecX pack(const Bodies& bodies) const;
-  void unpack(const VecX& y, Bodies& bodies) const;
+  /// Of the instant t [s].
+  void unpack(double t, const VecX& y, Bodies& bodies) const;
   /// Adds what y has accounted for.
   void add_account(const VecX& y, ReferenceAccount& account) const;
   /// Of `bodies` as unpacked from y, under `loads`.
@@ -72,7 +75,7 @@ class ReferenceState {
                account_ = 0;  ///< where the vessel begins; number of works; where these begin
 };
 
-/// Linear momentum and angular momentum about G's origin of the free bodies, and of the vessel where nothing holds it
+/// Linear momentum and angular momentum about G's origin of the free bodies, and with_vessel of the vessel
 /// [kg m/s, kg m^2/s].
 std::pair<Vec3, Vec3> momenta(const Bodies& bodies, bool with_vessel);
 

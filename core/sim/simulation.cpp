@@ -29,7 +29,7 @@ Simulation::~Simulation() = default;
 StepRecord Simulation::World::reference_step() {
   StepRecord record;
   Stopwatch watch(record.ms);
-  const bool with_vessel = reference->has_free_vessel();
+  const bool with_vessel = reference->accounts_for_vessel();
   const auto [linear, angular] = momenta(parts.bodies, with_vessel);
   const double t0 = time();
   ++steps;

@@ -141,6 +141,12 @@ void Simulation::World::note_reference_vessel(const ReferenceVesselLoads& impuls
   vessel.contact = mean(impulses.contact);
   vessel.ice = impulses.ice / whole_step;
   vessel.touches_ice = !impulses.ice.isZero(0);
+  if (impulses.carriage) {
+    CarriageLoads& carriage = vessel.carriage.emplace();
+    carriage = {mean(impulses.carriage->about_com), mean(impulses.carriage->about_joint), impulses.carriage->cells};
+    for (double& cell : carriage.cells) cell /= whole_step;
+    vessel.has_cells = parts.info.has_cells;
+  }
   if (parts.info.has_hydro) vessel.hydro = mean(impulses.hydro);
   vessel.state = parts.vessel->state();
   vessel.course = course_at(parts, time());

@@ -16,6 +16,9 @@ std::vector<int> free_coordinates(const CarriageModel& carriage);
 /// The cells of its force balance, none but of six-cells. Throws InputError when they cannot hold the vessel.
 std::vector<TreeCell> carriage_cells(const CarriageModel& carriage);
 
+/// Axes 0..5 of rotation and translation that the joint leaves free; the scene names translations first.
+std::vector<int> free_axes(const CarriageModel& carriage);
+
 /// Coordinates q: those of the tree's joint; u: their rates, along stiff coordinates as the mean over the last step.
 class CarriedVessel : public VesselMotion {
  public:

@@ -9,9 +9,6 @@
 
 namespace nilas {
 
-namespace {
-
-/// Axes 0..5 of rotation and translation that the joint leaves free; the scene names translations first.
 std::vector<int> free_axes(const CarriageModel& carriage) {
   constexpr int k_heave = 5;
   if (carriage.balance == BalanceKind::prismatic) return {k_heave};
@@ -20,6 +17,8 @@ std::vector<int> free_axes(const CarriageModel& carriage) {
     if (carriage.free[static_cast<std::size_t>((axis + 3) % 6)]) axes.push_back(axis);
   return axes;
 }
+
+namespace {
 
 std::vector<int> coordinate_axes(const CarriageModel& carriage) {
   if (carriage.balance == BalanceKind::six_cells) return {0, 1, 2, 3, 4, 5};

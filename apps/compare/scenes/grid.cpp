@@ -238,9 +238,9 @@ CompareSetting reference_setting(const Scene& scene, const Overrides& overrides,
   };
   reference.solver = "auto";
   reference.integrator = "reference";
-  // a hull in a field of floes has more contacts at once than it follows
-  const bool in_a_field = scene.vessel && scene.ice && !scene.ice->fields.empty();
-  if (!in_a_field && taken()) return reference;
+  // a hull in a field of floes, or towed into some, has more contacts at once than it follows
+  const bool among_floes = scene.vessel && scene.ice && (!scene.ice->fields.empty() || scene.vessel->carriage);
+  if (!among_floes && taken()) return reference;
   for (const auto& setting : grid.settings) reference.step = std::min(reference.step, 0.5 * setting.step);
   for (const char* integrator : {"moreau", "semi-implicit-euler"}) {
     reference.integrator = integrator;

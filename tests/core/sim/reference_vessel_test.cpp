@@ -144,8 +144,6 @@ TEST(ReferenceVessel, RefusesWhatItDoesNotTakeByName) {
       EXPECT_NE(std::string(error.what()).find(expected), std::string::npos) << error.what();
     }
   };
-  refused("<vessel name='v' hull='box.stl' position='0 0 1'><mass value='5'/><carriage/></vessel>",
-          "does not take a vessel on a <carriage>");
   refused(
       "<vessel name='v' hull='box.stl' position='0 0 1'><mass value='5'/><part name='post' joint='weld' "
       "shape='cylinder'/></vessel>",
