@@ -12,6 +12,7 @@ namespace nilas {
 
 static void note_penetration(const std::vector<ContactPoint>& points, StepRecord& record) {
   int count = 0;
+  record.penetration_max = record.penetration_mean = 0;  // those of a part that was taken back do not count
   for (const auto& c : points) {
     if (c.gap >= 0) continue;
     ++count;
@@ -144,15 +145,18 @@ void Simulation::World::break_ice(StepRecord& record) {
 /// pair. Returns how long the next part may be.
 double Simulation::World::part_of_step(double longest, bool may_cut, StepRecord& record, MomentumBalance& balance,
                                        Stopwatch& watch) {
-  h = whole_step - elapsed;
   // what moves before the impulses (moreau), then loads other than contact, at that pose
+  const double left = whole_step - elapsed;
+  h = std::min(left, longest);
+  shorten_motion_before_impulses();
+  const double part = h;
+  const std::optional<PartStart> before = part_start();
   move_before_impulses();
   demand_finite();
   const Wrenches& free = evaluate_loads();
   watch.lap(Phase::hydro);
 
   // contacts that can close in this step, or in the part of it up to an impact
-  const double left = h, part = std::min(left, longest);
   h = may_cut ? until_first_impact(part) : part;
   cut = h < part;
   model.set_step(h);
@@ -181,6 +185,7 @@ double Simulation::World::part_of_step(double longest, bool may_cut, StepRecord&
   watch.lap(Phase::solver);
   if (!unheld.empty() && can_be_halved()) {
     model.static_friction = slipped;
+    take_back(before);
     return part_of_step(h / 2, may_cut, record, balance, watch);
   }
   if (!unheld.empty()) judge_unheld(solved_velocities(contacts, solution, vessel_block));
@@ -213,7 +218,7 @@ double Simulation::World::part_of_step(double longest, bool may_cut, StepRecord&
   if (breaking) breaking->note_loads(parts.bodies, *parts.ice_properties, motion);
   ++record.parts;
   watch.lap(Phase::output);
-  return 2 * std::min(longest, left);
+  return 2 * part;
 }
 
 StepRecord Simulation::step() {

@@ -269,10 +269,7 @@ bool Simulation::World::add_missed(const Velocities& after, std::vector<int>& mi
   return added;
 }
 
-/// Nothing has moved yet when the solutions turn out not to hold the step.
-bool Simulation::World::can_be_halved() const {
-  return model.theta == 1 && (!parts.vessel || parts.vessel->fixed()) && h > k_shortest_half * whole_step;
-}
+bool Simulation::World::can_be_halved() const { return h > k_shortest_half * whole_step; }
 
 /// The width of a body's thickest part: what pierces a sliver of it is not through the body.
 static double thickest_part(const Shape& shape, double smallest) {
@@ -281,10 +278,11 @@ static double thickest_part(const Shape& shape, double smallest) {
   return thickest;
 }
 
-/// A body that would go deeper into another by half the thinner one's thickness could leave on the other side.
-void Simulation::World::refuse_passing(const Velocities& velocities, double horizon) {
+/// Two bodies of which one would go deeper into the other by half the thinner one's thickness: it could leave on the
+/// other side.
+std::optional<std::pair<int, int>> Simulation::World::passing(const Velocities& velocities, double horizon) {
   std::vector<FastPair> pairs = list_fast_pairs(velocities, horizon);
-  if (pairs.empty()) return;
+  if (pairs.empty()) return std::nullopt;
   const auto thickness = [&](int body) {
     const auto b = static_cast<std::size_t>(body);
     return thickest_part(*parts.bodies.shape[b], width[b]);
@@ -293,17 +291,21 @@ void Simulation::World::refuse_passing(const Velocities& velocities, double hori
   constexpr SoughtOverlap k_half{k_fast_share, 2 * k_fast_share};
   for (const SweptPair& pair : detector.sweep(parts.bodies, ways(velocities, pairs, horizon, horizon), pairs, k_half)) {
     if (!pair.first.hit || pair.first.t == 0) continue;
-    const auto& name = parts.bodies.name;
-    throw SimulationError(fmt::format(
-        "at {:g} s body '{}' would pass through body '{}' within one step; try a smaller <time step>{}", time(),
-        name[static_cast<std::size_t>(pair.b)], name[static_cast<std::size_t>(pair.a)],
-        model.theta < 1 ? ", or <contact integrator=\"semi-implicit-euler\">, which divides such steps" : ""));
+    return std::pair(pair.a, pair.b);
   }
+  return std::nullopt;
+}
+
+void Simulation::World::refuse(const std::pair<int, int>& pair) const {
+  const auto& name = parts.bodies.name;
+  throw SimulationError(
+      fmt::format("at {:g} s body '{}' would pass through body '{}' within one step; try a smaller <time step>", time(),
+                  name[static_cast<std::size_t>(pair.second)], name[static_cast<std::size_t>(pair.first)]));
 }
 
 /// What the last solution could not hold stays as a penetration, or is refused.
 void Simulation::World::judge_unheld(const Velocities& after) {
-  refuse_passing(after, h);
+  if (const auto pair = passing(after, h)) refuse(*pair);
   warnings.warn("steps with impacts that were not resolved",
                 fmt::format("at {:g} s bodies overlap on their way after all solutions of the step; try a smaller "
                             "<time step>",

@@ -59,9 +59,35 @@ double Simulation::World::potential() {
   return sum;
 }
 
+/// Whatever moves before the impulses, without contacts, must not pass through anything.
+void Simulation::World::shorten_motion_before_impulses() {
+  if (model.theta == 1 || model.detection != Detection::continuous) return;
+  while (const auto pair = passing({parts.bodies.v_GB, parts.bodies.w_GB}, (1 - model.theta) * h)) {
+    if (!can_be_halved()) refuse(*pair);
+    h /= 2;
+  }
+}
+
+/// Nothing where no body moves before the impulses: a vessel keeps its own.
+std::optional<PartStart> Simulation::World::part_start() const {
+  if (model.theta == 1 || model.detection != Detection::continuous) return std::nullopt;
+  const Bodies& bodies = parts.bodies;
+  return PartStart{bodies.p_GB, bodies.v_GB, bodies.w_GB, bodies.q_GB, bodies.R_GB, energy};
+}
+
+void Simulation::World::take_back(const std::optional<PartStart>& before) {
+  if (parts.vessel && !parts.vessel->fixed()) parts.vessel->abandon_step();
+  if (!before) return;
+  Bodies& bodies = parts.bodies;
+  bodies.p_GB = before->p;
+  bodies.v_GB = before->v;
+  bodies.w_GB = before->w;
+  bodies.q_GB = before->q;
+  bodies.R_GB = before->R;
+  energy = before->energy;
+}
+
 void Simulation::World::move_before_impulses() {
-  if (model.theta < 1 && model.detection == Detection::continuous)
-    refuse_passing({parts.bodies.v_GB, parts.bodies.w_GB}, (1 - model.theta) * h);
   if (model.theta < 1)
     advance(parts.bodies, {parts.bodies.v_GB, parts.bodies.w_GB}, (1 - model.theta) * h, gyroscopic, threads);
   const bool vessel_moves = parts.vessel && !parts.vessel->fixed();

@@ -24,6 +24,14 @@ struct VesselStart {
   Mat3 inertia = Mat3::Zero();              ///< in G [kg m^2]
 };
 
+/// Bodies and energies before a part of a step, which is taken back where its solution does not hold.
+struct PartStart {
+  std::vector<Vec3> p, v, w;
+  std::vector<Quat> q;
+  std::vector<Mat3> R;
+  EnergyAccount energy;
+};
+
 /// In the order that ContactDetector gives points.
 void sort_as_detected(std::vector<ContactPoint>& points);
 
@@ -35,6 +43,9 @@ struct Simulation::World {
   double potential();
   double time() const { return start + static_cast<double>(steps) * whole_step + elapsed; }
 
+  void shorten_motion_before_impulses();
+  std::optional<PartStart> part_start() const;
+  void take_back(const std::optional<PartStart>& before);
   void move_before_impulses();
   void move_vessel_before_impulses();
   std::vector<Wrench> of_parts(const Wrenches& loads) const;
@@ -57,7 +68,8 @@ struct Simulation::World {
                                const std::vector<ArticulatedBlock>& vessel) const;
   bool add_missed(const Velocities& after, std::vector<int>& misses, std::vector<ContactPoint>& points);
   bool can_be_halved() const;
-  void refuse_passing(const Velocities& velocities, double horizon);
+  std::optional<std::pair<int, int>> passing(const Velocities& velocities, double horizon);
+  [[noreturn]] void refuse(const std::pair<int, int>& pair) const;
   void judge_unheld(const Velocities& after);
   Velocities new_velocities(const AssembledContacts& contacts, const ContactSolution& solution,
                             const Wrenches& free) const;

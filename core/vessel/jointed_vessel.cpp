@@ -82,6 +82,7 @@ class JointedVessel : public VesselMotion {
 
  protected:
   void move_before_step(double h) override;
+  void abandon_motion() override;
   VesselBlock begin_step() override;
   void finish_step(const Wrench& contact) override;
   void save_motion(StateWriter& out) const override;
@@ -107,6 +108,8 @@ class JointedVessel : public VesselMotion {
   double theta_;                      ///< share of the motion after the velocity step
   double damper_share_;               ///< of the speeds after it in what dampers see
   CarriageMotion::State now_, next_;  ///< of the carriage: in the tree; after the velocity step under way
+  VecX q_start_, u_start_;            ///< of the step under way
+  CarriageMotion::State start_;       ///< of the carriage then
   VecX u_before_;                     ///< of the velocity step under way
   VesselBlock block_;
   std::vector<Vec6> after_;
@@ -148,6 +151,9 @@ VecX JointedVessel::coordinates() const {
 void JointedVessel::begin_account() {
   impulses_ = JointImpulses(size());
   joint_account_ = {};
+  q_start_ = tree_.coordinates();
+  u_start_ = tree_.speeds();
+  start_ = now_;
   momenta_.clear();
   for (int b = 0; b < tree_.num_bodies(); ++b) momenta_.push_back(tree_.momentum(b));
 }
@@ -207,6 +213,14 @@ void JointedVessel::move(double from, double to, double& work) {
 void JointedVessel::move_before_step(double h) {
   begin_account();
   move(time_, time_ + (1 - theta_) * h, joint_account_.work_before);
+  read_states();
+}
+
+void JointedVessel::abandon_motion() {
+  now_ = start_;
+  tree_.set_carriage(now_);
+  tree_.set_coordinates(q_start_);
+  tree_.set_speeds(u_start_);
   read_states();
 }
 

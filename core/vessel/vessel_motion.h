@@ -14,6 +14,7 @@ class VesselMotion {
   void move_before_impulses(double h);
   VesselBlock begin(const Wrench& free, double h, const std::vector<Wrench>& on_parts);
   void finish(const Wrench& contact_impulse, const std::vector<Wrench>& on_parts);
+  void abandon_step();
 
   virtual Vec6 velocity_after_impulses() const = 0;
   virtual void displace(const Vec6& pseudo_twist, double h) = 0;
@@ -37,6 +38,7 @@ class VesselMotion {
 
  protected:
   virtual void move_before_step(double /*h*/) {}  ///< of length h [s]; nothing with semi-implicit Euler
+  virtual void abandon_motion() {}                ///< back to where the step began
   virtual VesselBlock begin_step() = 0;
   virtual void finish_step(const Wrench& contact_impulse) = 0;
   /// What the next step depends on beyond state and time.

@@ -40,6 +40,11 @@ void VesselMotion::finish(const Wrench& contact_impulse, const std::vector<Wrenc
   h_ = moved_for_ = 0;
 }
 
+void VesselMotion::abandon_step() {
+  abandon_motion();
+  h_ = moved_for_ = 0;
+}
+
 void VesselMotion::save(StateWriter out) const {
   NILAS_DEMAND(h_ == 0);
   out.add("time", time_);
@@ -158,6 +163,7 @@ VesselBlock VesselSystem::begin(const Wrench& free, double h, const std::vector<
 void VesselSystem::finish(const Wrench& contact_impulse, const std::vector<Wrench>& on_parts) {
   implementation_->motion->finish(contact_impulse, on_parts);
 }
+void VesselSystem::abandon_step() { implementation_->motion->abandon_step(); }
 std::vector<Vec6> VesselSystem::part_velocities_after_impulses() const {
   return implementation_->motion->part_velocities_after_impulses();
 }

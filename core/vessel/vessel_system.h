@@ -210,6 +210,8 @@ class VesselSystem {
   /// Ends it with the contact impulse about the centre of mass where begin() was called, in G [N s, N m s]. Throws
   /// SimulationError when the vessel leaves finite numbers or the joint its range.
   void finish(const Wrench& contact_impulse, const std::vector<Wrench>& on_parts = {});
+  /// Takes a step back that move_before_impulses() or begin() has begun, so that another may begin, of another length.
+  void abandon_step();
   /// Twist (v; w) of the centre of mass just after the velocity step, before the pose moved: for energy accounts. On a
   /// carriage, where the momenta balance between both poses, the twist at the step's end.
   Vec6 velocity_after_impulses() const;

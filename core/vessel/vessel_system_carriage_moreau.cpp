@@ -14,6 +14,7 @@ class MoreauCarriedVessel : public CarriedVessel {
 
  protected:
   void move_before_step(double h) override;
+  void abandon_motion() override;
   VesselBlock begin_step() override;
   void finish_step(const Wrench& contact) override;
 
@@ -38,6 +39,12 @@ void MoreauCarriedVessel::move_before_step(double h) {
   const double t = time_ + (1 - theta_) * h;
   demand_regular(t);
   now_ = motion_.at(t);
+  place(now_, u_);
+}
+
+void MoreauCarriedVessel::abandon_motion() {
+  q_ = q_start_;
+  now_ = start_;
   place(now_, u_);
 }
 

@@ -134,7 +134,11 @@ class MoreauFreeVessel : public FreeVessel {
   }
 
  protected:
-  void move_before_step(double h) override { move((1 - theta_) * h); }
+  void move_before_step(double h) override {
+    start_ = state_;
+    move((1 - theta_) * h);
+  }
+  void abandon_motion() override { state_ = start_; }
 
   void finish_step(const Wrench& contact) override {
     state_.v += (h_ * free_.force + contact.force) / mass_.mass;
@@ -154,6 +158,7 @@ class MoreauFreeVessel : public FreeVessel {
 
   double theta_;
   Mat3 inertia_inverse_;
+  VesselState start_;  ///< of the step under way
 };
 
 }  // namespace
