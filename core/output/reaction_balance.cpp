@@ -106,27 +106,28 @@ void ReactionBalance::restore(const StateReader& in) {
 }
 
 std::string reaction_lines(const ReactionBalance& balance) {
-  const std::vector<JointBalance> joints = balance.joints();
-  if (joints.empty()) return {};
   std::string text;
-  const JointBalance& first = joints.front();
-  if (first.name.empty())
-    text +=
-        fmt::format("{:<22}{:.2g} N, {:.2g} N m between Simbody and the momenta,\n{:<22}{:.2g} of the largest load\n",
-                    "carriage's reaction", first.force, first.torque, "", balance.relative(first));
+  const auto line = [&](const char* label, const std::string& told) {
+    text += fmt::format("{:<22}{}\n", label, wrapped(told, k_label_width));
+  };
   double worst = 0;
   std::string of;
-  for (const JointBalance& joint : joints) {
-    if (joint.name.empty() || balance.relative(joint) < worst) continue;
-    worst = balance.relative(joint);
-    of = joint.name;
+  for (const JointBalance& joint : balance.joints()) {
+    const double relative = balance.relative(joint);
+    if (joint.name.empty()) {
+      line("carriage's reaction", fmt::format("{:.2g} N, {:.2g} N m between Simbody and the momenta, {:.2g} of the "
+                                              "largest load",
+                                              joint.force, joint.torque, relative));
+    } else if (of.empty() || relative > worst) {
+      worst = relative;
+      of = joint.name;
+    }
   }
   if (!of.empty())
-    text +=
-        fmt::format("{:<22}{:.2g} of the largest load between Simbody and the momenta,\n{:<22}at most, in part '{}'\n",
-                    "loads in joints", worst, "", of);
-  if (const std::string doubt = balance.doubt(); !doubt.empty())
-    text += fmt::format("{:<22}{}\n", "joint loads doubtful", wrapped(doubt, k_label_width));
+    line("loads in joints", fmt::format("{:.2g} of the largest load between Simbody and the momenta, at most, in part "
+                                        "'{}'",
+                                        worst, of));
+  if (const std::string doubt = balance.doubt(); !doubt.empty()) line("joint loads doubtful", doubt);
   return text;
 }
 

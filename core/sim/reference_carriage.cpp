@@ -31,7 +31,7 @@ VecX ReferenceCarriage::cell_force(const VecX& q, const VecX& u) const {
 }
 
 CarriageLoads ReferenceCarriage::loads(const Wrench& about_com, const Vec3& com) const {
-  CarriageLoads loads{about_com, about_com, {}};
+  CarriageLoads loads{about_com, about_com, {}, {}};
   loads.about_joint.torque += (com - now().p).cross(about_com.force);
   if (!cells_) return loads;
   const Quat to_carriage(Eigen::AngleAxisd(-now().yaw, Vec3::UnitZ()));

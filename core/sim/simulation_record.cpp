@@ -143,7 +143,7 @@ void Simulation::World::note_reference_vessel(const ReferenceVesselLoads& impuls
   vessel.touches_ice = !impulses.ice.isZero(0);
   if (impulses.carriage) {
     CarriageLoads& carriage = vessel.carriage.emplace();
-    carriage = {mean(impulses.carriage->about_com), mean(impulses.carriage->about_joint), impulses.carriage->cells};
+    carriage = {mean(impulses.carriage->about_com), mean(impulses.carriage->about_joint), impulses.carriage->cells, {}};
     for (double& cell : carriage.cells) cell /= whole_step;
     vessel.has_cells = parts.info.has_cells;
   }

@@ -43,8 +43,8 @@ void MoreauCarriedVessel::move_before_step(double h) {
 }
 
 void MoreauCarriedVessel::abandon_motion() {
-  q_ = q_start_;
-  now_ = start_;
+  q_ = start_.q;
+  now_ = start_.carriage;
   place(now_, u_);
 }
 
