@@ -82,9 +82,8 @@ void expect_images_to_the_last_bit(const std::string& flags, bool every_step_con
 
 TEST(Mirror, PairsOfFloesAreImagesToTheLastBitAsShipped) { expect_images_to_the_last_bit("", true); }
 
-/// On six cells the rounding of their modes couples the two sides, which this solver passes on and Newton's does not.
 TEST(Mirror, OrderFreeSumsKeepPairsOfFloesImagesToTheLastBit) {
-  expect_images_to_the_last_bit("--solver eg-order-free --set vessel/carriage/force_balance/@kind=rigid", false);
+  expect_images_to_the_last_bit("--solver eg-order-free", false);
 }
 
 }  // namespace
