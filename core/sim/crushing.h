@@ -61,6 +61,18 @@ class Crushing {
   /// the shortest way out through an outer face of the convex part that it is in. 0 where none is inside [m].
   double deepest_overlap(const Bodies& bodies) const;
 
+  /// What points() hands from one search to the next: whose faces count, and how deep faces stood in the ice.
+  struct Memory {
+    std::map<std::pair<std::int64_t, std::int64_t>, char> faces_of_first;
+    CrushedDepth depth;
+  };
+  Memory memory() const { return {faces_of_first_, depth_}; }
+  /// Back to what it was before a search at poses that are taken back.
+  void set_memory(const Memory& memory) {
+    faces_of_first_ = memory.faces_of_first;
+    depth_ = memory.depth;
+  }
+
   /// Of the ice that was crushed since the start [kg].
   double crushed_mass() const { return crushed_mass_; }
 

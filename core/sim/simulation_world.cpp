@@ -72,7 +72,13 @@ void Simulation::World::shorten_motion_before_impulses() {
 std::optional<PartStart> Simulation::World::part_start() const {
   if (model.theta == 1 || model.detection != Detection::continuous) return std::nullopt;
   const Bodies& bodies = parts.bodies;
-  return PartStart{bodies.p_GB, bodies.v_GB, bodies.w_GB, bodies.q_GB, bodies.R_GB, energy};
+  return PartStart{bodies.p_GB,
+                   bodies.v_GB,
+                   bodies.w_GB,
+                   bodies.q_GB,
+                   bodies.R_GB,
+                   energy,
+                   crushing ? std::optional(crushing->memory()) : std::nullopt};
 }
 
 void Simulation::World::take_back(const std::optional<PartStart>& before) {
@@ -85,6 +91,7 @@ void Simulation::World::take_back(const std::optional<PartStart>& before) {
   bodies.q_GB = before->q;
   bodies.R_GB = before->R;
   energy = before->energy;
+  if (crushing) crushing->set_memory(before->crushed.value());
 }
 
 void Simulation::World::move_before_impulses() {

@@ -30,6 +30,7 @@ struct PartStart {
   std::vector<Quat> q;
   std::vector<Mat3> R;
   EnergyAccount energy;
+  std::optional<Crushing::Memory> crushed;
 };
 
 /// In the order that ContactDetector gives points.

@@ -37,10 +37,10 @@ Grid make_grid(const Scene& scene, const Overrides& overrides, const GridRequest
 /// How many settings differ from the first in one thing, which come first; all of an ablation.
 std::size_t core_of(const Grid& grid, const GridRequest& request);
 
-/// The setting by which errors are judged. Few free bodies without a vessel: the event-driven integrator `reference`,
-/// which `nilas verify` holds against closed forms. Else half the finest step of the grid, exact Coulomb friction (no
-/// friction where the scene has none), projection, moreau where the scene takes it, the reference solver at
-/// `tolerance`.
+/// The setting by which errors are judged. Few free bodies, without a field of ice and without floes before a towed
+/// vessel: the event-driven integrator `reference`, which `nilas verify` holds against closed forms. Else half the
+/// finest step of the grid, exact Coulomb friction (no friction where the scene has none), projection, moreau where the
+/// scene takes it, the reference solver at `tolerance`.
 CompareSetting reference_setting(const Scene& scene, const Overrides& overrides, const Grid& grid, double tolerance);
 
 /// Reads the scene with a setting. Throws SceneError or InputError where it cannot run.
