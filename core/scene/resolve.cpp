@@ -66,12 +66,20 @@ class Resolver {
     element.attributes.push_back({.name = name, .value = value, .place = element.place, .given = false});
   }
 
+  /// Steps are cut at impacts, which moreau's impulses in the middle of a step do not allow.
+  static bool cuts_steps(const SceneElement& contact) {
+    const SceneAttribute* substeps = attribute_of(contact, "substeps");
+    return substeps && substeps->valid && substeps->value != "0" && substeps->value != "1";
+  }
+
   void add_default(SceneElement& element, const AttributeSpec& spec) {
     if (attribute_of(element, spec.name) || !has_effect(element, spec.applies)) return;
     if (const SceneAttribute* preset = attribute_of(element, "preset"); preset && preset->valid)
       if (const auto set = seed_2014().find(spec.name); set != seed_2014().end())
         return add(element, spec.name, set->second);
     if (const auto scaled = scale_.take(element.name, spec.name)) return add(element, spec.name, *scaled);
+    if (spec.name == "integrator")
+      return add(element, spec.name, cuts_steps(element) ? "semi-implicit-euler" : "moreau");
     if (spec.default_value.empty()) return;
     std::string value = spec.default_value;
     if (is_not_built(spec, value)) {

@@ -31,7 +31,7 @@ struct ContactScene {
   int max_iterations = 1000;
   int substeps = 0;  ///< parts that a step is cut into at impacts, at most
   std::string on_failure = "record";
-  std::string integrator = "semi-implicit-euler";
+  std::string integrator = "moreau";
   double theta = 0.5;
   std::string stabilisation = "projection";
   double erp = 0.2;        ///< share of the penetration removed per step

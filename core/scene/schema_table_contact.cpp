@@ -57,7 +57,7 @@ static std::vector<AttributeSpec> time_stepping() {
       {.name = "integrator",
        .type = ValueType::choice,
        .choices = {"moreau", "semi-implicit-euler", "reference"},
-       .default_value = "semi-implicit-euler",
+       .default_note = "moreau; with substeps above 1 semi-implicit-euler",
        .doc =
            "How velocities and positions advance: impulses in the middle of the motion (moreau) or before it; or, for "
            "few free bodies and a vessel that touches few of them, between impacts and other events at their own "
@@ -80,7 +80,8 @@ static std::vector<AttributeSpec> time_stepping() {
        .default_value = "continuous",
        .doc = "Which gaps at the step's start enter the problem: those that the step can close, but none above the "
               "thinner body's thickness, so that what goes farther in a step can pass (discrete, as in older tools); "
-              "all that the step can close (speculative); the same, and for pairs that move more than half their "
+              "all that the step can close (speculative; with moreau what follows the impulses); the same, and for "
+              "pairs that move more than half their "
               "thickness against each other, what they meet on their way (continuous: nothing passes)."},
       {.name = "narrow_phase",
        .type = ValueType::choice,

@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 std::string ice_scene(const std::string& vessel, const std::string& friction = "", const std::string& solver = "auto") {
   return R"(<scene version="1" name="ice">
   <time step="0.01" end="2"/>
-  <contact law="coulomb" solver=")" +
+  <contact law="coulomb" integrator="semi-implicit-euler" solver=")" +
          solver + R"(" tolerance="1e-5">
     <friction between="ice ice" static="0.3" kinetic="0.3"/>
     <friction between="hull ice" static="0.1" kinetic="0.1" )" +

@@ -200,12 +200,25 @@ TEST(ReadScene, DefaultsAreAllBuilt) {
   const Scene scene = folder.read("<scene version='1'/>");
   EXPECT_EQ(scene.contact.law, "coulomb");
   EXPECT_EQ(scene.contact.solver, "auto");
-  EXPECT_EQ(scene.contact.integrator, "semi-implicit-euler");
+  EXPECT_EQ(scene.contact.integrator, "moreau");
+  EXPECT_EQ(scene.contact.theta, 0.5);
   EXPECT_EQ(scene.contact.stabilisation, "projection");
   EXPECT_EQ(scene.contact.detection, "continuous");
   EXPECT_EQ(scene.contact.substeps, 0);
   EXPECT_EQ(scene.output.contacts, "hull");
   EXPECT_TRUE(scene.notes.empty());
+}
+
+/// Only the steps of semi-implicit Euler can be cut.
+TEST(ReadScene, ASceneWithSubstepsIsSteppedByEulerUnlessItSaysOtherwise) {
+  const SceneFolder folder;
+  const auto integrator = [&](const std::string& attributes) {
+    return folder.read(in_scene("<contact " + attributes + "/>")).contact.integrator;
+  };
+  EXPECT_EQ(integrator("substeps='8'"), "semi-implicit-euler");
+  EXPECT_EQ(integrator("substeps='1'"), "moreau");
+  EXPECT_EQ(integrator("substeps='0'"), "moreau");
+  EXPECT_EQ(integrator("substeps='0' integrator='semi-implicit-euler'"), "semi-implicit-euler");
 }
 
 TEST(ReadScene, ThePresetSetsTheOlderChoicesAndWhatIsGivenWins) {

@@ -21,7 +21,6 @@ using Rig = BreakingRig;
 
 /// The load that the wedges bear, within what it grows by in a step.
 TEST(Breaking, ASheetBendsAtTheLoadOfItsWedges) {
-  double before = 1e300;
   for (const double step : {0.01, 0.005, 0.0025, 0.00125}) {
     Rig rig(bow() + fracture(), step);
     const StepRecord record = rig.until_broken();
@@ -30,14 +29,13 @@ TEST(Breaking, ASheetBendsAtTheLoadOfItsWedges) {
     EXPECT_EQ(event.kind, "bending");
     EXPECT_EQ(event.t, record.t);
     EXPECT_GE(event.ratio, 1);
-    EXPECT_LT(event.ratio - 1, before) << "the overshoot shrinks with the step";
-    before = 0.8 * (event.ratio - 1) + 0.02;
+    // the load grows with less than the cube of the way, which is proportional to time
+    EXPECT_LT(event.ratio - 1, 3 * step / record.t) << "more than the load grows by in a step";
     EXPECT_NEAR(event.p_G.y(), 0, 1e-9) << "the contact is symmetric";
     const double l = beam_characteristic_length({0.05, 1e8, 0.3, 1000, 9.81});
     EXPECT_GT(event.radius, 0.2 * l);
     EXPECT_LT(event.radius, 0.6 * l);
   }
-  EXPECT_LT(before, 0.05);
 }
 
 TEST(Breaking, WedgesFloatFreeAndTheSheetStaysFixed) {

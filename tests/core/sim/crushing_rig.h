@@ -64,6 +64,7 @@ inline std::string crushing(const std::string& model, double strength = k_streng
 }
 inline const std::string k_seed = "model='seed-limit'", k_compliant = "model='compliant'";
 
+/// Unless `contact` names another, the integrator is semi-implicit Euler: sums over its steps have closed forms.
 struct Rig {
   Rig(const std::string& content, double step, int threads = 1, const std::string& contact = "", double friction = 0,
       const Vec3& gravity = Vec3::Zero())
@@ -79,10 +80,14 @@ struct Rig {
                                                           text(gravity.y()) + " " + text(gravity.z()) +
                                                           "'/><contact solver='auto' tolerance='1e-12' "
                                                           "max_iterations='10000' " +
-                                                          contact + "><friction between='* *' static='" +
+                                                          by_euler(contact) + "><friction between='* *' static='" +
                                                           text(friction) + "'/></contact>" + content + "</scene>"));
         }()),
         simulation(std::make_unique<Simulation>(scene, threads, warnings)) {}
+
+  static std::string by_euler(const std::string& contact) {
+    return contact.find("integrator") == std::string::npos ? contact + " integrator='semi-implicit-euler'" : contact;
+  }
 
   StepRecord step() { return simulation->step(); }
   const Bodies& bodies() const { return simulation->bodies(); }

@@ -61,7 +61,7 @@ const std::vector<Rest> k_rests{
      NILAS_PROJECTION "<body name='shelf' shape='box' size='3 3 0.2' position='0 0 -0.1' fixed='true'/>"
                       "<body shape='box' size='1 0.8 0.1' mass='2' position='0.1 0 0.055' rotation_deg='20 0.5 0.3'/>"},
     // rocks by 2e-8 m: beside its four each pair keeps the corners that have taken turns in being the deepest
-    {"StackOfTurnedPlates", 25, 3000, 2000, NILAS_SPLIT NILAS_STACK},
+    {"StackOfTurnedPlates", 26, 3000, 2000, NILAS_SPLIT NILAS_STACK},
     {"StackOfTurnedPlatesProjected", 16, 1000, 2000, NILAS_PROJECTION NILAS_STACK},
     {"FloatingFloesSideBySide", 4, 100, 2000,
      NILAS_PROJECTION NILAS_WATER "</hydro><ice thickness='0.1'><floe outline='0 0 1 0 1 1 0 1'/>"

@@ -50,7 +50,9 @@ const char* const k_contact =
     "<friction between='ice ice' static='0.3' kinetic='0.3'/></contact>";
 
 TEST(Simulation, FreeFallIsSemiImplicitEuler) {
-  Rig rig("<time step='0.01' end='1'/><body name='b' shape='sphere' radius='0.1' mass='1' position='0 0 5'/>");
+  Rig rig(
+      "<time step='0.01' end='1'/><contact integrator='semi-implicit-euler'/>"
+      "<body name='b' shape='sphere' radius='0.1' mass='1' position='0 0 5'/>");
   rig.run(100);
   // v_n = -g h n; z_n = z_0 - g h^2 n (n + 1)/2
   EXPECT_NEAR(rig.simulation.bodies().v_GB[0].z(), -9.81, 1e-12);

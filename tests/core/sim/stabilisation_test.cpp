@@ -53,7 +53,7 @@ TEST(Stabilisation, NoneLeavesTheDepth) {
 
 /// The depth falls by the share in every step, at the speed that takes; the ledger has the energy put in.
 TEST(Stabilisation, BaumgarteTakesItsShareAtASpeed) {
-  BoxOnGround box("baumgarte' erp='0.25", k_depth);
+  BoxOnGround box("baumgarte' integrator='semi-implicit-euler' erp='0.25", k_depth);
   double depth = k_depth, before = 0, put_in = 0;
   for (int k = 0; k < 20; ++k) {
     const StepRecord record = box.step();
@@ -70,11 +70,11 @@ TEST(Stabilisation, BaumgarteTakesItsShareAtASpeed) {
 
 /// Out in one step, with the speed that took; gravity brings it back.
 TEST(Stabilisation, TasoraThrowsTheBoxOut) {
-  BoxOnGround box("tasora", k_depth);
+  BoxOnGround box("tasora' integrator='semi-implicit-euler", k_depth);
   box.step();
   EXPECT_NEAR(box.depth(), 0, 1e-12);
   EXPECT_NEAR(box.speed(), k_depth / k_step, 1e-10);
-  BoxOnGround slow("tasora' max_speed='0.02", k_depth);
+  BoxOnGround slow("tasora' integrator='semi-implicit-euler' max_speed='0.02", k_depth);
   slow.step();
   EXPECT_NEAR(slow.speed(), 0.02, 1e-10);
 }
