@@ -1,5 +1,7 @@
 #include "core/vessel/jointed_drift.h"
 
+#include "core/vessel/rods.h"
+
 namespace nilas {
 
 namespace {
@@ -45,11 +47,29 @@ void give_momentum(JointedTree& tree, const Vec6& wanted, const Vec3& about) {
 
 struct Rates {
   VecX q, u;
+  VecX tensions;  ///< of the rods
 };
 
 Rates rates_of(const JointedTree& tree) {
-  return {tree.coordinate_rates(),
-          accelerations_under(tree, std::vector<Wrench>(static_cast<std::size_t>(tree.num_bodies())))};
+  const std::vector<Wrench> nothing(static_cast<std::size_t>(tree.num_bodies()));
+  Rates rates{tree.coordinate_rates(), accelerations_under(tree, nothing), VecX()};
+  if (tree.num_rods() == 0) return rates;
+  const HeldByRods held = held_by_rods(tree.mass_matrix(), tree.rod_jacobian(), tree.rod_bias(), rates.u);
+  rates.u = held.speeds;
+  rates.tensions = held.tensions;
+  return rates;
+}
+
+/// What rods did in a time to all bodies, as a momentum (P; L), L about `point`.
+Vec6 given_by_rods(const JointedTree& tree, double time, const VecX& tensions, const Vec3& point) {
+  Vec6 given = Vec6::Zero();
+  const std::vector<Wrench> loads = tree.rod_loads(tensions);
+  for (int b = 0; b < tree.num_bodies(); ++b) {
+    const Wrench& load = loads[static_cast<std::size_t>(b)];
+    given.head<3>() += time * load.force;
+    given.tail<3>() += time * (load.torque + (tree.pose(b).p - point).cross(load.force));
+  }
+  return given;
 }
 
 CarriageMotion::State moved(CarriageMotion::State carriage, double time) {
@@ -65,33 +85,39 @@ VecX accelerations_under(const JointedTree& tree, const std::vector<Wrench>& loa
   return tree.mass_matrix().llt().solve(tree.force(loads, {}));
 }
 
-void drift(JointedTree& tree, CarriageMotion::State& carriage, double time, const DriftSample& sample) {
-  if (time == 0) return;
+VecX drift(JointedTree& tree, CarriageMotion::State& carriage, double time, const DriftSample& sample) {
+  if (time == 0) return VecX::Zero(tree.num_rods());
   const VecX q = tree.coordinates(), u = tree.speeds();
   const Vec3 about = tree.pose(0).p;
-  const Vec6 momentum = total_momentum(tree, about);
+  Vec6 momentum = total_momentum(tree, about);
   const CarriageMotion::State halfway = moved(carriage, 0.5 * time), end = moved(carriage, time);
   const auto place = [&](const CarriageMotion::State& there, const VecX& q_there, const VecX& u_there) {
     tree.set_carriage(there);
     tree.set_coordinates(q_there);
     tree.set_speeds(u_there);
   };
+  const auto note = [&](const CarriageMotion::State& there, double weight, const Rates& rates) {
+    sample(there, weight * time, rates.u, rates.tensions);
+    if (tree.num_rods() > 0) momentum += given_by_rods(tree, weight * time, rates.tensions, about);
+  };
   const Rates a = rates_of(tree);
-  sample(carriage, k_sixth * time, a.u);
+  note(carriage, k_sixth, a);
   place(halfway, q + 0.5 * time * a.q, u + 0.5 * time * a.u);
   const Rates b = rates_of(tree);
-  sample(halfway, 2 * k_sixth * time, b.u);
+  note(halfway, 2 * k_sixth, b);
   place(halfway, q + 0.5 * time * b.q, u + 0.5 * time * b.u);
   const Rates c = rates_of(tree);
-  sample(halfway, 2 * k_sixth * time, c.u);
+  note(halfway, 2 * k_sixth, c);
   place(end, q + time * c.q, u + time * c.u);
   const Rates d = rates_of(tree);
-  sample(end, k_sixth * time, d.u);
+  note(end, k_sixth, d);
   place(end, q + time * k_sixth * (a.q + 2 * b.q + 2 * c.q + d.q),
         u + time * k_sixth * (a.u + 2 * b.u + 2 * c.u + d.u));
   tree.normalise_quaternions();
+  if (tree.num_rods() > 0) return_to_lengths(tree);
   if (tree.hull_is_free()) give_momentum(tree, momentum, about);
   carriage = end;
+  return tree.num_rods() > 0 ? return_to_rates(tree) : VecX();
 }
 
 }  // namespace nilas

@@ -4,41 +4,11 @@
 #include "core/vessel/carried_vessel.h"
 #include "core/vessel/cell_force.h"
 #include "core/vessel/simbody_bodies.h"
+#include "core/vessel/tree_rods.h"
 
 namespace nilas {
 
 namespace {
-
-/// Simbody's hinges turn about z, its sliders move along x.
-Quat joint_axes(const PartModel& part) {
-  const Vec3 along = part.joint == JointKind::slider ? Vec3::UnitX() : Vec3::UnitZ();
-  return Quat::FromTwoVectors(along, part.axis_V);
-}
-
-SimTK::MobilizedBody add_part(SimTK::MobilizedBody& parent, const Pose& parent_in_V, const PartModel& part) {
-  Pose joint_V;
-  if (part.joint == JointKind::hinge || part.joint == JointKind::slider) joint_V.q = joint_axes(part);
-  joint_V.p = part.point_V;
-  const auto seen_from = [&](const Pose& body) -> SimTK::Transform {
-    const Quat back = body.q.conjugate();
-    return to_simbody(Pose{back * joint_V.q, back * (joint_V.p - body.p)});
-  };
-  const SimTK::Transform on_parent = seen_from(parent_in_V), on_part = seen_from(part.in_V);
-  const SimTK::Body::Rigid body = rigid_body(part.mass, part.inertia_B);
-  switch (part.joint) {
-    case JointKind::hinge:
-      return SimTK::MobilizedBody::Pin(parent, on_parent, body, on_part);
-    case JointKind::slider:
-      return SimTK::MobilizedBody::Slider(parent, on_parent, body, on_part);
-    case JointKind::ball:
-      return SimTK::MobilizedBody::Ball(parent, on_parent, body, on_part);
-    case JointKind::free:
-      return SimTK::MobilizedBody::Free(parent, on_parent, body, on_part);
-    case JointKind::weld:
-      break;
-  }
-  return SimTK::MobilizedBody::Weld(parent, on_parent, body, on_part);
-}
 
 bool has_one_coordinate(JointKind kind) { return kind == JointKind::hinge || kind == JointKind::slider; }
 
@@ -87,6 +57,7 @@ struct JointedTree::Implementation {
   SimTK::GeneralForceSubsystem forces{system};
   SimTK::Force::DiscreteForces applied{forces, matter};
   CellForces cells;
+  TreeRods rods;
   SimTK::MobilizedBody::Planar carriage;
   std::vector<Body> bodies;
   SimTK::State state;
@@ -155,6 +126,12 @@ JointedTree::JointedTree(const VesselModel& model) : implementation_(std::make_u
     Implementation::Body& parent = tree.bodies[static_cast<std::size_t>(part.to + 1)];
     const SimTK::MobilizedBody body = add_part(parent.mobilized, parent.in_V, part);
     tree.bodies.push_back({body, part.mass, part.inertia_B, part.in_V, part.to + 1, part, 0, 0});
+  }
+  for (const RodModel& rod : model.rods) {
+    NILAS_DEMAND(rod.on >= -1 && rod.on < static_cast<int>(model.parts.size()));
+    Implementation::Body& body = tree.bodies[static_cast<std::size_t>(rod.on + 1)];
+    const Vec3 at_B = body.in_V.q.conjugate() * (rod.at_V - body.in_V.p);
+    tree.rods.add(tree.matter, body.mobilized, rod.on + 1, at_B, rod.to_G);
   }
   tree.state = tree.system.realizeTopology();
   tree.system.realizeModel(tree.state);
@@ -406,6 +383,51 @@ VecX JointedTree::part_rates(int part) const {
   if (has_one_coordinate(body.part.joint)) return VecX::Constant(1, u[body.first_u]);
   if (body.part.joint != JointKind::ball) return {};
   return Vec3(u[body.first_u], u[body.first_u + 1], u[body.first_u + 2]);
+}
+
+int JointedTree::num_rods() const { return implementation_->rods.size(); }
+
+double JointedTree::rod_distance(int rod) const {
+  return implementation_->rods.distance(rod, implementation_->at(SimTK::Stage::Position));
+}
+
+void JointedTree::set_rod_length(int rod, double length) {
+  implementation_->rods.set_length(rod, length, implementation_->state);
+}
+
+VecX JointedTree::rod_errors() const {
+  return implementation_->rods.errors(implementation_->at(SimTK::Stage::Position));
+}
+
+MatX JointedTree::rod_jacobian() const {
+  const Implementation& tree = *implementation_;
+  return tree.rods.jacobian(tree.matter, tree.at(SimTK::Stage::Position)).rightCols(tree.speeds);
+}
+
+VecX JointedTree::rod_rates() const { return implementation_->rods.rates(implementation_->at(SimTK::Stage::Velocity)); }
+
+VecX JointedTree::rod_rates(const CarriageMotion::State& acceleration) const {
+  const Implementation& tree = *implementation_;
+  const MatX jacobian = tree.rods.jacobian(tree.matter, tree.at(SimTK::Stage::Position));
+  const Vec3 given(acceleration.yaw_rate, acceleration.v.x(), acceleration.v.y());
+  return jacobian.leftCols(tree.carried) * given.head(tree.carried);
+}
+
+VecX JointedTree::rod_bias() const {
+  return implementation_->rods.bias(implementation_->matter, implementation_->at(SimTK::Stage::Velocity));
+}
+
+std::vector<Wrench> JointedTree::rod_loads(const VecX& tensions) const {
+  const Implementation& tree = *implementation_;
+  return tree.rods.loads(tensions, tree.bodies.size(), tree.at(SimTK::Stage::Position));
+}
+
+void JointedTree::displace(const VecX& along_speeds) {
+  Implementation& tree = *implementation_;
+  SimTK::Vector change;
+  tree.matter.multiplyByN(tree.at(SimTK::Stage::Position), false, tree.all_accelerations(along_speeds, {}), change);
+  tree.state.updQ() += change;
+  normalise_quaternions();
 }
 
 }  // namespace nilas

@@ -66,6 +66,22 @@ class JointedTree {
   VecX part_coordinates(int part) const;  ///< as of PartState
   VecX part_rates(int part) const;
 
+  int num_rods() const;                ///< m
+  double rod_distance(int rod) const;  ///< of its ends [m]
+  /// Before the first use of the errors below: a rod of a new tree has no length of its own [m].
+  void set_rod_length(int rod, double length);
+  VecX rod_errors() const;  ///< distances of the rods' ends less their lengths, m entries [m]
+  /// m x n: rates of the distances = rod_jacobian * speeds + what the carriage imposes.
+  MatX rod_jacobian() const;
+  VecX rod_rates() const;  ///< of the distances, at these speeds and those of the carriage [m/s]
+  /// What the carriage's acceleration adds to the second rates of the distances; only v and yaw_rate count.
+  VecX rod_rates(const CarriageMotion::State& acceleration) const;
+  VecX rod_bias() const;  ///< second rates of the distances where no speed changes [m/s^2]
+  /// What tensions (m) do to each body.
+  std::vector<Wrench> rod_loads(const VecX& tensions) const;
+  /// Moves the coordinates along the speeds by n entries [m, rad].
+  void displace(const VecX& along_speeds);
+
  private:
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;

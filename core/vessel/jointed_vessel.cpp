@@ -6,18 +6,20 @@
 #include "core/vessel/cells.h"
 #include "core/vessel/jointed_drift.h"
 #include "core/vessel/jointed_tree.h"
+#include "core/vessel/rods.h"
 #include "core/vessel/vessel_motion.h"
 
 namespace nilas {
 
 namespace {
 
-/// Impulses of the joints in one step, in G [N s, N m s].
+/// Impulses of joints and rods in one step, in G [N s, N m s].
 struct JointImpulses {
   std::vector<Wrench> joint;    ///< per body, hull first: on it, about its joint point
-  std::vector<Wrench> net;      ///< of all joints and the carriage, about its centre of mass
+  std::vector<Wrench> net;      ///< of all joints, rods and the carriage, about its centre of mass
   Wrench carriage_about_point;  ///< the hull's own, about the point of the carriage
-  explicit JointImpulses(std::size_t bodies) : joint(bodies), net(bodies) {}
+  VecX rods;                    ///< of their tensions
+  JointImpulses(std::size_t bodies, int num_rods) : joint(bodies), net(bodies), rods(VecX::Zero(num_rods)) {}
 };
 
 void add(double share, const std::vector<Wrench>& part, std::vector<Wrench>& sum) {
@@ -67,8 +69,8 @@ HullCells hull_cells(const CarriageModel& carriage, int speeds) {
 
 /// The step is a velocity step where the contacts are found, in which weight, water, contact, springs and dampers act
 /// and nothing moves, between motions in which only the joints act: none and h with semi-implicit Euler, (1 - theta) h
-/// and theta h with theta. In a motion the carriage has the mean of its speeds over it, and the vessel bears the
-/// changes between these speeds as impulses.
+/// and theta h with theta. Rods hold in both. In a motion the carriage has the mean of its speeds over it, and the
+/// vessel bears the changes between these speeds as impulses.
 class JointedVessel : public VesselMotion {
  public:
   JointedVessel(const VesselModel& model, double t0);
@@ -96,6 +98,9 @@ class JointedVessel : public VesselMotion {
   void move(double from, double to, double& work);
   void add_impulses(const CarriageMotion::State& carriage, double share, const std::vector<Wrench>& joints,
                     double& work);
+  void add_rods(double share, const VecX& tensions);
+  void demand_rods(double t) const;
+  bool has_rods() const { return tree_.num_rods() > 0; }
   void read_states();
   Wrench unbalanced(std::size_t b, const Wrench& given) const;
   void read_loads(const std::vector<Wrench>& given);
@@ -105,13 +110,16 @@ class JointedVessel : public VesselMotion {
   std::optional<CarriageMotion> motion_;
   std::optional<HullCells> cells_;
   JointedTree tree_;
+  std::vector<RodModel> rods_;
   double theta_;                      ///< share of the motion after the velocity step
   double damper_share_;               ///< of the speeds after it in what dampers see
   CarriageMotion::State now_, next_;  ///< of the carriage: in the tree; after the velocity step under way
   VecX q_start_, u_start_;            ///< of the step under way
   CarriageMotion::State start_;       ///< of the carriage then
   VecX u_before_;                     ///< of the velocity step under way
-  VesselBlock block_;
+  VesselBlock block_;                 ///< in all speeds, those that rods hold too
+  MatX rod_jacobian_;                 ///< of the velocity step under way
+  VecX rod_rates_;                    ///< that the carriage imposes in it
   std::vector<Vec6> after_;
   std::vector<Vec6> momenta_;  ///< at the step's start
   JointImpulses impulses_;
@@ -122,7 +130,7 @@ JointedVessel::JointedVessel(const VesselModel& model, double t0)
       tree_(model),
       theta_(model.theta.value_or(1)),
       damper_share_(model.theta ? 0.5 : 1),
-      impulses_(model.parts.size() + 1) {
+      impulses_(model.parts.size() + 1, tree_.num_rods()) {
   NILAS_DEMAND(model.gyroscopic);
   if (model.carriage) {
     if (model.carriage->balance == BalanceKind::six_cells) cells_ = hull_cells(*model.carriage, tree_.num_speeds());
@@ -130,6 +138,12 @@ JointedVessel::JointedVessel(const VesselModel& model, double t0)
     now_ = motion_->at(t0);
     tree_.set_carriage(now_);
   }
+  if (has_rods()) {
+    if (const auto fault = rod_fault(model, t0))
+      throw InputError("rod '" + model.rods[static_cast<std::size_t>(fault->rod)].name + "': " + fault->message);
+    start_on_rods(model, tree_);
+  }
+  rods_ = model.rods;
   parts_.resize(model.parts.size());
   joint_account_.held.resize(size());
   read_states();
@@ -149,7 +163,7 @@ VecX JointedVessel::coordinates() const {
 }
 
 void JointedVessel::begin_account() {
-  impulses_ = JointImpulses(size());
+  impulses_ = JointImpulses(size(), tree_.num_rods());
   joint_account_ = {};
   q_start_ = tree_.coordinates();
   u_start_ = tree_.speeds();
@@ -180,17 +194,36 @@ void JointedVessel::add_impulses(const CarriageMotion::State& carriage, double s
   work += share * (hull.force.dot(carriage.v) + torque.z() * carriage.yaw_rate);
 }
 
+/// Adds impulses of tension at the present pose.
+void JointedVessel::add_rods(double share, const VecX& tensions) {
+  impulses_.rods += share * tensions;
+  add(share, tree_.rod_loads(tensions), impulses_.net);
+}
+
+void JointedVessel::demand_rods(double t) const {
+  if (!has_rods()) return;
+  if (const auto failed = failed_rod(tree_, rods_))
+    throw SimulationError("at " + std::to_string(t) + " s rod '" + rods_[static_cast<std::size_t>(*failed)].name +
+                          "' is at a dead point: what it holds can move along it no more");
+}
+
 /// The carriage takes the speeds of `next` at once, and the vessel bears the impulse.
 void JointedVessel::change_speeds(const CarriageMotion::State& next, double& work) {
   const CarriageMotion::State change = change_between(now_, next);
   if (change.v.isZero(0) && change.yaw_rate == 0) return;
   const VecX u = tree_.speeds();
-  const std::vector<Wrench> nothing(size());
+  std::vector<Wrench> given(size());
   tree_.set_carriage(stopped(now_));
   tree_.set_speeds(VecX::Zero(u.size()));
   VecX jump(u.size());
-  if (u.size() > 0) jump = tree_.mass_matrix().llt().solve(tree_.force(nothing, change));
-  add_impulses(between(now_, next), 1, tree_.joint_loads(jump, change, nothing), work);
+  if (u.size() > 0) jump = tree_.mass_matrix().llt().solve(tree_.force(given, change));
+  if (has_rods()) {
+    const HeldByRods held = held_by_rods(tree_.mass_matrix(), tree_.rod_jacobian(), tree_.rod_rates(change), jump);
+    jump = held.speeds;
+    given = tree_.rod_loads(held.tensions);
+    add_rods(1, held.tensions);
+  }
+  add_impulses(between(now_, next), 1, tree_.joint_loads(jump, change, given), work);
   now_ = next;
   tree_.set_carriage(now_);
   tree_.set_speeds(u + jump);
@@ -200,9 +233,17 @@ void JointedVessel::change_speeds(const CarriageMotion::State& next, double& wor
 void JointedVessel::move(double from, double to, double& work) {
   if (!(to > from)) return;
   change_speeds(with_mean_speed(from, to), work);
-  drift(tree_, now_, to - from, [&](const CarriageMotion::State& carriage, double time, const VecX& accelerations) {
-    add_impulses(carriage, time, tree_.joint_loads(accelerations, {}, std::vector<Wrench>(size())), work);
-  });
+  const VecX put_right =
+      drift(tree_, now_, to - from,
+            [&](const CarriageMotion::State& carriage, double time, const VecX& accelerations, const VecX& tensions) {
+              std::vector<Wrench> given(size());
+              if (has_rods()) {
+                given = tree_.rod_loads(tensions);
+                add_rods(time, tensions);
+              }
+              add_impulses(carriage, time, tree_.joint_loads(accelerations, {}, given), work);
+            });
+  if (has_rods()) add_rods(1, put_right);
   if (!motion_) return;
   const CarriageMotion::State end = motion_->at(to);
   now_.p = end.p;
@@ -268,7 +309,11 @@ VesselBlock JointedVessel::begin_step() {
   tree_.set_carriage(next_);
   block_.hull = {tree_.jacobian(0), tree_.twist(0)};
   for (int b = 1; b < tree_.num_bodies(); ++b) block_.parts.push_back({tree_.jacobian(b), tree_.twist(b)});
-  return block_;
+  if (!has_rods()) return block_;
+  demand_rods(start);
+  rod_jacobian_ = tree_.rod_jacobian();
+  rod_rates_ = tree_.rod_rates();
+  return block_on_rods(block_, rod_jacobian_, rod_rates_);
 }
 
 void JointedVessel::finish_step(const Wrench& contact) {
@@ -285,6 +330,14 @@ void JointedVessel::finish_step(const Wrench& contact) {
   }
   VecX u(momentum.size());
   if (momentum.size() > 0) u = block_.mass.llt().solve(momentum);
+  std::vector<Wrench> of_rods;  ///< means over the step
+  if (has_rods()) {
+    const HeldByRods held = held_by_rods(block_.mass, rod_jacobian_, rod_rates_, u);
+    u = held.speeds;
+    impulses_.rods += held.tensions;
+    of_rods = tree_.rod_loads(held.tensions / h_);
+    add(1, of_rods, given);
+  }
   if (!u.allFinite())
     throw SimulationError("at " + std::to_string(time_ + h_) +
                           " s the speeds of the vessel's joints left finite numbers");
@@ -295,6 +348,7 @@ void JointedVessel::finish_step(const Wrench& contact) {
   tree_.set_speeds(VecX::Zero(u.size()));
   const std::vector<Wrench> joints = tree_.joint_loads((u - u_before_) / h_, acceleration, given);
   joint_account_.held = tree_.net_loads(joints);
+  if (has_rods()) add(1, of_rods, joint_account_.held);
   add_impulses(between(now_, next_), h_, joints, joint_account_.carriage_work);
   const VecX mean = 0.5 * (u + u_before_);
   const VecX spring_impulse = tree_.mass_matrix() * (u - u_before_) - h_ * tree_.force(given, acceleration);
@@ -308,6 +362,7 @@ void JointedVessel::finish_step(const Wrench& contact) {
   const double start = time_ + (1 - theta_) * h_, end = time_ + h_;
   move(start, end, joint_account_.work_after);
   change_speeds(with_mean_speed(end, end), joint_account_.work_after);
+  demand_rods(end);
   read_states();
   read_loads(given);
 }
@@ -333,8 +388,9 @@ Wrench JointedVessel::unbalanced(std::size_t b, const Wrench& given) const {
   return {gained.head<3>() - given.force - net.force, gained.tail<3>() - given.torque - net.torque};
 }
 
-/// Means over the step, and what the momenta say beside them.
+/// Means over the step, and what the momenta say beside them. `given`: those of the velocity step's rods included.
 void JointedVessel::read_loads(const std::vector<Wrench>& given) {
+  joint_account_.rods = impulses_.rods / h_;
   for (std::size_t k = 0; k < parts_.size(); ++k) {
     parts_[k].joint = over(impulses_.joint[k + 1], h_);
     const Wrench lack = unbalanced(k + 1, given[k + 1]);

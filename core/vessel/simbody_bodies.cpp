@@ -41,4 +41,35 @@ SimTK::MobilizedBody add_carried(SimTK::MobilizedBody& carriage, const SimTK::Bo
                                              static_cast<int>(joint.axes.size()), along, coordinates);
 }
 
+/// Simbody's hinges turn about z, its sliders move along x.
+static Quat joint_axes(const PartModel& part) {
+  const Vec3 along = part.joint == JointKind::slider ? Vec3::UnitX() : Vec3::UnitZ();
+  return Quat::FromTwoVectors(along, part.axis_V);
+}
+
+SimTK::MobilizedBody add_part(SimTK::MobilizedBody& parent, const Pose& parent_in_V, const PartModel& part) {
+  Pose joint_V;
+  if (part.joint == JointKind::hinge || part.joint == JointKind::slider) joint_V.q = joint_axes(part);
+  joint_V.p = part.point_V;
+  const auto seen_from = [&](const Pose& body) -> SimTK::Transform {
+    const Quat back = body.q.conjugate();
+    return to_simbody(Pose{back * joint_V.q, back * (joint_V.p - body.p)});
+  };
+  const SimTK::Transform on_parent = seen_from(parent_in_V), on_part = seen_from(part.in_V);
+  const SimTK::Body::Rigid body = rigid_body(part.mass, part.inertia_B);
+  switch (part.joint) {
+    case JointKind::hinge:
+      return SimTK::MobilizedBody::Pin(parent, on_parent, body, on_part);
+    case JointKind::slider:
+      return SimTK::MobilizedBody::Slider(parent, on_parent, body, on_part);
+    case JointKind::ball:
+      return SimTK::MobilizedBody::Ball(parent, on_parent, body, on_part);
+    case JointKind::free:
+      return SimTK::MobilizedBody::Free(parent, on_parent, body, on_part);
+    case JointKind::weld:
+      break;
+  }
+  return SimTK::MobilizedBody::Weld(parent, on_parent, body, on_part);
+}
+
 }  // namespace nilas

@@ -2,6 +2,7 @@
 /// Vectors, poses and bodies in Simbody's terms. Include it in sources only, in place of <Simbody.h>.
 #include "core/bodies/mass_properties.h"
 #include "core/vessel/simbody.h"
+#include "core/vessel/vessel_parts.h"
 #include "core/vessel/vessel_tree.h"
 
 namespace nilas {
@@ -20,5 +21,8 @@ SimTK::MobilizedBody::Planar add_carriage(SimTK::SimbodyMatterSubsystem& matter,
 /// The vessel on it.
 SimTK::MobilizedBody add_carried(SimTK::MobilizedBody& carriage, const SimTK::Body::Rigid& body,
                                  const TreeJoint& joint);
+
+/// A part on its parent, where all joint coordinates are zero at the places in V of both.
+SimTK::MobilizedBody add_part(SimTK::MobilizedBody& parent, const Pose& parent_in_V, const PartModel& part);
 
 }  // namespace nilas

@@ -68,7 +68,7 @@ std::unique_ptr<VesselMotion> make_fixed_vessel(const VesselModel& model, double
 std::unique_ptr<VesselMotion> make_free_vessel(const VesselModel& model, double t0);
 /// Throws InputError when the force balance cannot hold the vessel.
 std::unique_ptr<VesselMotion> make_carried_vessel(const VesselModel& model, double t0);
-/// A hull with parts, however it is held. Throws InputError for a part or a carriage that cannot be.
+/// A hull with parts or rods, however it is held. Throws InputError for a part, rod or carriage that cannot be.
 std::unique_ptr<VesselMotion> make_jointed_vessel(const VesselModel& model, double t0);
 
 }  // namespace nilas

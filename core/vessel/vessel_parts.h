@@ -1,6 +1,8 @@
 #pragma once
-/// Bodies that hang on a vessel's hull by joints: azimuth pods, rudders, hinged barges, turrets.
+/// Bodies that hang on a vessel's hull by joints: azimuth pods, rudders, hinged barges, turrets; and rods that hold
+/// hull and parts to fixed points.
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +27,15 @@ struct PartModel {
   double rest = 0;              ///< coordinate of a hinge [rad] or slider [m] at which its spring is slack
   double coordinate = 0;        ///< of a hinge or slider at the start [rad, m]
   double rate = 0;              ///< its rate then [rad/s, m/s]
+};
+
+/// A rigid link without mass, with ball ends, between the vessel and a fixed point.
+struct RodModel {
+  std::string name;
+  int on = -1;                   ///< the part that it holds; -1: the hull
+  Vec3 at_V = Vec3::Zero();      ///< its end on the vessel, of a part while all joint coordinates are zero [m]
+  Vec3 to_G = Vec3::Zero();      ///< its fixed end in G [m]
+  std::optional<double> length;  ///< [m]; none: the distance of its ends at the start
 };
 
 }  // namespace nilas

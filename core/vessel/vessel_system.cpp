@@ -114,7 +114,7 @@ class FixedVessel : public VesselMotion {
 
 std::unique_ptr<VesselMotion> make_motion(const VesselModel& model, double t0) {
   NILAS_DEMAND(!(model.fixed && model.carriage));
-  if (!model.parts.empty()) return make_jointed_vessel(model, t0);
+  if (model.is_jointed()) return make_jointed_vessel(model, t0);
   if (model.fixed) return std::make_unique<FixedVessel>(model, t0);
   return model.carriage ? make_carried_vessel(model, t0) : make_free_vessel(model, t0);
 }

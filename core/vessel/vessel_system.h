@@ -96,6 +96,9 @@ struct VesselModel {
   /// Share of a step's motion that follows its impulses (moreau); none: semi-implicit Euler.
   std::optional<double> theta;
   std::vector<PartModel> parts;  ///< on the hull, whose mass is the one above; gyroscopic must be true with them
+  std::vector<RodModel> rods;    ///< gyroscopic must be true with them
+
+  bool is_jointed() const { return !parts.empty() || !rods.empty(); }
 };
 
 /// Mean twist (v; w) of a body's centre of mass in G = jacobian * speeds + prescribed.
@@ -159,14 +162,15 @@ struct PartState {
   double unbalanced_force = 0, unbalanced_torque = 0;
 };
 
-/// What the joints did in one step, for accounts of energy and momentum.
+/// What joints and rods did in one step, for accounts of energy and momentum.
 struct JointAccount {
-  /// Per body, hull first: net mean load of all joints and the carriage about its centre of mass, in G, in the velocity
-  /// step at the pose of the contacts [N, N m].
+  /// Per body, hull first: net mean load of all joints, rods and the carriage about its centre of mass, in G, in the
+  /// velocity step at the pose of the contacts [N, N m].
   std::vector<Wrench> held;
   double spring_work = 0;                  ///< of springs and dampers [J]
   double carriage_work = 0;                ///< in the velocity step [J]
   double work_before = 0, work_after = 0;  ///< of the carriage in the motion before and after it [J]
+  VecX rods;                               ///< tension of each rod, positive where it pulls, mean over the step [N]
 };
 
 /// One step is: move_before_impulses() (theta only), begin(), solve contacts, finish(). At a step's end the momenta
@@ -219,7 +223,7 @@ class VesselSystem {
   std::vector<Vec6> part_velocities_after_impulses() const;
   /// The parts where the vessel is, and their joint loads in the last step.
   const std::vector<PartState>& parts() const;
-  /// Of the last step of a vessel with parts.
+  /// Of the last step of a vessel with parts or rods.
   const JointAccount& joint_account() const;
   /// Moves a free vessel by a pseudo twist (v; w) over h: position stabilisation. Keeps the velocity and, when
   /// gyroscopic, the angular momentum. No effect on carriage or fixed.
