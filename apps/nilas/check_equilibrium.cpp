@@ -45,7 +45,7 @@ static std::string describe(const FloatingEquilibrium& found, const Water& water
 std::optional<EquilibriumReport> vessel_equilibrium(const Scene& scene, const WorldParts& parts) {
   if (!scene.vessel || !parts.water || !scene.hydro || !scene.hydro->buoyancy) return std::nullopt;
   const VesselScene& vessel = *scene.vessel;
-  if (!vessel.parts.empty()) return std::nullopt;  // the hull alone says little
+  if (!vessel.parts.empty() || !vessel.rods.empty()) return std::nullopt;  // the hull alone says little
   const auto b = static_cast<std::size_t>(parts.vessel_index);
   EquilibriumReport report;
   report.text = fmt::format("\nfloating equilibrium of '{}':\n", vessel.name);

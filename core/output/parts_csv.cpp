@@ -23,7 +23,7 @@ std::vector<std::string> coordinate_columns(JointKind joint) {
 
 }  // namespace
 
-std::vector<std::string> part_columns(const std::vector<PartInfo>& parts) {
+std::vector<std::string> part_columns(const std::vector<PartInfo>& parts, const std::vector<std::string>& rods) {
   std::vector<std::string> columns{"time_s"};
   for (const PartInfo& part : parts) {
     const auto add = [&](const std::string& column) { columns.push_back(part.name + "_" + column); };
@@ -35,16 +35,18 @@ std::vector<std::string> part_columns(const std::vector<PartInfo>& parts) {
     add("unbalanced_force_N");
     add("unbalanced_torque_Nm");
   }
+  for (const std::string& rod : rods) columns.push_back("rod_" + rod + "_N");
   return columns;
 }
 
 PartsCsv::PartsCsv(const std::filesystem::path& path, const RunInfo& info, std::optional<std::int64_t> keep)
-    : file_(path, "", keep), parts_(info.parts) {
-  if (!keep) file_.append(csv_header(part_columns(parts_)));
+    : file_(path, "", keep), parts_(info.parts), rods_(static_cast<Eigen::Index>(info.rods.size())) {
+  if (!keep) file_.append(csv_header(part_columns(parts_, info.rods)));
 }
 
-void PartsCsv::row(double t, const std::vector<PartRecord>& parts) {
-  NILAS_DEMAND(parts.size() == parts_.size());
+void PartsCsv::row(double t, const VesselRecord& vessel) {
+  const std::vector<PartRecord>& parts = vessel.parts;
+  NILAS_DEMAND(parts.size() == parts_.size() && vessel.rods.size() == rods_);
   row_.clear();
   row_.fixed(t);
   for (std::size_t k = 0; k < parts.size(); ++k) {
@@ -59,6 +61,7 @@ void PartsCsv::row(double t, const std::vector<PartRecord>& parts) {
     row_.fixed(part.unbalanced_force);
     row_.fixed(part.unbalanced_torque);
   }
+  for (const double tension : vessel.rods) row_.fixed(tension);
   file_.append(row_.line());
 }
 

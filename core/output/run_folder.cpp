@@ -36,7 +36,8 @@ struct RunFolder::Outputs {
         bodies_asked(scene.output.bodies),
         contacts_of_all(scene.output.contacts == "all") {
     if (info.has_vessel) vessel.emplace(folder / "vessel.csv", channels, kept_bytes(from, "vessel.csv"));
-    if (!info.parts.empty()) vessel_parts.emplace(folder / "parts.csv", info, kept_bytes(from, "parts.csv"));
+    if (!info.parts.empty() || !info.rods.empty())
+      vessel_parts.emplace(folder / "parts.csv", info, kept_bytes(from, "parts.csv"));
     if (!info.structures.empty())
       structures.emplace(folder / "structures.csv", info, kept_bytes(from, "structures.csv"));
     if (ContactsH5::asked(scene, info)) {
@@ -179,7 +180,7 @@ void RunFolder::record(StepRecord record, const std::vector<SolvedProblem>& part
       out.warnings.warn("gimbal lock",
                         "the vessel pitches to 90 degrees: its roll, pitch and yaw rates are written as 0");
     out.vessel->row(record.t, out.vessel_values);
-    if (out.vessel_parts) out.vessel_parts->row(record.t, record.vessel->parts);
+    if (out.vessel_parts) out.vessel_parts->row(record.t, *record.vessel);
   }
   if (out.structures) out.structures->row(record);
   if (out.contacts) out.contacts->step(record, parts, loaded_bodies(bodies, out.info));

@@ -67,6 +67,17 @@ static PartScene build_part(const SceneElement& element) {
   return part;
 }
 
+static RodScene build_rod(const SceneElement& element) {
+  RodScene rod;
+  rod.line = element.place.line;
+  assign(rod.name, element, "name");
+  assign(rod.on, element, "on");
+  assign(rod.at, element, "at");
+  assign(rod.to, element, "to");
+  assign(rod.length, element, "length");
+  return rod;
+}
+
 VesselScene build_vessel_scene(const SceneElement& element) {
   VesselScene vessel;
   assign(vessel.name, element, "name");
@@ -83,8 +94,10 @@ VesselScene build_vessel_scene(const SceneElement& element) {
   if (const auto* hull = child_of(element, "hull")) vessel.generate = build_generate(*hull);
   if (const auto* mass = child_of(element, "mass")) vessel.mass = build_mass(*mass);
   if (const auto* carriage = child_of(element, "carriage")) vessel.carriage = build_carriage(*carriage);
-  for (const auto& child : element.children)
+  for (const auto& child : element.children) {
     if (child.name == "part") vessel.parts.push_back(build_part(child));
+    if (child.name == "rod") vessel.rods.push_back(build_rod(child));
+  }
   return vessel;
 }
 

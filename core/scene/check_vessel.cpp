@@ -48,6 +48,7 @@ void check_vessel(const SceneElement& root, const SceneElement& vessel, std::vec
   check_motion(vessel, faults);
   check_flotation(root, vessel, faults);
   check_parts(root, vessel, faults);
+  check_rods(root, vessel, faults);
   if (const SceneElement* mass = child_of(vessel, "mass")) check_inertia(*mass, faults);
 }
 

@@ -24,7 +24,7 @@ static void check_gravity(const SceneElement& root, std::vector<Fault>& faults) 
     faults.push_back(fault_of(*gravity, "value", "with buoyancy or drag gravity must point along -Z; allowed: 0 0 -g"));
 }
 
-/// Names of the vessel, its parts, the bodies and the floes are one set.
+/// Names of the vessel, its parts and rods, the bodies and the floes are one set.
 static void check_names(const SceneElement& root, std::vector<Fault>& faults) {
   std::map<std::string, int> line_of_name;
   const auto check = [&](const SceneElement& element) {
@@ -37,7 +37,7 @@ static void check_names(const SceneElement& root, std::vector<Fault>& faults) {
   for (const auto& element : root.children) {
     if (element.name == "vessel" || element.name == "body") check(element);
     for (const auto& child : element.children)
-      if ((element.name == "ice" && child.name == "floe") || child.name == "part") check(child);
+      if ((element.name == "ice" && child.name == "floe") || child.name == "part" || child.name == "rod") check(child);
   }
 }
 

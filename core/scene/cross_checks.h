@@ -13,6 +13,8 @@ void cross_check(const SceneElement& root, std::vector<Fault>& faults);
 void check_vessel(const SceneElement& root, const SceneElement& vessel, std::vector<Fault>& faults);
 /// Each part hangs on the hull or a part before it, and the rest of the scene is one that parts can be in.
 void check_parts(const SceneElement& root, const SceneElement& vessel, std::vector<Fault>& faults);
+/// Each rod holds the hull or a part, of which some can move, and the rest of the scene is one that rods can be in.
+void check_rods(const SceneElement& root, const SceneElement& vessel, std::vector<Fault>& faults);
 void check_ice(const SceneElement& ice, std::vector<Fault>& faults);
 /// Ice that moves is laid out between the tank's walls.
 void check_tank(const SceneElement& root, const SceneElement& tank, std::vector<Fault>& faults);

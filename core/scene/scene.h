@@ -138,6 +138,15 @@ struct PartScene : SolidScene {
   double rest_angle_deg = 0, angle_deg = 0, rate_deg = 0;  ///< of a hinge
   double rest_travel = 0, travel = 0, speed = 0;           ///< of a slider [m, m/s]
 };
+/// A rod from the vessel to a fixed point.
+struct RodScene {
+  std::string name;
+  std::string on;                ///< name of a part or of the vessel; empty: the hull
+  Vec3 at = Vec3::Zero();        ///< in V, of a part while all joints are at zero [m]
+  Vec3 to = Vec3::Zero();        ///< in G [m]
+  std::optional<double> length;  ///< [m]; default: as placed
+  int line = 0;
+};
 struct VesselScene {
   std::string name = "ship";
   std::string hull;  ///< absolute path, or empty when generated
@@ -151,6 +160,7 @@ struct VesselScene {
   bool fixed = false;
   std::optional<CarriageScene> carriage;
   std::vector<PartScene> parts;
+  std::vector<RodScene> rods;
   std::string thrusters, mooring, control;  ///< named but not built yet when not empty
 };
 

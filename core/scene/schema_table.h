@@ -28,6 +28,7 @@ std::vector<ElementSpec> contact_elements();
 std::vector<ElementSpec> water_elements();
 std::vector<ElementSpec> vessel_elements();
 ElementSpec part_element();  ///< a child of the vessel
+ElementSpec rod_element();   ///< a child of the vessel
 std::vector<ElementSpec> ice_elements();
 std::vector<ElementSpec> fracture_elements();
 std::vector<ElementSpec> body_elements();

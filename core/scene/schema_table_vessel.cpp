@@ -140,10 +140,10 @@ static std::vector<ElementSpec> carriage() {
              .type = ValueType::choice,
              .choices = {"equilibrium", "as-placed"},
              .default_value = "equilibrium",
-             .doc =
-                 "equilibrium: the vessel starts at rest under weight and buoyancy, the cells deflected; "
-                 "axes that are free and that water balances (heave, roll, pitch) are in balance too. "
-                 "as-placed: at its position and upright, the cells unloaded, as vessels with <part> start always."}}},
+             .doc = "equilibrium: the vessel starts at rest under weight and buoyancy, the cells deflected; "
+                    "axes that are free and that water balances (heave, roll, pitch) are in balance too. "
+                    "as-placed: at its position and upright, the cells unloaded, as vessels with <part> or <rod> start "
+                    "always."}}},
       {.name = "path",
        .parent = "carriage",
        .doc = "A prescribed motion in place of a speed; heading_deg, ramp and ramp_shape of the carriage have no "
@@ -212,6 +212,7 @@ std::vector<ElementSpec> vessel_elements() {
   for (auto& element : carriage()) elements.push_back(element);
   elements.push_back(force_balance());
   elements.push_back(part_element());
+  elements.push_back(rod_element());
   for (auto& element : means_of_control()) elements.push_back(element);
   return elements;
 }

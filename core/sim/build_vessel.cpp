@@ -8,6 +8,7 @@
 #include "core/sim/vessel_rest.h"
 #include "core/sim/world.h"
 #include "core/vessel/hull.h"
+#include "core/vessel/rods.h"
 #include "hydro/equilibrium.h"
 #include "hydro/wetted.h"
 
@@ -165,6 +166,23 @@ void add_part(const Scene& scene, const PartScene& given, VesselModel& model, st
   model.parts.push_back(part);
 }
 
+void add_rods(const Scene& scene, VesselModel& model, RunInfo& info) {
+  const auto& all = scene.vessel->parts;
+  for (const RodScene& given : scene.vessel->rods) {
+    const auto on = std::find_if(all.begin(), all.end(), [&](const PartScene& part) { return part.name == given.on; });
+    const int part = on == all.end() ? -1 : static_cast<int>(on - all.begin());
+    model.rods.push_back({given.name, part, given.at, given.to, given.length});
+    info.rods.push_back(given.name);
+    info.modules.emplace_back("rod " + given.name, "<rod>");
+  }
+  if (model.rods.empty()) return;
+  if (const auto fault = rod_fault(model, scene.time.start)) {
+    const RodScene& rod = scene.vessel->rods[static_cast<std::size_t>(fault->rod)];
+    throw InputError(scene.file.string() + ":" + std::to_string(rod.line) + ": <rod name='" + rod.name +
+                     "'>: " + fault->message);
+  }
+}
+
 /// A part stands still where the hull is fixed and every joint between them a weld.
 bool stands_still(const VesselModel& model, std::size_t part) {
   if (!model.fixed || model.parts[part].joint != JointKind::weld) return false;
@@ -216,6 +234,7 @@ int build_vessel(const Scene& scene, WorldParts& parts) {
   if (vessel.carriage) model.carriage = carriage_model(scene, model, length_of(hull.fluid));
   std::vector<Solid> solids;
   for (const PartScene& part : vessel.parts) add_part(scene, part, model, solids);
+  add_rods(scene, model, parts.info);
   parts.carriage = model.carriage;
   parts.vessel_model = model;
   parts.vessel.emplace(model, scene.time.start);

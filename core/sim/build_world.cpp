@@ -124,7 +124,7 @@ WorldParts build_world(const Scene& scene, int threads, WarningCounts& warnings)
   if (parts.ice_properties) parts.ice_properties->resize(parts.bodies.id.size());
   build_modules(scene, threads, parts);
   if (parts.info.has_carriage) parts.info.work_names.emplace_back("carriage");
-  if (parts.num_parts > 0) parts.info.work_names.emplace_back("joints");
+  if (parts.is_jointed()) parts.info.work_names.emplace_back("joints");
   parts.info.bodies = parts.bodies.size();
   list_absent(scene, parts.info);
   try {

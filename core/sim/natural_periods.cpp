@@ -76,7 +76,7 @@ std::string motion_name(const Vec6& mode, const Mat6& M) {
 }  // namespace
 
 std::vector<NaturalPeriod> natural_periods(const Scene& scene, const WorldParts& parts) {
-  if (!scene.vessel || scene.vessel->fixed || parts.num_parts > 0) return {};
+  if (!scene.vessel || scene.vessel->fixed || parts.is_jointed()) return {};
   const Mat6 M = mass_matrix(parts.bodies, parts.vessel_index), water = water_stiffness(scene, parts);
   Mat6 cells = Mat6::Zero();
   MatX basis = Mat6::Identity();

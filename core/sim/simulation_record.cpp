@@ -46,7 +46,7 @@ VesselAccount Simulation::World::vessel_account() const {
   VesselAccount account;
   if (!parts.vessel) return account;
   account.index = parts.vessel_index;
-  if (parts.num_parts > 0) account.joints = &parts.vessel->joint_account();
+  if (parts.is_jointed()) account.joints = &parts.vessel->joint_account();
   if (!is_booked_whole()) return account;
   account.on_carriage = true;
   account.carriage = parts.vessel->carriage_loads().about_com;
@@ -85,6 +85,7 @@ std::vector<PartRecord> Simulation::World::part_records(const StepMotion& motion
 VesselRecord Simulation::World::vessel_record(const StepMotion& motion, const std::vector<Mat3>& C) const {
   VesselRecord record;
   record.parts = part_records(motion);
+  record.rods = parts.vessel->joint_account().rods;
   const Wrench impulse = contact_impulse_on(motion, parts.vessel_index);
   Wrenches on_parts;
   for (const PartRecord& part : record.parts) on_parts.push_back(part.contact);
@@ -198,6 +199,8 @@ void Simulation::World::note_vessel(const StepMotion& motion, const std::vector<
     whole.unbalanced_force = std::max(whole.unbalanced_force, now.unbalanced_force);
     whole.unbalanced_torque = std::max(whole.unbalanced_torque, now.unbalanced_torque);
   }
+  if (sum.rods.size() == 0) sum.rods = VecX::Zero(part.rods.size());
+  sum.rods += share * part.rods;
   sum.has_cells = part.has_cells;
   sum.state = part.state;
   sum.course = part.course;

@@ -82,7 +82,7 @@ struct Simulation::World {
   static void note_residuals(const Residuals& residuals, StepRecord& record);
   void copy_vessel_state();
   /// A vessel without parts on a carriage is booked from end to end of a step.
-  bool is_booked_whole() const { return parts.vessel && parts.vessel->on_carriage() && parts.num_parts == 0; }
+  bool is_booked_whole() const { return parts.vessel && parts.vessel->on_carriage() && !parts.is_jointed(); }
   PairFilter left_pairs() const;
   std::vector<std::pair<int, int>> crushing_pairs() const;
   VesselAccount vessel_account() const;

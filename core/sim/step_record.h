@@ -53,6 +53,7 @@ struct VesselRecord {
   bool touches_ice = false;  ///< a floe pressed on it during the step
   Vec3 ice = Vec3::Zero();   ///< the part of the contact force that floes exert, in G [N]
   std::vector<PartRecord> parts;
+  VecX rods;  ///< tension of each rod, positive where it pulls [N]
 };
 
 /// Horizontal unit vector to port of a horizontal one.
@@ -180,6 +181,7 @@ struct RunInfo {
   bool crushes = false;               ///< some ice is crushed by hulls
   std::vector<StructureInfo> structures;
   std::vector<PartInfo> parts;                      ///< of the vessel
+  std::vector<std::string> rods;                    ///< names of those that hold the vessel
   std::optional<std::array<double, 2>> statistics;  ///< window that the scene asks for: from, to [s]
   std::optional<double> peak_filter;                ///< that the scene asks for [s]
 };

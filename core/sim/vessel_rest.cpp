@@ -36,7 +36,7 @@ class AtRest {
 }  // namespace
 
 void settle_vessel(const Scene& scene, const BodySpec& spec, WorldParts& parts) {
-  if (!parts.carriage || !scene.vessel->parts.empty()) return;
+  if (!parts.carriage || parts.is_jointed()) return;
   AtRest vessel(scene, spec, parts);
   RestModel rest;
   rest.load = [&](const Pose& pose) { return vessel.load(pose); };

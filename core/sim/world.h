@@ -36,6 +36,8 @@ struct WorldParts {
   FrictionTable friction;
   RunInfo info;
 
+  /// Whether the vessel has parts or rods.
+  bool is_jointed() const { return vessel_model && vessel_model->is_jointed(); }
   /// Whether a body is the hull or a part.
   bool is_of_vessel(int body) const {
     return vessel_index >= 0 && body >= vessel_index && body <= vessel_index + num_parts;
