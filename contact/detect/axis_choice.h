@@ -1,7 +1,7 @@
 #pragma once
-/// Which of two axes separates a pair better, with ties broken by geometry alone: a mirrored pair makes the mirrored
+/// Which of many axes separates a pair best, with ties broken by geometry alone: a mirrored pair makes the mirrored
 /// choice whatever the order in which its vertices and faces are listed.
-#include <cmath>
+#include <vector>
 
 #include "contact/detect/pair_view.h"
 
@@ -10,19 +10,31 @@ namespace nilas {
 /// Relative difference below which two alignments count as equal.
 constexpr double k_alignment_tie = 1e-9;
 
-/// True when axis n with separation s beats `current`. Within the pair's tolerance of each other: the axis nearer to
-/// the line of centres wins, then the one nearer to A's x axis, then to its y axis.
-inline bool beats(const PairView& pair, const Vec3& n, double s, const Axis& current) {
-  if (s > current.s + pair.tolerance) return true;
-  if (s < current.s - pair.tolerance) return false;
-  const Vec3 line = pair.b_in_a.point(pair.b.centre) - pair.a.centre;
-  const double closer = n.dot(line) - current.n.dot(line);
-  if (std::abs(closer) > k_alignment_tie * line.norm()) return closer > 0;
-  for (int i : {0, 1}) {
-    const double difference = std::abs(n[i]) - std::abs(current.n[i]);
-    if (std::abs(difference) > k_alignment_tie) return difference > 0;
+/// Takes the axes of a search as they come. The choice waits for the last of them: to be within a tolerance of each
+/// other is not transitive, so that choosing between two at a time would depend on their order.
+class AxisContest {
+ public:
+  /// `room`: storage, reused from search to search.
+  AxisContest(const PairView& pair, std::vector<Axis>& room) : pair_(pair), rivals_(room) { rivals_.clear(); }
+
+  void enter(const Axis& axis) {
+    if (!(axis.s >= highest_ - pair_.tolerance)) return;
+    highest_ = std::max(highest_, axis.s);
+    rivals_.push_back(axis);
   }
-  return n.x() > current.n.x() + k_alignment_tie;
-}
+
+  /// The largest separation so far [m]; -infinity without any.
+  double highest() const { return highest_; }
+
+  /// Of the axes within the pair's tolerance of the largest separation: the nearest to the line of centres, then the
+  /// nearest to A's x axis, then to its y axis, then the one towards x. Of axes that coincide: a face rather than
+  /// edges. A default axis without any.
+  Axis winner();
+
+ private:
+  const PairView& pair_;
+  std::vector<Axis>& rivals_;
+  double highest_ = -std::numeric_limits<double>::infinity();
+};
 
 }  // namespace nilas

@@ -54,7 +54,7 @@ class AxisSearch {
 
   /// The exact search; some face separates by at least `least` [m].
   void search(double least, FclShapes& fcl) {
-    best_ = best_face_axis(pair_, pair_.margin, least);
+    best_ = best_face_axis(pair_, pair_.margin, room_.rivals, least);
     if (settled() || try_shown_crossing() || try_facing_edges(k_few_edge_pairs)) return;
     if (follow_edges(best_) || follow_fcl(fcl)) return;
     try_facing_edges(k_most_edge_pairs);
@@ -93,7 +93,7 @@ class AxisSearch {
     if (remembered.kind == AxisKind::direction || remembered.kind == AxisKind::unnamed) return false;
     if (remembered.kind == AxisKind::edges) {
       choose_two_edges(pair_, remembered.feature_a, remembered.feature_b, room_.edges);
-      try_crossing_edges(pair_, room_.edges, best_);
+      try_crossing_edges(pair_, room_.edges, room_.rivals, best_);
       if (best_.kind != AxisKind::edges) return false;
     } else {
       const bool of_a = remembered.kind == AxisKind::face_a;
@@ -126,7 +126,7 @@ class AxisSearch {
     if (nearest == nullptr || nearest->feature.kind != FeatureKind::crossing) return false;
     choose_two_edges(pair_, nearest->feature.first, nearest->feature.second, room_.edges);
     Axis next = best_;
-    try_crossing_edges(pair_, room_.edges, next);
+    try_crossing_edges(pair_, room_.edges, room_.rivals, next);
     if (next.s <= best_.s + pair_.tolerance) return false;
     best_ = next;
     return settled();
@@ -157,7 +157,7 @@ class AxisSearch {
     choose_facing_edges(pair_, best_.s, near, room_.edges);
     if (room_.edges.of_a.size() * room_.edges.of_b.size() > most_pairs) return false;
     const Axis before = best_;
-    try_crossing_edges(pair_, room_.edges, best_);
+    try_crossing_edges(pair_, room_.edges, room_.rivals, best_);
     if (best_.s > -pair_.tolerance) {
       if (before.s <= -pair_.tolerance) choose_facing_edges(pair_, best_.s, near, room_.edges);
       try_nearest_edges(pair_, room_.edges, best_);
@@ -171,7 +171,7 @@ class AxisSearch {
     for (int step = 0; step < k_most_steps; ++step) {
       choose_edges_along(pair_, from.n, room_.edges);
       Axis next = from;
-      try_crossing_edges(pair_, room_.edges, next);
+      try_crossing_edges(pair_, room_.edges, room_.rivals, next);
       if (next.s > -pair_.tolerance) try_nearest_edges(pair_, room_.edges, next);
       if (next.s <= from.s + pair_.tolerance) return false;
       from = next;

@@ -20,6 +20,7 @@ struct AxisSearchRoom {
   FacingSurfaces facing;
   EdgeChoice edges;
   std::vector<int> vertices;
+  std::vector<Axis> rivals;
 };
 
 /// FCL's direction counts as the axis itself within a thousandth of a radian [cosine].

@@ -18,7 +18,7 @@ constexpr double k_none = -std::numeric_limits<double>::infinity();
 class CylinderSearch {
  public:
   CylinderSearch(const PairView& pair, AxisSearchRoom& room, AxisSearchCounts& counts)
-      : pair_(pair), facing_(room.facing), counts_(counts) {}
+      : pair_(pair), room_(room), facing_(room.facing), counts_(counts) {}
 
   Axis find(const RememberedAxis& remembered, FclShapes& fcl, bool ask_first) {
     if (!ask_first || remembered.kind == AxisKind::unnamed) {
@@ -41,7 +41,7 @@ class CylinderSearch {
 
  private:
   void search(FclShapes& fcl) {
-    best_ = best_face_axis(pair_, pair_.margin);
+    best_ = best_face_axis(pair_, pair_.margin, room_.rivals);
     if (best_.s > pair_.margin) return;
     for (const Side& side : {side_a(), side_b()})
       if (is_round(side)) try_both_ways(side.in_a.R.col(2));
@@ -204,6 +204,7 @@ class CylinderSearch {
   }
 
   const PairView& pair_;
+  AxisSearchRoom& room_;
   FacingSurfaces& facing_;
   AxisSearchCounts& counts_;
   const RelativePose own_frame_;

@@ -153,10 +153,13 @@ void choose_two_edges(const PairView& pair, int edge_a, int edge_b, EdgeChoice& 
   take_edges_of_b(pair, edges);
 }
 
-void try_crossing_edges(const PairView& pair, const EdgeChoice& edges, Axis& best) {
+void try_crossing_edges(const PairView& pair, const EdgeChoice& edges, std::vector<Axis>& room, Axis& best) {
+  AxisContest contest(pair, room);
+  contest.enter(best);
   for_each_crossing(edges, [&](const EdgeInA& a, const EdgeInA& b, const Vec3& n, double s) {
-    if (beats(pair, n, s, best)) best = {n, s, AxisKind::edges, a.edge, b.edge};
+    contest.enter({n, s, AxisKind::edges, a.edge, b.edge});
   });
+  best = contest.winner();
 }
 
 void list_crossing_edges(const EdgeChoice& edges, double least, std::vector<Axis>& out) {

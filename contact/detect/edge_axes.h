@@ -42,8 +42,8 @@ void choose_two_edges(const PairView& pair, int edge_a, int edge_b, EdgeChoice& 
 
 /// Replaces `best` where crossing edges do better: a pair of edges is a face of the Minkowski difference where their
 /// normal arcs cross [Gregorius 2013, The separating axis test between convex polyhedra], and then s is exact without a
-/// search.
-void try_crossing_edges(const PairView& pair, const EdgeChoice& edges, Axis& best);
+/// search. `room`: storage.
+void try_crossing_edges(const PairView& pair, const EdgeChoice& edges, std::vector<Axis>& room, Axis& best);
 /// All crossings with a separation above `least` [m], as axes.
 void list_crossing_edges(const EdgeChoice& edges, double least, std::vector<Axis>& out);
 /// Replaces `best` where the nearest points of two edges give a larger separation; needs parts that are apart.

@@ -8,8 +8,8 @@
 #include "contact/detect/contact_key.h"
 #include "contact/detect/cylinder_axis.h"
 #include "contact/detect/fcl_contacts.h"
-#include "contact/detect/pair_points.h"
 #include "contact/detect/mirror_pair.h"
+#include "contact/detect/pair_points.h"
 #include "contact/detect/primitive_contacts.h"
 #include "contact/detect/way_out.h"
 

@@ -163,11 +163,13 @@ class WayOut {
 
   bool try_best_first(std::vector<Axis>& candidates, Axis& found) {
     for (int tries = 0; tries < k_most_tries && !candidates.empty(); ++tries) {
-      auto best = candidates.begin();
-      for (auto other = best + 1; other != candidates.end(); ++other)
-        if (beats(pair_, other->n, other->s, *best)) best = other;
-      const Axis axis = *best;
-      candidates.erase(best);
+      AxisContest contest(pair_, room_.rivals);
+      for (const Axis& candidate : candidates) contest.enter(candidate);
+      const Axis axis = contest.winner();
+      std::erase_if(candidates, [&](const Axis& other) {
+        return other.n == axis.n && other.kind == axis.kind && other.feature_a == axis.feature_a &&
+               other.feature_b == axis.feature_b;
+      });
       lay(axis);
       if (!serves(axis)) continue;
       found = axis;

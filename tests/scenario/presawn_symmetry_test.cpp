@@ -96,7 +96,7 @@ struct Exact {
   double end;  ///< [s]
 };
 class PresawnImages : public testing::TestWithParam<Exact> {};
-INSTANTIATE_TEST_SUITE_P(Cases, PresawnImages, testing::Values(Exact{'a', 5}, Exact{'b', 3.5}, Exact{'c', 5.5}),
+INSTANTIATE_TEST_SUITE_P(Cases, PresawnImages, testing::Values(Exact{'a', 5}, Exact{'b', 6}, Exact{'c', 5.5}),
                          [](const auto& one) { return std::string(1, one.param.letter); });
 
 TEST_P(PresawnImages, StayImagesToTheLastBitWithoutRoundingInTheOrderOfContacts) {
