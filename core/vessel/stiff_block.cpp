@@ -61,11 +61,8 @@ MatX weighted_square(const MatX& x, const VecX& weight) {
   return square.selfadjointView<Eigen::Lower>();
 }
 
-}  // namespace
-
-StiffBlock stiff_block(const MatX& mass, const MatX& stiffness, double damping_time, const std::vector<int>& free,
-                       double h) {
-  if (mass.rows() == 0) return {};
+StiffBlock solve_set(const MatX& mass, const MatX& stiffness, double damping_time, const std::vector<int>& free,
+                     double h) {
   const Modes modes = find_modes(mass, stiffness, free);
   VecX kept(modes.omega.size()), response(modes.omega.size());
   for (Eigen::Index j = 0; j < modes.omega.size(); ++j) {
@@ -76,6 +73,48 @@ StiffBlock stiff_block(const MatX& mass, const MatX& stiffness, double damping_t
   const MatX momentum = mass * modes.shape;
   return {weighted_square(momentum, response.cwiseInverse()), weighted_square(modes.shape, response),
           modes.shape * kept.asDiagonal() * momentum.transpose()};
+}
+
+bool couples(const MatX& a, int i, int j) {
+  return std::abs(a(i, j)) > k_coupling_floor * std::sqrt(a(i, i)) * std::sqrt(a(j, j));
+}
+
+}  // namespace
+
+std::vector<std::vector<int>> coupled_sets(const MatX& mass, const MatX& stiffness) {
+  const int n = static_cast<int>(mass.rows());
+  std::vector<std::vector<int>> sets;
+  std::vector<bool> taken(static_cast<std::size_t>(n), false);
+  for (int first = 0; first < n; ++first) {
+    if (taken[static_cast<std::size_t>(first)]) continue;
+    std::vector<int> set{first};
+    taken[static_cast<std::size_t>(first)] = true;
+    for (std::size_t k = 0; k < set.size(); ++k)
+      for (int j = first + 1; j < n; ++j)
+        if (!taken[static_cast<std::size_t>(j)] && (couples(mass, set[k], j) || couples(stiffness, set[k], j))) {
+          set.push_back(j);
+          taken[static_cast<std::size_t>(j)] = true;
+        }
+    std::sort(set.begin(), set.end());
+    sets.push_back(std::move(set));
+  }
+  return sets;
+}
+
+StiffBlock stiff_block(const MatX& mass, const MatX& stiffness, double damping_time, const std::vector<int>& free,
+                       double h) {
+  const auto n = mass.rows();
+  StiffBlock block{MatX::Zero(n, n), MatX::Zero(n, n), MatX::Zero(n, n)};
+  for (const std::vector<int>& set : coupled_sets(mass, stiffness)) {
+    std::vector<int> free_in_set;
+    for (std::size_t k = 0; k < set.size(); ++k)
+      if (std::find(free.begin(), free.end(), set[k]) != free.end()) free_in_set.push_back(static_cast<int>(k));
+    const StiffBlock own = solve_set(mass(set, set), stiffness(set, set), damping_time, free_in_set, h);
+    block.mass(set, set) = own.mass;
+    block.response(set, set) = own.response;
+    block.kept(set, set) = own.kept;
+  }
+  return block;
 }
 
 }  // namespace nilas

@@ -1,5 +1,6 @@
 #pragma once
 /// One step of a linear multi-coordinate system with springs of any stiffness.
+#include <limits>
 #include <vector>
 
 #include "core/base/math.h"
@@ -15,11 +16,22 @@ namespace nilas {
 /// phi^T M phi = 1, takes the exact step of exponential_mode.h, whose decay holds the damper's part: kept_j = decay_j +
 /// response_j h damping_time omega_j^2. With Phi the modes as columns: response = Phi diag(response_j) Phi^T and kept =
 /// Phi diag(kept_j) Phi^T M.
+///
+/// Coordinates that neither M nor K couples are solved apart, so that all entries between them are exactly zero. Else
+/// the rounding of the modes would couple them, and a vessel that is its own mirror image would begin to sway.
 struct StiffBlock {
   MatX mass;      ///< n x n, response^-1, symmetric positive definite: M itself for coordinates without spring
   MatX response;  ///< n x n, symmetric positive definite
   MatX kept;      ///< n x n: of the speeds before
 };
+
+/// An entry a_ij of M or K below this share of sqrt(a_ii a_jj) is rounding and counts as zero. Their entries are sums
+/// of a few products, each of which rounds by half an eps or less of that root.
+constexpr double k_coupling_floor = 32 * std::numeric_limits<double>::epsilon();
+
+/// Sets of coordinates that M and K couple, directly or through others: each set in rising order, and the sets by their
+/// first coordinate. M and K as below.
+std::vector<std::vector<int>> coupled_sets(const MatX& mass, const MatX& stiffness);
 
 /// mass: M, n x n, symmetric positive definite. stiffness: K, n x n, symmetric, its rows and columns of the coordinates
 /// `free` exactly zero, positive definite on the others. damping_time [s]. h: step [s].

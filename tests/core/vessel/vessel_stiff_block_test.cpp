@@ -62,6 +62,64 @@ TEST(VesselStiffBlock, IsPositiveDefiniteAtAnyStiffness) {
   }
 }
 
+/// Surge, heave and pitch of a vessel that is its own mirror image, and sway, roll and yaw: coupled among themselves
+/// only.
+struct MirroredVessel {
+  std::vector<int> along{0, 2, 4}, across{1, 3, 5};
+  MatX mass = MatX::Zero(6, 6), stiffness = MatX::Zero(6, 6);
+
+  explicit MirroredVessel(RandomStream& random, double k) {
+    for (const auto& set : {along, across}) {
+      mass(set, set) = random_spd(random, 3);
+      stiffness(set, set) = k * random_spd(random, 3);
+    }
+  }
+  /// Entries between the two sets, each of them the given share of the root of its diagonal ones.
+  MatX coupled(const MatX& a, double share) const {
+    MatX b = a;
+    for (const int i : along)
+      for (const int j : across) b(i, j) = b(j, i) = share * std::sqrt(a(i, i) * a(j, j));
+    return b;
+  }
+};
+
+TEST(VesselStiffBlock, FindsWhatIsCoupled) {
+  RandomStream random(3, "block");
+  const MirroredVessel vessel(random, 1e6);
+  const std::vector<std::vector<int>> apart{vessel.along, vessel.across}, one{{0, 1, 2, 3, 4, 5}};
+  EXPECT_EQ(coupled_sets(vessel.mass, vessel.stiffness), apart);
+  EXPECT_EQ(coupled_sets(vessel.coupled(vessel.mass, 1e-15), vessel.coupled(vessel.stiffness, -1e-15)), apart);
+  EXPECT_EQ(coupled_sets(vessel.coupled(vessel.mass, 1e-13), vessel.stiffness), one);
+  EXPECT_EQ(coupled_sets(vessel.mass, vessel.coupled(vessel.stiffness, -1e-13)), one);
+  // 0 and 2 through 1 alone
+  MatX chain = MatX::Identity(4, 4);
+  chain(0, 1) = chain(1, 0) = chain(1, 2) = chain(2, 1) = 0.5;
+  EXPECT_EQ(coupled_sets(chain, MatX::Zero(4, 4)), (std::vector<std::vector<int>>{{0, 1, 2}, {3}}));
+}
+
+TEST(VesselStiffBlock, KeepsUncoupledCoordinatesExactlyUncoupled) {
+  RandomStream random(4, "block");
+  for (const std::vector<int>& free : {std::vector<int>{}, std::vector<int>{2, 5}}) {
+    MirroredVessel vessel(random, 5e6);
+    for (const int i : free) {
+      vessel.stiffness.row(i).setZero();
+      vessel.stiffness.col(i).setZero();
+    }
+    const MatX rounded = vessel.coupled(vessel.mass, 1e-15);
+    const StiffBlock block = stiff_block(rounded, vessel.stiffness, 1e-3, free, 0.01);
+    for (const MatX& a : {block.mass, block.response, block.kept}) {
+      EXPECT_EQ(MatX(a(vessel.along, vessel.across)), MatX::Zero(3, 3));
+      EXPECT_EQ(MatX(a(vessel.across, vessel.along)), MatX::Zero(3, 3));
+    }
+    // the same as in one piece, which a coupling just above rounding asks for
+    const StiffBlock whole = stiff_block(vessel.coupled(vessel.mass, 1e-13), vessel.stiffness, 1e-3, free, 0.01);
+    EXPECT_NE(whole.mass(0, 1), 0);
+    EXPECT_LT((block.mass - whole.mass).norm(), 1e-9 * whole.mass.norm());
+    EXPECT_LT((block.response - whole.response).norm(), 1e-9 * whole.response.norm());
+    EXPECT_LT((block.kept - whole.kept).norm(), 1e-9);
+  }
+}
+
 TEST(VesselStiffBlock, RefusesIndefiniteInput) {
   EXPECT_THROW(stiff_block(MatX::Constant(1, 1, -1), MatX::Zero(1, 1), 0, {0}, 0.01), SimulationError);
   EXPECT_THROW(stiff_block(MatX::Identity(2, 2), MatX::Zero(2, 2), 0, {0}, 0.01), SimulationError);
