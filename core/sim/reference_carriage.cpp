@@ -3,17 +3,12 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/vessel/carried_vessel.h"
 #include "core/vessel/cells.h"
 
 namespace nilas {
 
 ReferenceCarriage::ReferenceCarriage(const CarriageModel& model) : motion_(model.motion), kinks_(model.motion.kinks()) {
-  if (model.balance != BalanceKind::six_cells) return;
-  const Mat6 wrenches = cell_wrenches(model.cells);
-  cells_.emplace(wrenches);
-  stiffness_ = condensed_stiffness(wrenches, model.stiffness, free_axes(model));
-  damping_time_ = model.damping / model.stiffness;
+  if (model.balance == BalanceKind::six_cells) cells_.emplace(cell_wrenches(model.cells));
 }
 
 void ReferenceCarriage::begin_stretch(double t) {
@@ -26,18 +21,10 @@ void ReferenceCarriage::begin_stretch(double t) {
 
 void ReferenceCarriage::go_to(double t) { moment_ = motion_.moment(t, within_); }
 
-VecX ReferenceCarriage::cell_force(const VecX& q, const VecX& u) const {
-  return -(stiffness_ * (q + damping_time_ * u));
-}
-
 CarriageLoads ReferenceCarriage::loads(const Wrench& about_com, const Vec3& com) const {
   CarriageLoads loads{about_com, about_com, {}, {}};
   loads.about_joint.torque += (com - now().p).cross(about_com.force);
-  if (!cells_) return loads;
-  const Quat to_carriage(Eigen::AngleAxisd(-now().yaw, Vec3::UnitZ()));
-  Vec6 transmitted;
-  transmitted << to_carriage * loads.about_joint.torque, to_carriage * loads.about_joint.force;
-  Eigen::Map<Vec6>(loads.cells.data()) = cells_->solve(transmitted);
+  if (cells_) loads.cells = cell_readings(*cells_, loads.about_joint, now().yaw);
   return loads;
 }
 

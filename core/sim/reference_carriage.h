@@ -1,5 +1,5 @@
 #pragma once
-/// The carriage as the reference integrator moves it: its motion from kink to kink, its load cells, and what it reads.
+/// The carriage as the reference integrator moves it: its motion from kink to kink, and what its load cells read.
 #include <optional>
 #include <vector>
 
@@ -19,9 +19,6 @@ class ReferenceCarriage {
   const CarriageMotion::State& now() const { return moment_.now; }
   const CarriageMotion::State& acceleration() const { return moment_.acceleration; }
 
-  bool has_cells() const { return cells_.has_value(); }
-  /// Of the cells' springs and dampers on the joint's coordinates q with rates u.
-  VecX cell_force(const VecX& q, const VecX& u) const;
   /// What a load on the vessel about its centre of mass `com`, in G, is at the joint and in the cells.
   CarriageLoads loads(const Wrench& about_com, const Vec3& com) const;
 
@@ -31,8 +28,6 @@ class ReferenceCarriage {
   double within_ = 0, end_ = 0;  ///< the stretch under way [s]
   CarriageMotion::Moment moment_;
   std::optional<Eigen::PartialPivLU<Mat6>> cells_;  ///< wrench of unit tensions
-  Mat6 stiffness_ = Mat6::Zero();
-  double damping_time_ = 0;  ///< cell damping / cell stiffness [s]
 };
 
 }  // namespace nilas

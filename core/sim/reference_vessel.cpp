@@ -110,20 +110,13 @@ CarriageMotion::State ReferenceVessel::carriage_acceleration() const {
   return carriage_ ? carriage_->acceleration() : CarriageMotion::State{};
 }
 
-VecX ReferenceVessel::cell_forces() const {
-  VecX force = VecX::Zero(tree_.num_speeds());
-  if (!carriage_ || !carriage_->has_cells()) return force;
-  force.head<6>() = carriage_->cell_force(tree_.coordinates().head<6>(), tree_.speeds().head<6>());
-  return force;
-}
-
 /// Of the parts.
 VecX ReferenceVessel::joint_forces() const {
   return -tree_.stiffness().cwiseProduct(tree_.stretch()) - tree_.damping().cwiseProduct(tree_.speeds());
 }
 
 VecX ReferenceVessel::accelerations(const Wrenches& loads) const {
-  return response(tree_.force(of_vessel(loads), carriage_acceleration()) + joint_forces() + cell_forces());
+  return response(tree_.force(of_vessel(loads), carriage_acceleration()) + joint_forces() + tree_.cell_force());
 }
 
 Vec6 ReferenceVessel::twist_rate(int body, const VecX& accelerations) const {

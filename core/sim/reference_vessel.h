@@ -73,7 +73,6 @@ class ReferenceVessel {
   std::vector<Wrench> of_vessel(const Wrenches& loads) const;
   CarriageMotion::State carriage_acceleration() const;
   VecX joint_forces() const;
-  VecX cell_forces() const;
   void copy_to(Bodies& bodies) const;
 
   JointedTree tree_;
