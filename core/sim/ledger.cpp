@@ -48,9 +48,16 @@ void EnergyAccount::book_work(std::size_t k, double work) {
   put_in_ += std::abs(work);
 }
 
-void EnergyAccount::motion_before_impulses(double kinetic, double carriage_work) {
-  ledger_.integrator -= kinetic - ledger_.kinetic - carriage_work;
-  if (carriage_work != 0) book_work(carriage_, carriage_work);
+/// In a motion; what they do to the kinetic energy is no error of the integrator.
+void EnergyAccount::book_works(const JointAccount::Motion& works) {
+  ledger_.integrator += works.carriage + works.springs;
+  if (works.carriage != 0) book_work(carriage_, works.carriage);
+  if (works.springs != 0) book_work(joints_, works.springs);
+}
+
+void EnergyAccount::motion_before_impulses(double kinetic, const JointAccount::Motion& works) {
+  ledger_.integrator -= kinetic - ledger_.kinetic;
+  book_works(works);
 }
 
 void EnergyAccount::velocity_step(const Bodies& bodies, const StepMotion& motion, const StepLoads& loads,
@@ -97,7 +104,7 @@ void EnergyAccount::velocity_step(const Bodies& bodies, const StepMotion& motion
 }
 
 void EnergyAccount::position_step(double kinetic, double potential, const Velocities& pseudo, const StepMotion& motion,
-                                  const StepLoads& loads, double carriage_work) {
+                                  const StepLoads& loads, const JointAccount::Motion& works) {
   double along_pseudo = 0;
   if (!pseudo.v.empty()) {
     const auto add = [&](const std::vector<Wrench>& wrenches) {
@@ -110,10 +117,7 @@ void EnergyAccount::position_step(double kinetic, double potential, const Veloci
   ledger_.stabilisation += along_pseudo;
   ledger_.integrator -=
       (kinetic - kinetic_after_velocity_) + (potential - potential_before_) + conservative_work_ + along_pseudo;
-  if (carriage_work != 0) {
-    ledger_.integrator += carriage_work;
-    book_work(carriage_, carriage_work);
-  }
+  book_works(works);
   settle_energies(kinetic, potential);
 }
 

@@ -30,16 +30,16 @@ class EnergyAccount {
  public:
   EnergyAccount(const std::vector<std::string>& work_names, double kinetic, double potential);
 
-  /// Books what the motion before the impulses did to the kinetic energy, now `kinetic`; the carriage did
-  /// `carriage_work` in it.
-  void motion_before_impulses(double kinetic, double carriage_work = 0);
+  /// Books what the motion before the impulses did to the kinetic energy, now `kinetic`, and the works of carriage and
+  /// joints in it.
+  void motion_before_impulses(double kinetic, const JointAccount::Motion& works = {});
   /// Books the works and losses of a velocity step.
   void velocity_step(const Bodies& bodies, const StepMotion& motion, const StepLoads& loads,
                      const VesselAccount& vessel);
   /// Books what the position update did: `kinetic` and `potential` at the step's end; `pseudo` the stabilisation's
-  /// velocities (empty: none), along which the conservative loads worked; the carriage did `carriage_work` in it.
+  /// velocities (empty: none), along which the conservative loads worked; the works of carriage and joints in it.
   void position_step(double kinetic, double potential, const Velocities& pseudo, const StepMotion& motion,
-                     const StepLoads& loads, double carriage_work = 0);
+                     const StepLoads& loads, const JointAccount::Motion& works = {});
   /// Books a whole step of the reference integrator: energies at its end, works and losses over it. There is no
   /// integrator_J then: what the integration itself loses is the imbalance.
   void whole_step(double kinetic, double potential, const std::vector<double>& works, double friction, double impact);
@@ -56,6 +56,7 @@ class EnergyAccount {
  private:
   void settle_energies(double kinetic, double potential);
   void book_work(std::size_t k, double work);
+  void book_works(const JointAccount::Motion& works);
 
   Ledger ledger_;
   std::size_t carriage_ = 0, joints_ = 0;  ///< among the works, where they are

@@ -207,7 +207,7 @@ double Simulation::World::part_of_step(double longest, bool may_cut, StepRecord&
   const StepLoads loads = step_loads();
   energy.velocity_step(parts.bodies, motion, loads, vessel);
   energy.position_step(kinetic_energy(parts.bodies), potential(), pseudo, motion, loads,
-                       parts.vessel ? parts.vessel->joint_account().work_after : 0);
+                       parts.vessel ? parts.vessel->joint_account().after : JointAccount::Motion{});
   balance += momentum_balance(parts.bodies, motion, loads, vessel);
   if (parts.vessel) note_vessel(motion, contacts.C, record);
   if (!parts.info.structures.empty()) note_structures(motion, record);

@@ -101,7 +101,7 @@ void Simulation::World::move_before_impulses() {
   if (vessel_moves && !is_booked_whole()) move_vessel_before_impulses();
   if (model.theta < 1)
     energy.motion_before_impulses(kinetic_energy(parts.bodies),
-                                  parts.vessel ? parts.vessel->joint_account().work_before : 0);
+                                  parts.vessel ? parts.vessel->joint_account().before : JointAccount::Motion{});
   // the energy of what the carriage moves is booked from end to end
   if (vessel_moves && is_booked_whole()) {
     const auto b = static_cast<std::size_t>(parts.vessel_index);

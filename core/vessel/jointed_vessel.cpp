@@ -67,10 +67,20 @@ HullCells hull_cells(const CarriageModel& carriage, int speeds) {
   return cells;
 }
 
+std::vector<int> loose_speeds(const JointedTree& tree, const std::optional<HullCells>& cells) {
+  std::vector<int> loose;
+  for (int i = 0; i < tree.num_speeds(); ++i)
+    if (tree.num_rods() > 0 || (tree.stiffness()[i] == 0 && (!cells || cells->stiffness(i, i) == 0)))
+      loose.push_back(i);
+  return loose;
+}
+
 /// The step is a velocity step where the contacts are found, in which weight, water, contact, springs and dampers act
 /// and nothing moves, between motions in which only the joints act: none and h with semi-implicit Euler, (1 - theta) h
 /// and theta h with theta. Rods hold in both. In a motion the carriage has the mean of its speeds over it, and the
-/// vessel bears the changes between these speeds as impulses.
+/// vessel bears the changes between these speeds as impulses. Speeds that a spring or a cell holds do not take part in
+/// these: along them the velocity step has the whole of the carriage's acceleration, so that it does not shake the
+/// springs. With rods all speeds take part.
 class JointedVessel : public VesselMotion {
  public:
   JointedVessel(const VesselModel& model, double t0);
@@ -94,13 +104,21 @@ class JointedVessel : public VesselMotion {
   std::size_t size() const { return static_cast<std::size_t>(tree_.num_bodies()); }
   void begin_account();
   CarriageMotion::State with_mean_speed(double from, double to) const;
-  void change_speeds(const CarriageMotion::State& next, double& work);
-  void move(double from, double to, double& work);
+  struct SpeedChange {
+    VecX jump;      ///< of the speeds
+    VecX borne;     ///< what springs and cells do not feel of it, as an impulse along the speeds that they hold
+    VecX tensions;  ///< impulses of the rods
+  };
+  SpeedChange jump_with(const CarriageMotion::State& change) const;
+  void change_speeds(const CarriageMotion::State& next, JointAccount::Motion& work);
+  void move(double from, double to, JointAccount::Motion& work);
   void add_impulses(const CarriageMotion::State& carriage, double share, const std::vector<Wrench>& joints,
                     double& work);
   void add_rods(double share, const VecX& tensions);
   void demand_rods(double t) const;
   bool has_rods() const { return tree_.num_rods() > 0; }
+  CarriageMotion::State mean_acceleration() const;
+  CarriageMotion::State change_outside_step() const;
   void read_states();
   Wrench unbalanced(std::size_t b, const Wrench& given) const;
   void read_loads(const std::vector<Wrench>& given);
@@ -111,6 +129,7 @@ class JointedVessel : public VesselMotion {
   std::optional<HullCells> cells_;
   JointedTree tree_;
   std::vector<RodModel> rods_;
+  std::vector<int> loose_;            ///< speeds that neither a spring nor a cell holds; with rods all
   double theta_;                      ///< share of the motion after the velocity step
   double damper_share_;               ///< of the speeds after it in what dampers see
   CarriageMotion::State now_, next_;  ///< of the carriage: in the tree; after the velocity step under way
@@ -144,6 +163,7 @@ JointedVessel::JointedVessel(const VesselModel& model, double t0)
     start_on_rods(model, tree_);
   }
   rods_ = model.rods;
+  loose_ = loose_speeds(tree_, cells_);
   parts_.resize(model.parts.size());
   joint_account_.held.resize(size());
   read_states();
@@ -207,30 +227,44 @@ void JointedVessel::demand_rods(double t) const {
                           "' is at a dead point: what it holds can move along it no more");
 }
 
+/// Of a tree at rest, where the carriage changes its speeds at once.
+JointedVessel::SpeedChange JointedVessel::jump_with(const CarriageMotion::State& change) const {
+  const VecX impulse = tree_.force(std::vector<Wrench>(size()), change);
+  const MatX mass = tree_.mass_matrix();
+  VecX jump = VecX::Zero(impulse.size()), tensions = VecX::Zero(tree_.num_rods());
+  if (!loose_.empty()) jump(loose_) = VecX(MatX(mass(loose_, loose_)).llt().solve(VecX(impulse(loose_))));
+  if (has_rods()) {
+    const HeldByRods held = held_by_rods(mass, tree_.rod_jacobian(), tree_.rod_rates(change), jump);
+    jump = held.speeds;
+    tensions = held.tensions;
+  }
+  VecX borne = impulse - mass * jump;
+  borne(loose_).setZero();
+  return {jump, borne, tensions};
+}
+
 /// The carriage takes the speeds of `next` at once, and the vessel bears the impulse.
-void JointedVessel::change_speeds(const CarriageMotion::State& next, double& work) {
+void JointedVessel::change_speeds(const CarriageMotion::State& next, JointAccount::Motion& work) {
   const CarriageMotion::State change = change_between(now_, next);
   if (change.v.isZero(0) && change.yaw_rate == 0) return;
   const VecX u = tree_.speeds();
-  std::vector<Wrench> given(size());
   tree_.set_carriage(stopped(now_));
   tree_.set_speeds(VecX::Zero(u.size()));
-  VecX jump(u.size());
-  if (u.size() > 0) jump = tree_.mass_matrix().llt().solve(tree_.force(given, change));
+  const auto [jump, borne, tensions] = jump_with(change);
+  std::vector<Wrench> given(size());
   if (has_rods()) {
-    const HeldByRods held = held_by_rods(tree_.mass_matrix(), tree_.rod_jacobian(), tree_.rod_rates(change), jump);
-    jump = held.speeds;
-    given = tree_.rod_loads(held.tensions);
-    add_rods(1, held.tensions);
+    given = tree_.rod_loads(tensions);
+    add_rods(1, tensions);
   }
-  add_impulses(between(now_, next), 1, tree_.joint_loads(jump, change, given), work);
+  add_impulses(between(now_, next), 1, tree_.joint_loads(jump, change, given), work.carriage);
+  work.springs -= borne.dot(u);
   now_ = next;
   tree_.set_carriage(now_);
   tree_.set_speeds(u + jump);
 }
 
 /// From one instant to another, with the carriage's mean speeds.
-void JointedVessel::move(double from, double to, double& work) {
+void JointedVessel::move(double from, double to, JointAccount::Motion& work) {
   if (!(to > from)) return;
   change_speeds(with_mean_speed(from, to), work);
   const VecX put_right =
@@ -241,7 +275,7 @@ void JointedVessel::move(double from, double to, double& work) {
                 given = tree_.rod_loads(tensions);
                 add_rods(time, tensions);
               }
-              add_impulses(carriage, time, tree_.joint_loads(accelerations, {}, given), work);
+              add_impulses(carriage, time, tree_.joint_loads(accelerations, {}, given), work.carriage);
             });
   if (has_rods()) add_rods(1, put_right);
   if (!motion_) return;
@@ -253,7 +287,7 @@ void JointedVessel::move(double from, double to, double& work) {
 
 void JointedVessel::move_before_step(double h) {
   begin_account();
-  move(time_, time_ + (1 - theta_) * h, joint_account_.work_before);
+  move(time_, time_ + (1 - theta_) * h, joint_account_.before);
   read_states();
 }
 
@@ -277,6 +311,24 @@ std::vector<Wrench> JointedVessel::contact_impulses(const Wrench& on_hull) const
   return impulses;
 }
 
+/// Of the carriage in the velocity step.
+CarriageMotion::State JointedVessel::mean_acceleration() const {
+  CarriageMotion::State acceleration = change_between(now_, next_);
+  acceleration.v /= h_;
+  acceleration.yaw_rate /= h_;
+  return acceleration;
+}
+
+/// What the carriage's speeds change over the step under way beside the velocity step, which takes them from now_ to
+/// next_.
+CarriageMotion::State JointedVessel::change_outside_step() const {
+  CarriageMotion::State change = change_between(start_, motion_->at(time_ + h_));
+  const CarriageMotion::State inside = change_between(now_, next_);
+  change.v -= inside.v;
+  change.yaw_rate -= inside.yaw_rate;
+  return change;
+}
+
 /// Springs act at the mean of three poses, this one and those before and after it, dampers at the speeds after the step
 /// or at the mean of both: no stiffness and no damping asks for a shorter step. Cells take the exact step of
 /// stiff_block.h, in which the parts' speeds are free.
@@ -284,16 +336,15 @@ VesselBlock JointedVessel::begin_step() {
   const double start = time_ + (1 - theta_) * h_;
   if (start == time_) begin_account();
   next_ = with_mean_speed(start, time_ + h_);
-  CarriageMotion::State acceleration = change_between(now_, next_);
-  acceleration.v /= h_;
-  acceleration.yaw_rate /= h_;
+  const CarriageMotion::State acceleration = mean_acceleration();
   u_before_ = tree_.speeds();
   const VecX of_cells = tree_.cell_force();
   // at rest, so that the force is free of Coriolis terms: those act while the vessel moves
   const VecX still = VecX::Zero(u_before_.size());
   tree_.set_speeds(still);
   tree_.set_carriage(stopped(now_));
-  const VecX force = tree_.force(free_loads(), acceleration);
+  VecX force = tree_.force(free_loads(), acceleration);
+  if (motion_) force += jump_with(change_outside_step()).borne / h_;
   MatX mass = tree_.mass_matrix(), momentum = mass;
   if (cells_) {
     const StiffBlock step = stiff_block(mass, cells_->stiffness, cells_->damping_time, cells_->free, h_);
@@ -341,9 +392,7 @@ void JointedVessel::finish_step(const Wrench& contact) {
   if (!u.allFinite())
     throw SimulationError("at " + std::to_string(time_ + h_) +
                           " s the speeds of the vessel's joints left finite numbers");
-  CarriageMotion::State acceleration = change_between(now_, next_);
-  acceleration.v /= h_;
-  acceleration.yaw_rate /= h_;
+  const CarriageMotion::State acceleration = mean_acceleration();
   tree_.set_carriage(stopped(now_));
   tree_.set_speeds(VecX::Zero(u.size()));
   const std::vector<Wrench> joints = tree_.joint_loads((u - u_before_) / h_, acceleration, given);
@@ -360,8 +409,8 @@ void JointedVessel::finish_step(const Wrench& contact) {
 
   // the motion after it
   const double start = time_ + (1 - theta_) * h_, end = time_ + h_;
-  move(start, end, joint_account_.work_after);
-  change_speeds(with_mean_speed(end, end), joint_account_.work_after);
+  move(start, end, joint_account_.after);
+  change_speeds(with_mean_speed(end, end), joint_account_.after);
   demand_rods(end);
   read_states();
   read_loads(given);

@@ -167,10 +167,15 @@ struct JointAccount {
   /// Per body, hull first: net mean load of all joints, rods and the carriage about its centre of mass, in G, in the
   /// velocity step at the pose of the contacts [N, N m].
   std::vector<Wrench> held;
-  double spring_work = 0;                  ///< of springs and dampers [J]
-  double carriage_work = 0;                ///< in the velocity step [J]
-  double work_before = 0, work_after = 0;  ///< of the carriage in the motion before and after it [J]
-  VecX rods;                               ///< tension of each rod, positive where it pulls, mean over the step [N]
+  double spring_work = 0;    ///< of springs and dampers [J]
+  double carriage_work = 0;  ///< in the velocity step [J]
+  /// In the motion before the velocity step, and after it [J].
+  struct Motion {
+    double carriage = 0;  ///< work of the carriage
+    double springs = 0;   ///< of what holds sprung joints and cells while the carriage changes its speed
+  };
+  Motion before, after;
+  VecX rods;  ///< tension of each rod, positive where it pulls, mean over the step [N]
 };
 
 /// One step is: move_before_impulses() (theta only), begin(), solve contacts, finish(). At a step's end the momenta
