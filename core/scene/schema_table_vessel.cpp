@@ -142,8 +142,7 @@ static std::vector<ElementSpec> carriage() {
              .default_value = "equilibrium",
              .doc = "equilibrium: the vessel starts at rest under weight and buoyancy, the cells deflected; "
                     "axes that are free and that water balances (heave, roll, pitch) are in balance too. "
-                    "as-placed: at its position and upright, the cells unloaded, as vessels with <part> or <rod> start "
-                    "always."}}},
+                    "as-placed: at its position and upright, the cells unloaded, as vessels with <rod> start always."}}},
       {.name = "path",
        .parent = "carriage",
        .doc = "A prescribed motion in place of a speed; heading_deg, ramp and ramp_shape of the carriage have no "

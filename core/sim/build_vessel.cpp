@@ -178,8 +178,8 @@ void add_rods(const Scene& scene, VesselModel& model, RunInfo& info) {
   if (model.rods.empty()) return;
   if (const auto fault = rod_fault(model, scene.time.start)) {
     const RodScene& rod = scene.vessel->rods[static_cast<std::size_t>(fault->rod)];
-    throw InputError(scene.file.string() + ":" + std::to_string(rod.line) + ": <rod name='" + rod.name +
-                     "'>: " + fault->message);
+    const std::string line = rod.line > 0 ? std::to_string(rod.line) + ":" : "";  // none of an added element
+    throw InputError(scene.file.string() + ":" + line + " <rod name='" + rod.name + "'>: " + fault->message);
   }
 }
 
@@ -189,25 +189,38 @@ bool stands_still(const VesselModel& model, std::size_t part) {
   return model.parts[part].to < 0 || stands_still(model, static_cast<std::size_t>(model.parts[part].to));
 }
 
-void add_part_bodies(const Scene& scene, const VesselModel& model, const std::vector<Solid>& solids, int hull,
-                     WorldParts& parts) {
-  parts.num_parts = static_cast<int>(model.parts.size());
+std::vector<BodySpec> part_bodies(const Scene& scene, const VesselModel& model, const std::vector<Solid>& solids,
+                                  const VesselSystem& vessel) {
+  std::vector<BodySpec> specs;
   for (std::size_t k = 0; k < model.parts.size(); ++k) {
     const PartScene& given = scene.vessel->parts[k];
-    const PartModel& part = model.parts[k];
-    const VesselState& state = parts.vessel->parts()[k].state;
     BodySpec spec;
     spec.name = given.name;
     spec.kind = BodyKind::vessel;
     spec.motion = stands_still(model, k) ? Motion::fixed : Motion::articulated;
     spec.material = given.material;
     spec.shape = solids[k].shape;
-    spec.mass = part.mass;
-    spec.inertia_B = part.inertia_B;
-    spec.pose = state.pose;
-    spec.v = state.v;
-    spec.w = state.w;
-    const int body = parts.bodies.add(spec);
+    spec.mass = model.parts[k].mass;
+    spec.inertia_B = model.parts[k].inertia_B;
+    spec.pose = vessel.parts()[k].state.pose;
+    specs.push_back(spec);
+  }
+  return specs;
+}
+
+void start_as(const VesselState& state, BodySpec& spec) {
+  spec.pose = state.pose;
+  spec.v = state.v;
+  spec.w = state.w;
+}
+
+void add_part_bodies(const Scene& scene, const VesselModel& model, const std::vector<BodySpec>& specs, int hull,
+                     WorldParts& parts) {
+  parts.num_parts = static_cast<int>(model.parts.size());
+  for (std::size_t k = 0; k < model.parts.size(); ++k) {
+    const PartScene& given = scene.vessel->parts[k];
+    const PartModel& part = model.parts[k];
+    const int body = parts.bodies.add(specs[k]);
     if (part.joint != JointKind::free) parts.joined.emplace_back(hull + 1 + part.to, body);
     parts.info.parts.push_back({given.name, part.joint});
     parts.info.modules.emplace_back("part " + given.name, "<part joint=\"" + given.joint + "\">");
@@ -248,11 +261,11 @@ int build_vessel(const Scene& scene, WorldParts& parts) {
   spec.mass = model.mass.mass;
   spec.inertia_B = model.mass.inertia;
   spec.pose = parts.vessel->state().pose;
-  settle_vessel(scene, spec, parts);
-  const VesselState& state = parts.vessel->state();
-  spec.pose = state.pose;
-  spec.v = state.v;
-  spec.w = state.w;
+  std::vector<BodySpec> specs{spec};
+  for (const BodySpec& part : part_bodies(scene, model, solids, *parts.vessel)) specs.push_back(part);
+  settle_vessel(scene, specs, parts);
+  start_as(parts.vessel->state(), specs.front());
+  for (std::size_t k = 0; k < model.parts.size(); ++k) start_as(parts.vessel->parts()[k].state, specs[k + 1]);
 
   RunInfo& info = parts.info;
   info.has_vessel = true;
@@ -260,8 +273,8 @@ int build_vessel(const Scene& scene, WorldParts& parts) {
   info.has_cells = info.has_carriage && model.carriage->balance == BalanceKind::six_cells;
   info.vessel_mass = model.mass;
   for (const auto& name : parts.vessel->built()) info.modules.emplace_back(name, "<vessel>");
-  const int index = parts.bodies.add(spec);
-  add_part_bodies(scene, model, solids, index, parts);
+  const int index = parts.bodies.add(specs.front());
+  add_part_bodies(scene, model, {specs.begin() + 1, specs.end()}, index, parts);
   return index;
 }
 

@@ -212,6 +212,11 @@ class Doubts {
   void hull() {
     const std::string place = scene_.vessel && scene_.vessel->generate ? "vessel/hull" : "vessel/@hull";
     for (const std::string& message : vessel_doubts(scene_, parts_)) doubt(place, message);
+    if (!parts_.restless.empty())
+      doubt("vessel", fmt::format("part '{}' finds no rest: nothing brings it back to where it is, or it starts with a "
+                                  "rate. So the vessel starts as placed and without a tare; <carriage "
+                                  "start=\"as-placed\"> says that this is meant",
+                                  parts_.restless));
   }
 
   void structures() {

@@ -4,10 +4,10 @@
 
 namespace nilas {
 
-/// Puts parts.vessel, whose body is `spec`, in static equilibrium under its weight and, where the scene has it, its
-/// buoyancy, unless the scene wants it as placed; notes the tare in parts.info. Nothing without a carriage, and nothing
-/// for a vessel with parts on joints, which starts as placed. Throws
-/// InputError when a vessel that is to start in equilibrium finds none.
-void settle_vessel(const Scene& scene, const BodySpec& spec, WorldParts& parts);
+/// Puts parts.vessel, whose bodies are `specs`, hull first, in static equilibrium under weight and, where the scene has
+/// it, buoyancy, unless the scene wants it as placed; notes the tare in parts.info, or in parts.restless the part that
+/// finds no rest. Nothing without a carriage. Throws InputError when a vessel that is to start in equilibrium finds
+/// none.
+void settle_vessel(const Scene& scene, const std::vector<BodySpec>& specs, WorldParts& parts);
 
 }  // namespace nilas

@@ -29,6 +29,7 @@ struct WorldParts {
   std::optional<TankScene> course_within;  ///< whose walls end the course of a towed vessel
   std::optional<VesselModel> vessel_model;
   int vessel_index = -1;                        ///< of its hull
+  std::string restless;                         ///< the part that keeps a towed vessel from starting at rest
   int num_parts = 0;                            ///< of the vessel, whose bodies follow the hull's in their order
   std::vector<std::pair<int, int>> joined;      ///< bodies a < b that a joint holds together, in rising order
   std::vector<PlannedIce> ice;                  ///< its floes in the order of their bodies

@@ -27,7 +27,7 @@ class CarriedVessel : public VesselMotion {
   /// The momenta balance between the two ends of the step, so this is the velocity at its end.
   Vec6 velocity_after_impulses() const override;
   void displace(const Vec6&, double) override {}
-  std::optional<CarriageLoads> settle(const RestModel& rest, bool start_there) override;
+  VesselRest settle(const RestModel& rest, bool start_there) override;
   double spring_energy() const override { return tree_.cell_energy(); }
   VecX coordinates() const override;
 

@@ -210,6 +210,33 @@ void JointedTree::normalise_quaternions() {
   }
 }
 
+std::pair<int, int> JointedTree::speeds_of(int body) const {
+  const Implementation& tree = *implementation_;
+  const auto& one = tree.body(body);
+  return {one.first_u - tree.carried, one.mobilized.getNumU(tree.state)};
+}
+
+VecX JointedTree::moved(const VecX& q, const VecX& along) const {
+  const Implementation& tree = *implementation_;
+  VecX out = q;
+  for (int b = 0; b < num_bodies(); ++b) {
+    const auto& body = tree.body(b);
+    const auto [from, count] = speeds_of(b);
+    int to = body.first_q - tree.carried, done = 0;
+    if (count > 0 && (b == 0 ? tree.free_hull : has_quaternion(body.part.joint))) {
+      const Vec3 turn = along.segment<3>(from);
+      const double angle = turn.norm();
+      const Quat before(q[to], q[to + 1], q[to + 2], q[to + 3]);
+      const Quat turned = angle > 0 ? Quat(Eigen::AngleAxisd(angle, Vec3(turn / angle))) * before : before;
+      out.segment<4>(to) << turned.w(), turned.x(), turned.y(), turned.z();
+      to += 4;
+      done = 3;
+    }
+    for (; done < count; ++done) out[to++] += along[from + done];
+  }
+  return out;
+}
+
 void JointedTree::set_speeds(const VecX& u) {
   Implementation& tree = *implementation_;
   NILAS_DEMAND(u.size() == tree.speeds);

@@ -4,6 +4,7 @@
 /// and wrenches are in G at the centre of mass. The n speeds and the coordinates are those of the vessel alone: the
 /// carriage's are given.
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "core/vessel/vessel_system.h"
@@ -28,6 +29,9 @@ class JointedTree {
   void set_coordinates(const VecX& q);  ///< quaternions need not be exactly unit
   void set_speeds(const VecX& u);
   void normalise_quaternions();
+  /// Coordinates that are `along` away from q: per speed an angle or a way, of a ball the rotation vector.
+  VecX moved(const VecX& q, const VecX& along) const;
+  std::pair<int, int> speeds_of(int body) const;  ///< the first, and how many
   /// Position, yaw and speeds of the carriage; a tree without one has none.
   void set_carriage(const CarriageMotion::State& state);
   bool has_carriage() const;

@@ -1,10 +1,14 @@
 /// The vessel of several bodies: its step. docs/theory_vessel.md
+#include <numeric>
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/vessel/carriage_changes.h"
 #include "core/vessel/carried_vessel.h"
 #include "core/vessel/cells.h"
+#include "core/vessel/held_speeds.h"
 #include "core/vessel/jointed_drift.h"
+#include "core/vessel/jointed_rest.h"
 #include "core/vessel/jointed_tree.h"
 #include "core/vessel/rods.h"
 #include "core/vessel/vessel_motion.h"
@@ -28,59 +32,12 @@ void add(double share, const std::vector<Wrench>& part, std::vector<Wrench>& sum
 
 Wrench over(const Wrench& impulse, double h) { return {impulse.force / h, impulse.torque / h}; }
 
-CarriageMotion::State stopped(CarriageMotion::State carriage) {
-  carriage.v.setZero();
-  carriage.yaw_rate = 0;
-  return carriage;
-}
-
-/// With the mean of both speeds.
-CarriageMotion::State between(const CarriageMotion::State& before, const CarriageMotion::State& after) {
-  CarriageMotion::State carriage = before;
-  carriage.v = 0.5 * (before.v + after.v);
-  carriage.yaw_rate = 0.5 * (before.yaw_rate + after.yaw_rate);
-  return carriage;
-}
-
-/// What turns the one's speeds into the other's, as an acceleration over one second.
-CarriageMotion::State change_between(const CarriageMotion::State& before, const CarriageMotion::State& after) {
-  CarriageMotion::State change;
-  change.v = after.v - before.v;
-  change.yaw_rate = after.yaw_rate - before.yaw_rate;
-  return change;
-}
-
-/// The cells of the carriage as the step needs them.
-struct HullCells {
-  Eigen::PartialPivLU<Mat6> layout;
-  MatX stiffness;           ///< n x n; the hull's speeds come first
-  double damping_time = 0;  ///< [s]
-  std::vector<int> free;    ///< speeds that no cell holds: of the parts, and of the hull's free axes
-};
-
-HullCells hull_cells(const CarriageModel& carriage, int speeds) {
-  const Mat6 wrenches = cell_wrenches(carriage.cells);
-  HullCells cells{Eigen::PartialPivLU<Mat6>(wrenches), MatX::Zero(speeds, speeds),
-                  carriage.damping / carriage.stiffness, free_coordinates(carriage)};
-  cells.stiffness.topLeftCorner<6, 6>() = condensed_stiffness(wrenches, carriage.stiffness, cells.free);
-  for (int i = 6; i < speeds; ++i) cells.free.push_back(i);
-  return cells;
-}
-
-std::vector<int> loose_speeds(const JointedTree& tree, const std::optional<HullCells>& cells) {
-  std::vector<int> loose;
-  for (int i = 0; i < tree.num_speeds(); ++i)
-    if (tree.num_rods() > 0 || (tree.stiffness()[i] == 0 && (!cells || cells->stiffness(i, i) == 0)))
-      loose.push_back(i);
-  return loose;
-}
-
 /// The step is a velocity step where the contacts are found, in which weight, water, contact, springs and dampers act
 /// and nothing moves, between motions in which only the joints act: none and h with semi-implicit Euler, (1 - theta) h
 /// and theta h with theta. Rods hold in both. In a motion the carriage has the mean of its speeds over it, and the
 /// vessel bears the changes between these speeds as impulses. Speeds that a spring or a cell holds do not take part in
 /// these: along them the velocity step has the whole of the carriage's acceleration, so that it does not shake the
-/// springs. With rods all speeds take part.
+/// springs.
 class JointedVessel : public VesselMotion {
  public:
   JointedVessel(const VesselModel& model, double t0);
@@ -89,6 +46,7 @@ class JointedVessel : public VesselMotion {
   std::vector<Vec6> part_velocities_after_impulses() const override { return {after_.begin() + 1, after_.end()}; }
   void displace(const Vec6&, double) override {}
   double spring_energy() const override;
+  VesselRest settle(const RestModel& rest, bool start_there) override;
   bool can_move() const override { return tree_.has_carriage() || tree_.num_speeds() > 0; }
   VecX coordinates() const override;
 
@@ -101,6 +59,7 @@ class JointedVessel : public VesselMotion {
   void restore_motion(const StateReader& in) override;
 
  private:
+  void read_carriage(const Wrench& about_point);
   std::size_t size() const { return static_cast<std::size_t>(tree_.num_bodies()); }
   void begin_account();
   CarriageMotion::State with_mean_speed(double from, double to) const;
@@ -125,11 +84,12 @@ class JointedVessel : public VesselMotion {
   std::vector<Wrench> free_loads() const;
   std::vector<Wrench> contact_impulses(const Wrench& on_hull) const;
 
+  VesselModel model_;
   std::optional<CarriageMotion> motion_;
   std::optional<HullCells> cells_;
   JointedTree tree_;
   std::vector<RodModel> rods_;
-  std::vector<int> loose_;            ///< speeds that neither a spring nor a cell holds; with rods all
+  std::vector<int> loose_;            ///< speeds that neither a spring nor a cell holds
   double theta_;                      ///< share of the motion after the velocity step
   double damper_share_;               ///< of the speeds after it in what dampers see
   CarriageMotion::State now_, next_;  ///< of the carriage: in the tree; after the velocity step under way
@@ -146,6 +106,7 @@ class JointedVessel : public VesselMotion {
 
 JointedVessel::JointedVessel(const VesselModel& model, double t0)
     : VesselMotion(model, t0),
+      model_(model),
       tree_(model),
       theta_(model.theta.value_or(1)),
       damper_share_(model.theta ? 0.5 : 1),
@@ -173,6 +134,29 @@ JointedVessel::JointedVessel(const VesselModel& model, double t0)
 double JointedVessel::spring_energy() const {
   const VecX x = tree_.stretch();
   return 0.5 * x.dot(tree_.stiffness().cwiseProduct(x)) + tree_.cell_energy();
+}
+
+VesselRest JointedVessel::settle(const RestModel& rest, bool start_there) {
+  NILAS_DEMAND(h_ == 0);
+  if (!motion_) return {};
+  const VecX placed = tree_.coordinates(), u = tree_.speeds();
+  const JointedRest found = jointed_rest(tree_, model_, rest, now_);
+  const CarriageLoads before = loads_;
+  tree_.set_carriage(now_);
+  tree_.set_speeds(u);
+  tree_.set_coordinates(found.coordinates);
+  read_states();
+  read_carriage(found.carried);
+  const CarriageLoads carried = loads_;
+  if (found.moving || !start_there) {
+    tree_.set_coordinates(placed);
+    read_states();
+    loads_ = before;
+  }
+  for (int b = 0; b < tree_.num_bodies(); ++b) after_[static_cast<std::size_t>(b)] = tree_.twist(b);
+  if (!found.moving) return {carried, {}};
+  if (*found.moving == 0) return {};
+  return {{}, static_cast<std::size_t>(*found.moving - 1)};
 }
 
 VecX JointedVessel::coordinates() const {
@@ -227,19 +211,30 @@ void JointedVessel::demand_rods(double t) const {
                           "' is at a dead point: what it holds can move along it no more");
 }
 
-/// Of a tree at rest, where the carriage changes its speeds at once.
+/// Of a tree at rest, where the carriage changes its speeds at once. Rods that the loose speeds alone cannot obey move
+/// the others too.
 JointedVessel::SpeedChange JointedVessel::jump_with(const CarriageMotion::State& change) const {
-  const VecX impulse = tree_.force(std::vector<Wrench>(size()), change);
-  const MatX mass = tree_.mass_matrix();
+  VecX impulse = tree_.force(std::vector<Wrench>(size()), change);
+  const MatX mass = tree_.mass_matrix(), rods = has_rods() ? tree_.rod_jacobian() : MatX();
+  std::vector<int> moving = loose_;
+  if (has_rods() && !obey_with(rods, loose_)) {
+    moving.resize(static_cast<std::size_t>(impulse.size()));
+    std::iota(moving.begin(), moving.end(), 0);
+  }
   VecX jump = VecX::Zero(impulse.size()), tensions = VecX::Zero(tree_.num_rods());
-  if (!loose_.empty()) jump(loose_) = VecX(MatX(mass(loose_, loose_)).llt().solve(VecX(impulse(loose_))));
-  if (has_rods()) {
-    const HeldByRods held = held_by_rods(mass, tree_.rod_jacobian(), tree_.rod_rates(change), jump);
-    jump = held.speeds;
-    tensions = held.tensions;
+  if (!moving.empty()) {
+    const MatX of_moving = mass(moving, moving);
+    VecX speeds = of_moving.llt().solve(VecX(impulse(moving)));
+    if (has_rods()) {
+      const HeldByRods held = held_by_rods(of_moving, rods(Eigen::all, moving), tree_.rod_rates(change), speeds);
+      speeds = held.speeds;
+      tensions = held.tensions;
+      impulse -= rods.transpose() * tensions;
+    }
+    for (std::size_t i = 0; i < moving.size(); ++i) jump[moving[i]] = speeds[static_cast<Eigen::Index>(i)];
   }
   VecX borne = impulse - mass * jump;
-  borne(loose_).setZero();
+  for (const int i : moving) borne[i] = 0;
   return {jump, borne, tensions};
 }
 
@@ -437,6 +432,12 @@ Wrench JointedVessel::unbalanced(std::size_t b, const Wrench& given) const {
   return {gained.head<3>() - given.force - net.force, gained.tail<3>() - given.torque - net.torque};
 }
 
+void JointedVessel::read_carriage(const Wrench& about_point) {
+  loads_.about_joint = loads_.about_com = about_point;
+  loads_.about_com.torque += (now_.p - state_.pose.p).cross(about_point.force);
+  if (cells_) loads_.cells = cell_readings(cells_->layout, about_point, now_.yaw);
+}
+
 /// Means over the step, and what the momenta say beside them. `given`: those of the velocity step's rods included.
 void JointedVessel::read_loads(const std::vector<Wrench>& given) {
   joint_account_.rods = impulses_.rods / h_;
@@ -447,10 +448,7 @@ void JointedVessel::read_loads(const std::vector<Wrench>& given) {
     parts_[k].unbalanced_torque = lack.torque.norm();
   }
   if (!motion_) return;
-  loads_.about_joint = over(impulses_.carriage_about_point, h_);
-  loads_.about_com = loads_.about_joint;
-  loads_.about_com.torque += (now_.p - state_.pose.p).cross(loads_.about_com.force);
-  if (cells_) loads_.cells = cell_readings(cells_->layout, loads_.about_joint, now_.yaw);
+  read_carriage(over(impulses_.carriage_about_point, h_));
   const Wrench lack = unbalanced(0, given.front());
   loads_.disagreement = {-lack.force, -lack.torque};
 }

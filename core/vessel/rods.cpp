@@ -75,6 +75,15 @@ HeldByRods held_by_rods(const MatX& mass, const MatX& jacobian, const VecX& impo
   return held;
 }
 
+bool obey_with(const MatX& jacobian, const std::vector<int>& some) {
+  constexpr double k_idle = 1e-6;  // of what the rod that they move most is moved by
+  if (static_cast<Eigen::Index>(some.size()) < jacobian.rows()) return false;
+  Eigen::ColPivHouseholderQR<MatX> factors;
+  factors.setThreshold(k_idle);
+  factors.compute(MatX(jacobian(Eigen::all, some)).transpose());
+  return factors.rank() == jacobian.rows();
+}
+
 VesselBlock block_on_rods(const VesselBlock& block, const MatX& jacobian, const VecX& imposed) {
   const Eigen::Index rods = jacobian.rows(), left = jacobian.cols() - rods;
   const Eigen::HouseholderQR<MatX> factors(jacobian.transpose());

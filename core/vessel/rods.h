@@ -17,6 +17,9 @@ struct HeldByRods {
 /// `mass` (n x n), with mass * (speeds - free) = -jacobian^T * tensions. The jacobian (m x n) has full rank.
 HeldByRods held_by_rods(const MatX& mass, const MatX& jacobian, const VecX& imposed, const VecX& free);
 
+/// Whether some of the speeds alone, by their indices, can obey the rods, whatever the carriage imposes.
+bool obey_with(const MatX& jacobian, const std::vector<int>& some);
+
 /// The contact problem's block in the n - m coordinates z that rods leave: speeds = N z + what the carriage imposes,
 /// the columns of N orthonormal. Impulses on it obey the rods exactly.
 VesselBlock block_on_rods(const VesselBlock& block, const MatX& jacobian, const VecX& imposed);

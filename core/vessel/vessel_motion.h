@@ -20,7 +20,7 @@ class VesselMotion {
   virtual void displace(const Vec6& pseudo_twist, double h) = 0;
   virtual double spring_energy() const { return 0; }
   /// As VesselSystem::settle(); nothing without a carriage.
-  virtual std::optional<CarriageLoads> settle(const RestModel&, bool /*start_there*/) { return std::nullopt; }
+  virtual VesselRest settle(const RestModel&, bool /*start_there*/) { return {}; }
   virtual VecX coordinates() const = 0;
   virtual bool can_move() const { return true; }
   virtual std::vector<Vec6> part_velocities_after_impulses() const { return {}; }

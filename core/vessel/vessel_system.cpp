@@ -153,7 +153,7 @@ bool VesselSystem::fixed() const { return !implementation_->motion->can_move(); 
 bool VesselSystem::on_carriage() const { return implementation_->on_carriage; }
 std::vector<std::string> VesselSystem::built() const { return implementation_->built; }
 
-std::optional<CarriageLoads> VesselSystem::settle(const RestModel& rest, bool start_there) {
+VesselRest VesselSystem::settle(const RestModel& rest, bool start_there) {
   return implementation_->motion->settle(rest, start_there);
 }
 void VesselSystem::move_before_impulses(double h) { implementation_->motion->move_before_impulses(h); }

@@ -141,12 +141,20 @@ struct CarriageLoads {
 
 /// What acts on a vessel at rest beside its carriage, and the scales of it.
 struct RestModel {
-  /// Weight and buoyancy about the centre of mass in G, at a pose of its frame.
-  std::function<Wrench(const Pose&)> load;
+  /// Weight and buoyancy of hull and parts, each about its centre of mass in G, where their frames are at these poses.
+  std::function<std::vector<Wrench>(const std::vector<Pose>&)> loads;
   double weight = 0;    ///< scale of the forces [N]
   double length = 1;    ///< scale of the moves [m]
   bool afloat = false;  ///< water balances heave, roll and pitch where the joint leaves them free
   double heave = 0;     ///< along a free heave, where the search begins a second time if the first fails [m]
+};
+
+/// Where a towed vessel is at rest.
+struct VesselRest {
+  /// What the carriage carries there, torques and readings as of a step at rest; nothing where there is no rest.
+  std::optional<CarriageLoads> carried;
+  /// The part that moves, where it is one that keeps the vessel from rest.
+  std::optional<std::size_t> moving_part;
 };
 
 /// A part and its joint after a step.
@@ -202,10 +210,11 @@ class VesselSystem {
   std::vector<std::string> built() const;
 
   /// On a carriage, before the first step: the static equilibrium of the cells' deflections and of the free axes that
-  /// water balances; other free axes stay. Returns what the carriage carries there, its torques and readings as of a
-  /// step at rest; nothing where a free axis carries more than 1 % of the weight unbalanced, as a vessel that falls, or
-  /// without a carriage. `start_there`: moves the vessel to it. Throws InputError when no equilibrium is found.
-  std::optional<CarriageLoads> settle(const RestModel& rest, bool start_there);
+  /// water balances; other free axes stay. So do the joints of parts whose springs, weight or water bring them back.
+  /// There is no rest where a free axis carries more than 1 % of the weight unbalanced, as a vessel that falls, where a
+  /// part moves as the scene starts it, and without a carriage. `start_there`: moves the vessel to its rest. Throws
+  /// InputError when no equilibrium is found.
+  VesselRest settle(const RestModel& rest, bool start_there);
 
   /// The first part of a step of length h [s], up to the pose where loads and contacts act: (1 - theta) h with the
   /// velocities that the vessel has. state() is then that of the middle pose, the carriage's velocity that of its

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/numerics/nonlinear_solve.h"
+#include "core/vessel/carriage_changes.h"
 #include "core/vessel/carried_vessel.h"
 
 namespace nilas {
@@ -16,12 +17,6 @@ constexpr int k_roll = 0, k_pitch = 1, k_heave = 5;
 constexpr int k_first_translation = 3;
 /// Share of the weight along an axis that is left free above which the vessel falls or swings rather than rests.
 constexpr double k_unbalanced = 0.01;
-
-CarriageMotion::State standing(CarriageMotion::State carriage) {
-  carriage.v.setZero();
-  carriage.yaw_rate = 0;
-  return carriage;
-}
 
 }  // namespace
 
@@ -37,9 +32,9 @@ std::vector<int> CarriedVessel::settling_coordinates(bool afloat) const {
 
 VecX CarriedVessel::static_force(const RestModel& rest, const VecX& q) {
   tree_.set_coordinates(q);
-  tree_.set_carriage(standing(now_));
+  tree_.set_carriage(stopped(now_));
   tree_.set_speeds(VecX::Zero(tree_.size()));
-  return tree_.force(rest.load(tree_.pose()), {}) + tree_.cell_force();
+  return tree_.force(rest.loads({tree_.pose()}).front(), {}) + tree_.cell_force();
 }
 
 VecX CarriedVessel::equilibrium(const RestModel& rest) {
@@ -77,9 +72,9 @@ VecX CarriedVessel::equilibrium(const RestModel& rest) {
   return at(found.x);
 }
 
-std::optional<CarriageLoads> CarriedVessel::settle(const RestModel& rest, bool start_there) {
+VesselRest CarriedVessel::settle(const RestModel& rest, bool start_there) {
   NILAS_DEMAND(h_ == 0);
-  if (rest.weight == 0) return CarriageLoads{};
+  if (rest.weight == 0) return {CarriageLoads{}, {}};
   const VecX q = equilibrium(rest);
   const VecX left = static_force(rest, q);
   bool rests = true;
@@ -89,7 +84,7 @@ std::optional<CarriageLoads> CarriedVessel::settle(const RestModel& rest, bool s
   }
   // the tree stands at q: the carriage holds against all that acts there
   const Pose pose = tree_.pose();
-  const Wrench load = rest.load(pose);
+  const Wrench load = rest.loads({pose}).front();
   Vec6 reaction = Vec6::Zero();
   reaction.head<3>() -= load.force;
   reaction.tail<3>() -= load.torque;
@@ -102,8 +97,8 @@ std::optional<CarriageLoads> CarriedVessel::settle(const RestModel& rest, bool s
   else
     loads_ = before;
   place(now_, u_);
-  if (!rests) return std::nullopt;
-  return carried;
+  if (!rests) return {};
+  return {carried, {}};
 }
 
 }  // namespace nilas

@@ -110,6 +110,35 @@ TEST_P(VesselAtRest, AFreeHullStartsWhereItFloats) {
   EXPECT_NEAR(rig.simulation.bodies().w_GB[rig.vessel()].norm(), 0, 1e-11);
 }
 
+/// An arm that sags on its spring and a barge that floats at its hinge: hull, joints and cells start at rest.
+TEST_P(VesselAtRest, SoAreItsParts) {
+  const std::string parts =
+      "<part name='arm' joint='hinge' axis='0 1 0' at='4 0 0.9' position='4.4 0 0.9' size='0.4 0.2 0.2' mass='20' "
+      "stiffness='400' damping='20'/>"
+      "<part name='barge' joint='hinge' axis='0 1 0' at='-0.2 0 0.4' position='-1.2 0 0.2' size='1.6 0.8 0.6' "
+      "mass='300'/>";
+  for (const std::string& balance : {k_six_cells, std::string("<force_balance kind='rigid'/>")}) {
+    std::string vessel = ship("free='heave'", balance, "<mass value='600'/>", "1 2 -0.3");
+    vessel.insert(vessel.find("</vessel>"), parts);
+    Rig rig(integrator(GetParam()) + k_water + vessel);
+    const double weight = 9.81 * (rig.mass() + 320);
+    const Vec3 start = rig.place();
+    for (int k = 0; k < 100; ++k) {
+      const StepRecord record = rig.simulation.step();
+      const CarriageLoads& carried = *record.vessel->carriage;
+      ASSERT_LT(largest_difference(carried.cells, rig.tare().cells), 1e-10 * weight) << k;
+      ASSERT_LT((carried.about_joint.force - rig.tare().about_joint.force).norm(), 1e-10 * weight) << k;
+      ASSERT_LT((carried.about_joint.torque - rig.tare().about_joint.torque).norm(), 1e-10 * weight) << k;
+      for (const PartRecord& part : record.vessel->parts) ASSERT_LT(part.rates.norm(), 1e-10) << k;
+      // k a = m g l cos(a)
+      const double a = record.vessel->parts[0].coordinates[0];
+      ASSERT_NEAR(400 * a, 20 * 9.81 * 0.4 * std::cos(a), balance == k_six_cells ? 0.1 : 1e-8);
+      ASSERT_GT(std::abs(record.vessel->parts[1].coordinates[0]), 1e-3);
+    }
+    EXPECT_LT((rig.place() - start).norm(), 1e-10);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(BothIntegrators, VesselAtRest, testing::Values("semi-implicit-euler", "moreau"),
                          [](const auto& param) { return param.param == "moreau" ? "Moreau" : "Euler"; });
 
@@ -159,6 +188,22 @@ TEST(VesselRest, WhatFallsHasNoTareAndWhatSinksIsRefused) {
   }
   Rig sinking(integrator("moreau") + k_water + ship("free='heave' start='as-placed'", k_six_cells, heavy, "1 2 0"));
   EXPECT_FALSE(sinking.simulation.info().tare.has_value());
+}
+
+TEST(VesselRest, APartThatNothingHoldsIsToldAndStartsAsPlaced) {
+  for (const std::string start : {"", " start='as-placed'"}) {
+    std::string vessel = ship("free='heave'" + start, k_six_cells, "<mass value='600'/>", "1 2 -0.3");
+    vessel.insert(vessel.find("</vessel>"),
+                  "<part name='arm' joint='hinge' axis='0 1 0' at='4 0 0.9' position='4.4 0 0.9' size='0.4 0.2 0.2' "
+                  "mass='20'/>");
+    Rig rig(integrator("moreau") + k_water + vessel);
+    EXPECT_FALSE(rig.simulation.info().tare.has_value());
+    EXPECT_NEAR(rig.place().z(), -0.3 + rig.simulation.info().vessel_mass.com.z(), 1e-15);
+    long told = 0;
+    for (const Fault& fault : rig.simulation.info().warnings)
+      told += fault.message.find("part 'arm' finds no rest") != std::string::npos;
+    EXPECT_EQ(told, start.empty() ? 1 : 0);
+  }
 }
 
 TEST(VesselRest, ThreadsAndCheckpointsKeepItsBits) {

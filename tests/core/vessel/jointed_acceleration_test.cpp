@@ -93,6 +93,21 @@ TEST_P(JointedAcceleration, ReadsWithAWeldedPartWhatOneBodyReads) {
   }
 }
 
+/// A long rod holds a slider across the course. What the rod does while the vessel moves is small: 1e-6 of the inertia.
+TEST_P(JointedAcceleration, DeflectsCellsByTheInertiaBesideARod) {
+  const double mass = 200, whole = mass + example::k_mass;
+  VesselModel model = sped_up(theta(), wh(), whole);
+  PartModel part = at_the_centre(model, JointKind::slider, mass);
+  part.axis_V = Vec3::UnitY();
+  model.parts = {part};
+  const Vec3 across = Quat(Eigen::AngleAxisd(0.3, Vec3::UnitZ())) * Vec3(0, 200, 0);
+  model.rods.push_back({"tie", 0, model.mass.com, model.carriage->motion.at(0).p + across, std::nullopt});
+  VesselSystem system(model, 0);
+  for (int k = 0; k < 150; ++k) example::step(system, std::vector<Wrench>(2), k_h);
+  EXPECT_GT(std::abs(system.joint_account().rods[0]), 0.1);
+  EXPECT_NEAR(deflection(model, system).x() / (-whole * k_acceleration / model.carriage->stiffness), 1, 0.01);
+}
+
 INSTANTIATE_TEST_SUITE_P(Steps, JointedAcceleration,
                          testing::Combine(testing::Values(std::optional<double>(), std::optional<double>(0.5),
                                                           std::optional<double>(0.8)),
