@@ -26,10 +26,11 @@ Axis AxisContest::winner() {
   keep_largest(rivals_, k_alignment_tie * line.norm(), [&](const Axis& axis) { return axis.n.dot(line); });
   for (const int i : {0, 1})
     keep_largest(rivals_, k_alignment_tie, [i](const Axis& axis) { return std::abs(axis.n[i]); });
-  keep_largest(rivals_, k_alignment_tie, [](const Axis& axis) { return axis.n.x(); });
+  for (const int i : {0, 2}) keep_largest(rivals_, k_alignment_tie, [i](const Axis& axis) { return axis.n[i]; });
   // what is left coincides but for rounding, in numbers that a mirrored pair shares
   const auto rank = [&](const Axis& axis) {
-    return std::tuple(-static_cast<int>(axis.kind), axis.s, axis.n.dot(line), axis.n.x(), std::abs(axis.n.y()));
+    return std::tuple(-static_cast<int>(axis.kind), axis.s, axis.n.dot(line), axis.n.x(), std::abs(axis.n.y()),
+                      axis.n.z());
   };
   return *std::max_element(rivals_.begin(), rivals_.end(),
                            [&](const Axis& a, const Axis& b) { return rank(a) < rank(b); });

@@ -1,6 +1,8 @@
 #pragma once
 /// Which of many axes separates a pair best, with ties broken by geometry alone: a mirrored pair makes the mirrored
 /// choice whatever the order in which its vertices and faces are listed.
+#include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "contact/detect/pair_view.h"
@@ -27,7 +29,7 @@ class AxisContest {
   double highest() const { return highest_; }
 
   /// Of the axes within the pair's tolerance of the largest separation: the nearest to the line of centres, then the
-  /// nearest to A's x axis, then to its y axis, then the one towards x. Of axes that coincide: a face rather than
+  /// nearest to A's x axis, then to its y axis, then the one towards x, then towards z. Of axes that coincide: a face rather than
   /// edges. A default axis without any.
   Axis winner();
 

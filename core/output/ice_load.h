@@ -20,10 +20,11 @@ struct ComponentLoad {
 };
 
 /// The mean force of the carriage along the course, positive forward, and what takes it: tow = ice + others +
-/// water + inertia.
+/// water + inertia. With rods their pull is within `inertia`, and outputs say so.
 struct TowForce {
-  double mean = 0, std = 0;                                     ///< [N]
-  double ice = 0, water = 0, inertia = 0;                       ///< [N]
+  double mean = 0, std = 0;                ///< [N]
+  double ice = 0, water = 0, inertia = 0;  ///< [N]
+  bool on_rods = false;
   double others = 0;                                            ///< contacts with walls and bodies [N]
   double speed = 0;                                             ///< mean speed along the course over the window [m/s]
   std::optional<double> open_water;                             ///< mean force of the same tow without ice [N]

@@ -61,9 +61,10 @@ Json ice_load_json(const IceLoad& load, CourseKind course) {
 }
 
 Json tow_force_json(const TowForce& tow) {
-  Json json{
-      {"mean_N", tow.mean},   {"std_N", tow.std},         {"ice_N", tow.ice},      {"other_contacts_N", tow.others},
-      {"water_N", tow.water}, {"inertia_N", tow.inertia}, {"speed_m_s", tow.speed}};
+  Json json{{"mean_N", tow.mean},    {"std_N", tow.std},
+            {"ice_N", tow.ice},      {"other_contacts_N", tow.others},
+            {"water_N", tow.water},  {tow.on_rods ? "inertia_and_rods_N" : "inertia_N", tow.inertia},
+            {"speed_m_s", tow.speed}};
   if (tow.open_water) {
     json["open_water_N"] = *tow.open_water;
     json["open_water_source"] = tow.open_water_source;

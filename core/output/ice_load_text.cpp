@@ -78,8 +78,8 @@ std::string tow_lines(const TowForce& tow) {
   const auto is_some = [&](double newton) { return std::abs(newton) > k_rounding * std::abs(tow.mean); };
   const auto part = [&](double newton) { return force_text(is_some(newton) ? newton : 0); };
   std::string text =
-      line("tow force", fmt::format("{} forward: ice takes {}, water {}, inertia {}{}", force_text(tow.mean),
-                                    part(tow.ice), part(tow.water), part(tow.inertia),
+      line("tow force", fmt::format("{} forward: ice takes {}, water {}, inertia{} {}{}", force_text(tow.mean),
+                                    part(tow.ice), part(tow.water), tow.on_rods ? " and rods" : "", part(tow.inertia),
                                     is_some(tow.others) ? ", other contacts " + part(tow.others) : ""));
   if (tow.open_water)
     text += line("  less open water", fmt::format("{}: {} in open water deducted ({})", force_text(tow.net()),

@@ -243,6 +243,7 @@ std::optional<IceLoad> RunStatistics::ice_load(const TwinStatistics* twins) cons
     force.water = load_statistics(load.window.of(water_)).mean;
     force.others = load_statistics(load.window.of(others_)).mean;
     force.inertia = force.mean - force.ice - force.others - force.water;  // by Newton's law along the course
+    force.on_rods = !info_.rods.empty();
     force.speed = load_statistics(load.window.of(speed_)).mean;
   }
   return load;

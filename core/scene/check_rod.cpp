@@ -39,6 +39,11 @@ void check_rods(const SceneElement& root, const SceneElement& vessel, std::vecto
     if (first == nullptr) first = &child;
     check_rod(child, vessel, faults);
   }
+  for (const auto& child : vessel.children)
+    if (first != nullptr && child.name == "part" && text_of(child, "name") == "rod")
+      faults.push_back(fault_of(child, "name",
+                                "found 'rod', with which the columns of rods in parts.csv begin; with <rod> "
+                                "allowed: any other name"));
   const SceneElement* contact = child_of(root, "contact");
   if (first == nullptr || !contact) return;
   if (text_of(*contact, "gyroscopic") == "false")

@@ -68,7 +68,8 @@ class Resolver {
 
   /// Steps are cut at impacts, which moreau's impulses in the middle of a step do not allow.
   static bool cuts_steps(const SceneElement& contact) {
-    const SceneAttribute* substeps = attribute_of(contact, "substeps");
+    const SceneAttribute *substeps = attribute_of(contact, "substeps"), *detection = attribute_of(contact, "detection");
+    if (detection && detection->valid && detection->value != "continuous") return false;
     return substeps && substeps->valid && substeps->value != "0" && substeps->value != "1";
   }
 

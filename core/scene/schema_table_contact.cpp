@@ -80,7 +80,7 @@ static std::vector<AttributeSpec> time_stepping() {
        .default_value = "continuous",
        .doc = "Which gaps at the step's start enter the problem: those that the step can close, but none above the "
               "thinner body's thickness, so that what goes farther in a step can pass (discrete, as in older tools); "
-              "all that the step can close (speculative; with moreau what follows the impulses); the same, and for "
+              "all that the step can close (speculative; with moreau: in what follows the impulses); the same, and for "
               "pairs that move more than half their "
               "thickness against each other, what they meet on their way (continuous: nothing passes)."},
       {.name = "narrow_phase",

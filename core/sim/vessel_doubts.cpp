@@ -27,7 +27,7 @@ std::vector<std::string> vessel_doubts(const Scene& scene, const WorldParts& par
     const Vec3& p = parts.bodies.p_GB[b];
     const double draught = parts.water->level - (p.z() + box_of(surface).min().z());
     if (draught > 0 && !vessel.position_has_z) use.draught = draught;
-    if (!vessel.fixed && vessel.mass.value && vessel.parts.empty()) {
+    if (!vessel.fixed && vessel.mass.value && vessel.parts.empty() && vessel.rods.empty()) {
       use.displaced = submerged_mesh(surface, parts.bodies.R_GB[b], p, parts.water->level).volume;
       use.mass_afloat = parts.bodies.mass[b] / parts.water->density;
     }

@@ -152,6 +152,10 @@ std::string no_effect(Simplification simplification, const Scene& scene) {
     return "no pair of materials has rolling or spinning friction";
   if (simplification == prismatic && !(scene.vessel && scene.vessel->carriage))
     return "the scene has no towing carriage";
+  if (simplification == prismatic && !scene.vessel->rods.empty())
+    return "rods tie the vessel, whose forces a prismatic joint may leave nothing to hold";
+  if (simplification == no_gyroscopic && scene.vessel && !(scene.vessel->parts.empty() && scene.vessel->rods.empty()))
+    return "a vessel with parts or rods always has its gyroscopic torque";
   if (simplification == uniform_inertia && !(scene.vessel && scene.vessel->mass.inertia))
     return "the scene gives its vessel no inertia of its own";
   return no_effect_on_ice(simplification, scene);

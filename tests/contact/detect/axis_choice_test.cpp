@@ -68,5 +68,14 @@ TEST(AxisContest, AMirroredPairMakesTheMirroredChoice) {
   EXPECT_EQ(boxes.winner({other, one}).feature_a, 1);
 }
 
+/// With the line of centres along x: the one towards z.
+TEST(AxisContest, TellsUpFromDown) {
+  TwoBoxes boxes;
+  boxes.bodies.p_GB[1] = {1, 0, 0};
+  const Axis up = edge_axis({1, 0.2, 0.3}, 0, 1), down = edge_axis({1, 0.2, -0.3}, 0, 2);
+  EXPECT_EQ(boxes.winner({up, down}).feature_a, 1);
+  EXPECT_EQ(boxes.winner({down, up}).feature_a, 1);
+}
+
 }  // namespace
 }  // namespace nilas

@@ -216,6 +216,7 @@ TEST(ReadScene, ASceneWithSubstepsIsSteppedByEulerUnlessItSaysOtherwise) {
     return folder.read(in_scene("<contact " + attributes + "/>")).contact.integrator;
   };
   EXPECT_EQ(integrator("substeps='8'"), "semi-implicit-euler");
+  EXPECT_EQ(integrator("substeps='8' detection='discrete'"), "moreau");
   EXPECT_EQ(integrator("substeps='1'"), "moreau");
   EXPECT_EQ(integrator("substeps='0'"), "moreau");
   EXPECT_EQ(integrator("substeps='0' integrator='semi-implicit-euler'"), "semi-implicit-euler");

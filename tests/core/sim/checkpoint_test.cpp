@@ -132,6 +132,11 @@ const std::vector<Case> k_cases{
      "</contact>" NILAS_WATER "<vessel name='ship' position='0.1 0 -0.2'>" NILAS_HULL "<mass value='300'/>" NILAS_PARTS
      "<rod name='tie' at='0 0 0.3' to='-3 0 0.1'/><rod name='strut' on='bob' at='1.5 0 -0.3' to='1.5 -2 -1'/>"
      "</vessel>" NILAS_PACKED},
+    {"TowedVesselOnCellsWithAPartOnARod",
+     "<contact law='coulomb' solver='nsgs' tolerance='1e-6' integrator='moreau'>" NILAS_FRICTION
+     "</contact>" NILAS_WATER "<vessel name='ship' position='0.1 0 -0.2'>" NILAS_HULL
+     "<mass value='300'/><carriage speed='0.8' ramp='0.2'><force_balance kind='six-cells'/></carriage>" NILAS_PARTS
+     "<rod name='strut' on='bob' at='1.5 0 -0.3' to='1.5 -20 -3'/></vessel>" NILAS_PACKED},
     {"CrushingBreakableIce",
      "<contact law='coulomb' solver='auto' tolerance='1e-6' stabilisation='projection'>" NILAS_FRICTION
      "</contact>" NILAS_WATER "<vessel name='ship' position='0.3 0'>" NILAS_HULL

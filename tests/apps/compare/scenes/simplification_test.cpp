@@ -95,6 +95,16 @@ TEST(Simplification, HasARowOnlyWhereTheSceneHasWhatItConcerns) {
   EXPECT_EQ(grid.settings.at(1).simplifications, std::vector{pyramid}) << "the first fault comes first";
 }
 
+/// Neither is allowed there, so that "all together" runs without them.
+TEST(Simplification, AVesselOnRodsKeepsItsGyroscopicTorqueAndItsBalance) {
+  const Scene tied = shipped(
+      "towing.xml", {{"vessel/rod[+]/@name", "tie"}, {"vessel/rod[+]/@at", "1 0 0.1"}, {"vessel/rod[+]/@to", "1 9 0"}});
+  for (const Simplification which : {no_gyroscopic, prismatic}) {
+    EXPECT_FALSE(no_effect(which, tied).empty()) << name_of(which);
+    EXPECT_TRUE(no_effect(which, shipped("towing.xml")).empty()) << name_of(which);
+  }
+}
+
 TEST(Simplification, RollingFrictionIsTakenFromEveryPair) {
   const Overrides rolling{{"contact/friction[1]/@rolling", "0.01"}, {"contact/friction[2]/@spinning", "0.02"}};
   const Scene scene = shipped("towing.xml", rolling);
