@@ -44,4 +44,19 @@ inline void expect_energy_kept(const StepRecord& record, double share) {
   EXPECT_LE(std::abs(energy.imbalance), share * (1 + energy.kinetic + std::abs(energy.potential)));
 }
 
+/// Of a vessel with joints or rods, whose steps balance their momenta and close their account of energy.
+struct JointedSceneRig : SceneRig {
+  using SceneRig::SceneRig;
+  StepRecord step() {
+    const StepRecord record = balanced_step(1e-11, 1e-13);
+    expect_energy_kept(record, 1e-9);
+    return record;
+  }
+  StepRecord run(int steps) {
+    StepRecord record;
+    for (int k = 0; k < steps; ++k) record = step();
+    return record;
+  }
+};
+
 }  // namespace nilas::test

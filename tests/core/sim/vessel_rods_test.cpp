@@ -11,15 +11,7 @@ namespace {
 
 using namespace nilas;
 
-struct Rig : test::SceneRig {
-  using SceneRig::SceneRig;
-  /// One step whose momenta must balance, joints and rods included, and whose energy account must close.
-  StepRecord step() {
-    const StepRecord record = balanced_step(1e-11, 1e-13);
-    test::expect_energy_kept(record, 1e-9);
-    return record;
-  }
-};
+using Rig = test::JointedSceneRig;
 
 std::string time(double step) { return "<time step='" + std::to_string(step) + "' end='1000'/>"; }
 
