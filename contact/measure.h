@@ -1,5 +1,5 @@
 #pragma once
-/// The one yardstick for any impulses on any problem, outside all solvers. Formulas: docs/theory_contact.md.
+/// The one yardstick for any impulses on any problem, outside all solvers. Formulas: docs/theory/contact.md.
 #include "contact/problem.h"
 
 namespace nilas {

@@ -14,7 +14,7 @@
 
 namespace nilas {
 
-/// Contact law, a property of the problem. See docs/theory_contact.md.
+/// Contact law, a property of the problem. See docs/theory/contact.md.
 enum class Law { coulomb, ccp, pyramid, pyramid_k, frictionless };
 const char* to_string(Law law);
 

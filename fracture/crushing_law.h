@@ -1,5 +1,5 @@
 #pragma once
-/// How hard crushing ice presses. docs/theory_fracture_crushing.md
+/// How hard crushing ice presses. docs/theory/fracture-crushing.md
 namespace nilas {
 
 /// seed_limit: strength times the area at the step's start, explicit. compliant: the same, with the growth of the area

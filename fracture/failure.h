@@ -1,5 +1,5 @@
 #pragma once
-/// Whether a floe breaks under what presses on its edge, and along which cracks. docs/theory_fracture.md
+/// Whether a floe breaks under what presses on its edge, and along which cracks. docs/theory/fracture.md
 #include <optional>
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-/// Damage of ice by loads below its strength, summed where they act. docs/theory_fracture_breaking.md
+/// Damage of ice by loads below its strength, summed where they act. docs/theory/fracture-breaking.md
 #include <cstdint>
 #include <map>
 #include <vector>

@@ -120,10 +120,12 @@ void add_verify(CLI::App& app, Action& action) {
   auto* extremes =
       command->add_flag("--extremes", options->extremes,
                         "the scenes at the edge of what can be asked, and a map of where each solver holds");
-  auto* limitations = command->add_flag("--limitations", options->limitations,
-                                        "the page of what older tools' simplifications cost, docs/limitations.md");
+  auto* limitations =
+      command->add_flag("--limitations", options->limitations,
+                        "the page of what older tools' simplifications cost, docs/evidence/limitations.md");
   auto* list = command->add_flag("--list", options->list, "lists the cases and runs none");
-  auto* markdown = command->add_flag("--markdown", options->markdown, "the page of cases, docs/verification.md");
+  auto* markdown =
+      command->add_flag("--markdown", options->markdown, "the page of cases, docs/evidence/verification.md");
   command->add_option("--out", options->out,
                       "folder for the results (default: runs/verify with --html, runs/extremes, else none)");
   auto* html =

@@ -29,7 +29,7 @@ double waterline_level(const TriangleMesh& mesh, double draught);
 std::string missed_tolerance(const PreparedHull& prepared, std::size_t most);
 
 /// The keys of the report: size, volume, centre, hydrostatics, bow, symmetry, what was mended, parts, doubts;
-/// docs/output_reference.md has them. GM takes the centre of a uniform solid.
+/// docs/reference/outputs.md has them. GM takes the centre of a uniform solid.
 nlohmann::ordered_json hull_report(const PreparedHull& prepared);
 
 /// The same for readers, but for the warnings; places at most three of each kind.

@@ -20,7 +20,7 @@ constexpr double k_most_energy = 1e-6, k_most_momentum = 1e-9, k_most_penetratio
 constexpr double k_tolerance = 1e-9;  // of the solvers [m/s]
 constexpr int k_iterations = 2000;
 
-/// Its level 1 has a limit that theory_dynamics.md states: semi-implicit Euler hits before it meets, so
+/// Its level 1 has a limit that docs/theory/dynamics.md states: semi-implicit Euler hits before it meets, so
 /// energies scatter.
 constexpr const char* k_elastic = "restitution";
 constexpr double k_scatter = 0.05;  // share of the energy, in the ten seconds of that run

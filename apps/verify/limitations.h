@@ -16,7 +16,8 @@ struct Limitation {
 
 /// Runs all of them.
 std::vector<Limitation> limitations();
-/// The page docs/limitations.md; three digits, so that rounding does not change it. Times have two, and do change.
+/// The page docs/evidence/limitations.md; three digits, so that rounding does not change it. Times have two, and do
+/// change.
 std::string limitations_markdown(const std::vector<Limitation>& all);
 
 }  // namespace nilas

@@ -190,8 +190,9 @@ std::vector<Row> verify(const Selection& selection, int threads, const std::func
       allowed += (allowed.empty() ? "" : "; ") + one->id() + " with";
       for (const auto& law : one->laws) allowed += " " + law;
     }
-    throw InputError("no case runs with the solvers and laws that were asked for; allowed: " + allowed +
-                     ", and the solvers that take these laws (nilas solvers; docs/verification.md names exceptions)");
+    throw InputError(
+        "no case runs with the solvers and laws that were asked for; allowed: " + allowed +
+        ", and the solvers that take these laws (nilas solvers; docs/evidence/verification.md names exceptions)");
   }
 
   std::vector<std::vector<Row>> results(jobs.size());

@@ -1,5 +1,5 @@
 #pragma once
-/// Error types of the program's edge; see docs/conventions.md for the exit codes they map to.
+/// Error types of the program's edge; see docs/reference/conventions.md for the exit codes they map to.
 #include <stdexcept>
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 /// Linear-algebra names used throughout. SI units and radians inside; ground frame G has Z up and
-/// still water at z = 0. Monogram letters as in docs/conventions.md (p_GB, R_GB, v_GB, w_GB).
+/// still water at z = 0. Monogram letters as in docs/reference/conventions.md (p_GB, R_GB, v_GB, w_GB).
 #include <Eigen/Dense>
 
 namespace nilas {

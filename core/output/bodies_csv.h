@@ -1,5 +1,5 @@
 #pragma once
-/// bodies.csv: pose and velocity of every body, one row per body and instant. Columns: docs/output_reference.md.
+/// bodies.csv: pose and velocity of every body, one row per body and instant. Columns: docs/reference/outputs.md.
 #include <filesystem>
 #include <string>
 

@@ -1,5 +1,5 @@
 #pragma once
-/// contacts.h5: where bodies touch and with what force, a row per contact and step. Layout: docs/output_reference.md.
+/// contacts.h5: where bodies touch and with what force, a row per contact and step. Layout: docs/reference/outputs.md.
 #include <chrono>
 #include <filesystem>
 #include <optional>

@@ -1,5 +1,5 @@
 #pragma once
-/// events.csv: floes that broke, a row each. Columns: docs/output_reference.md.
+/// events.csv: floes that broke, a row each. Columns: docs/reference/outputs.md.
 #include <filesystem>
 #include <optional>
 #include <vector>

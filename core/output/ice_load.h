@@ -1,6 +1,6 @@
 #pragma once
 /// The load of the ice on a vessel or a structure over the window of a run: its mean, scatter and peaks along and
-/// across the course, and beside it the force of the towing carriage. docs/theory_load_error.md
+/// across the course, and beside it the force of the towing carriage. docs/theory/load-error.md
 #include <optional>
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-/// Ice loads, tow force and loads on structures in summary.json. Keys: docs/output_reference.md.
+/// Ice loads, tow force and loads on structures in summary.json. Keys: docs/reference/outputs.md.
 #include <nlohmann/json.hpp>
 
 #include "core/output/ice_load.h"

@@ -1,5 +1,5 @@
 #pragma once
-/// What the mean loads of a run are worth: docs/theory_load_error.md.
+/// What the mean loads of a run are worth: docs/theory/load-error.md.
 #include <array>
 #include <optional>
 #include <string>

@@ -1,5 +1,5 @@
 #pragma once
-/// load_error and twins of summary.json. Keys: docs/output_reference.md.
+/// load_error and twins of summary.json. Keys: docs/reference/outputs.md.
 #include <nlohmann/json.hpp>
 
 #include "core/output/load_error.h"

@@ -1,5 +1,5 @@
 #pragma once
-/// How well the mean of one finite, correlated series is known. Method and sources: docs/theory_load_error.md.
+/// How well the mean of one finite, correlated series is known. Method and sources: docs/theory/load-error.md.
 #include <vector>
 
 namespace nilas {

@@ -1,6 +1,6 @@
 #pragma once
 /// parts.csv: the joints of the vessel's parts, the contact loads on them and the rods, one row per step. Columns:
-/// docs/output_reference.md.
+/// docs/reference/outputs.md.
 #include <filesystem>
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 /// steps.csv: how each step was solved, its accounts of energy and momentum, its timing. Columns:
-/// docs/output_reference.md.
+/// docs/reference/outputs.md.
 #include <filesystem>
 
 #include "core/output/csv_row.h"

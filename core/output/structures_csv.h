@@ -1,5 +1,6 @@
 #pragma once
-/// structures.csv: loads on the bodies that the scene holds fixed, one row per step. Columns: docs/output_reference.md.
+/// structures.csv: loads on the bodies that the scene holds fixed, one row per step. Columns:
+/// docs/reference/outputs.md.
 #include <filesystem>
 
 #include "core/output/csv_row.h"

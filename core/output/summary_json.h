@@ -1,5 +1,5 @@
 #pragma once
-/// summary.json: one run in one object. Keys: docs/output_reference.md.
+/// summary.json: one run in one object. Keys: docs/reference/outputs.md.
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 #pragma once
-/// vessel.csv: loads on the vessel and its motion, one row per step. Columns: docs/output_reference.md.
+/// vessel.csv: loads on the vessel and its motion, one row per step. Columns: docs/reference/outputs.md.
 #include <filesystem>
 #include <vector>
 

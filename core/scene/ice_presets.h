@@ -1,5 +1,6 @@
 #pragma once
-/// Sourced values of ice by kind, which stand in for what a scene does not give. docs/scales.md tells the sources.
+/// Sourced values of ice by kind, which stand in for what a scene does not give. docs/reference/scales.md tells the
+/// sources.
 #include <string>
 #include <vector>
 

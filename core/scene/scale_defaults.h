@@ -1,5 +1,5 @@
 #pragma once
-/// Defaults that follow from the size and the speed of what a scene describes: docs/scales.md.
+/// Defaults that follow from the size and the speed of what a scene describes: docs/reference/scales.md.
 #include <filesystem>
 #include <map>
 #include <optional>

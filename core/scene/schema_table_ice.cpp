@@ -21,37 +21,37 @@ static std::vector<AttributeSpec> placement() {
 }
 
 static ElementSpec ice() {
-  return {
-      .name = "ice",
-      .parent = "scene",
-      .doc = "Ice: fields of floes and single floes, as its children.",
-      .attributes = {
-          {.name = "preset",
-           .type = ValueType::choice,
-           .choices = ice_preset_names(),
-           .default_note = "model below 0.2 m of thickness, else full-scale sea ice; of ice that names no thickness "
-                           "by the hull's length (30 m) or the field's (100 m)",
-           .doc = "Which sourced values (docs/scales.md) stand in for density, modulus, thickness, strengths, floe "
-                  "sizes and smallest piece that the scene does not give."},
-          {.name = "density",
-           .unit = "kg/m^3",
-           .range = above(0),
-           .default_note = "that of the preset",
-           .doc = "Density."},
-          {.name = "youngs_modulus",
-           .unit = "Pa",
-           .range = above(0),
-           .default_note = "that of the preset",
-           .doc = "Young's modulus. No effect without <fracture>."},
-          {.name = "poisson",
-           .range = within(0, 0.5),
-           .default_note = "that of the preset",
-           .doc = "Poisson's ratio. No effect without <fracture>."},
-          {.name = "thickness",
-           .unit = "m",
-           .range = above(0),
-           .default_note = "that of the preset",
-           .doc = "Thickness of floes that name none."}}};
+  return {.name = "ice",
+          .parent = "scene",
+          .doc = "Ice: fields of floes and single floes, as its children.",
+          .attributes = {{.name = "preset",
+                          .type = ValueType::choice,
+                          .choices = ice_preset_names(),
+                          .default_note =
+                              "model below 0.2 m of thickness, else full-scale sea ice; of ice that names no thickness "
+                              "by the hull's length (30 m) or the field's (100 m)",
+                          .doc = "Which sourced values (docs/reference/scales.md) stand in for density, modulus, "
+                                 "thickness, strengths, floe "
+                                 "sizes and smallest piece that the scene does not give."},
+                         {.name = "density",
+                          .unit = "kg/m^3",
+                          .range = above(0),
+                          .default_note = "that of the preset",
+                          .doc = "Density."},
+                         {.name = "youngs_modulus",
+                          .unit = "Pa",
+                          .range = above(0),
+                          .default_note = "that of the preset",
+                          .doc = "Young's modulus. No effect without <fracture>."},
+                         {.name = "poisson",
+                          .range = within(0, 0.5),
+                          .default_note = "that of the preset",
+                          .doc = "Poisson's ratio. No effect without <fracture>."},
+                         {.name = "thickness",
+                          .unit = "m",
+                          .range = above(0),
+                          .default_note = "that of the preset",
+                          .doc = "Thickness of floes that name none."}}};
 }
 
 static std::vector<AttributeSpec> packing() {

@@ -1,6 +1,6 @@
 #pragma once
 /// Breaking of floes under what presses on them: loads of a step, and the ways to break under them.
-/// docs/theory_fracture.md
+/// docs/theory/fracture.md
 #include <cstdint>
 #include <map>
 #include <optional>

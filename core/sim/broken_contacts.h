@@ -1,5 +1,5 @@
 #pragma once
-/// Impulses on floes that broke, as a first guess of those on their pieces. docs/theory_fracture_breaking.md
+/// Impulses on floes that broke, as a first guess of those on their pieces. docs/theory/fracture-breaking.md
 #include <cstdint>
 #include <map>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-/// checkpoint.h5: a state on disk with what it belongs to. Layout: docs/output_reference.md.
+/// checkpoint.h5: a state on disk with what it belongs to. Layout: docs/reference/outputs.md.
 #include <filesystem>
 #include <string>
 

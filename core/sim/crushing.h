@@ -1,6 +1,6 @@
 #pragma once
 /// Crushing of breakable floes by the vessel and by bodies: contact points whose force the ice's strength limits, in
-/// place of those that keep rigid bodies apart. docs/theory_fracture_crushing.md
+/// place of those that keep rigid bodies apart. docs/theory/fracture-crushing.md
 #include <cstdint>
 #include <map>
 #include <optional>

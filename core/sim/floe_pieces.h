@@ -1,5 +1,5 @@
 #pragma once
-/// Pieces in the place of floes that break. docs/theory_fracture_breaking.md
+/// Pieces in the place of floes that break. docs/theory/fracture-breaking.md
 #include <cstdint>
 #include <map>
 #include <string>

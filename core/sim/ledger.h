@@ -1,5 +1,5 @@
 #pragma once
-/// Energy and momentum accounts of a run. Definitions and signs: docs/output_reference.md.
+/// Energy and momentum accounts of a run. Definitions and signs: docs/reference/outputs.md.
 #include <string>
 #include <vector>
 

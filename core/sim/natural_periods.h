@@ -1,5 +1,5 @@
 #pragma once
-/// Natural periods of a scene's vessel, on the force balance that holds it and on the water. docs/scales.md
+/// Natural periods of a scene's vessel, on the force balance that holds it and on the water. docs/reference/scales.md
 #include <string>
 #include <vector>
 

@@ -1,6 +1,6 @@
 #pragma once
 /// Reference motion of free rigid bodies: smooth stretches by an integrator of high order, cut at the instants where
-/// contacts close, open, stick or slip. Method and limits: docs/theory_dynamics.md.
+/// contacts close, open, stick or slip. Method and limits: docs/theory/dynamics.md.
 #include <cstdint>
 #include <map>
 #include <optional>

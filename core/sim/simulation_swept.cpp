@@ -1,4 +1,4 @@
-/// Detection in time: what fast pairs meet on their way through a step, and where a step is cut. docs/theory_contact.md
+/// Detection in time: what fast pairs meet on their way through a step, and where a step is cut. docs/theory/contact.md
 #include <fmt/format.h>
 
 #include <algorithm>

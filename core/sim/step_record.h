@@ -21,7 +21,7 @@ enum class Phase { hydro, detection, assembly, solver, integration, fracture, ou
 constexpr int k_num_phases = 7;
 const char* to_string(Phase phase);
 
-/// Energies now and works and losses as sums since the start [J]. Definitions: docs/output_reference.md.
+/// Energies now and works and losses as sums since the start [J]. Definitions: docs/reference/outputs.md.
 struct Ledger {
   double kinetic = 0, potential = 0;
   std::vector<double> works;  ///< one per entry of RunInfo::work_names
@@ -43,12 +43,12 @@ struct VesselRecord {
   Vec3 contact_port = Vec3::Zero(), contact_starboard = Vec3::Zero();  ///< its force by side of the hull [N]
   std::optional<CarriageLoads> carriage;
   bool has_cells = false;
-  /// What its contacts' residuals amount to (docs/theory_load_error.md): of the law that was asked, the sum of their
+  /// What its contacts' residuals amount to (docs/theory/load-error.md): of the law that was asked, the sum of their
   /// absolute values; of exact Coulomb beyond that law, the signed sum.
   Wrench solver_residual, law_residual;
   std::optional<Wrench> hydro;
   VesselState state;  ///< at the step's end
-  /// Unit vector along the course, horizontal; docs/conventions.md says which way it points.
+  /// Unit vector along the course, horizontal; docs/reference/conventions.md says which way it points.
   Vec2 course = Vec2::UnitX();
   bool touches_ice = false;  ///< a floe pressed on it during the step
   Vec3 ice = Vec3::Zero();   ///< the part of the contact force that floes exert, in G [N]

@@ -26,7 +26,7 @@ Hull read_hull(const std::filesystem::path& path);
 void write_hull(const Hull& hull, const std::filesystem::path& folder, const std::string& json);
 
 /// Parameters of a generated form. x = 0 at the aft end, x = length at the stem head, y = 0 on the centre plane, z = 0
-/// at the keel. Waterlines, flare, stem and bilge are built so that the solid is convex; docs/theory_vessel.md has the
+/// at the keel. Waterlines, flare, stem and bilge are built so that the solid is convex; docs/theory/vessel.md has the
 /// construction.
 struct HullForm {
   std::string kind = "icebreaker";     ///< icebreaker, or wedge: vertical sides, straight wedge bow, flat bottom

@@ -1,4 +1,4 @@
-/// The vessel of several bodies: its step. docs/theory_vessel.md
+/// The vessel of several bodies: its step. docs/theory/vessel.md
 #include <numeric>
 #include <optional>
 

@@ -1,5 +1,5 @@
 #pragma once
-/// How rods hold a vessel: the speeds that they leave, and their tensions. docs/theory_vessel.md
+/// How rods hold a vessel: the speeds that they leave, and their tensions. docs/theory/vessel.md
 #include <optional>
 #include <string>
 

@@ -27,7 +27,7 @@ struct VesselTree::Implementation {
   SimTK::GeneralForceSubsystem forces{system};
   /// Loads that are known before a step. Weight, water and contact act once per step and are evaluated for all bodies
   /// at once, so Simbody is given their sums: a force element that sums up the drag of wetted triangles itself would do
-  /// so anew for each of the states at which a step asks the tree (docs/theory_vessel.md).
+  /// so anew for each of the states at which a step asks the tree (docs/theory/vessel.md).
   SimTK::Force::DiscreteForces applied{forces, matter};
   CellForces cells;
   SimTK::MobilizedBody::Planar planar;  ///< the carriage

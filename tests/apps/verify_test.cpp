@@ -80,12 +80,12 @@ std::string without_times(const std::string& page) {
 TEST(Verify, ThePagesAreThoseOfTheProgram) {
   const ScratchFolder folder;
   // compared as a whole: gtest would print both pages
-  EXPECT_TRUE(read_text(k_docs / "verification.md") == run_nilas("verify --markdown", folder.path()).out)
-      << "write it again: build/release/nilas verify --markdown > docs/verification.md";
+  EXPECT_TRUE(read_text(k_docs / "evidence/verification.md") == run_nilas("verify --markdown", folder.path()).out)
+      << "write it again: build/release/nilas verify --markdown > docs/evidence/verification.md";
   const std::string limitations = without_times(run_nilas("verify --limitations", folder.path()).out);
   EXPECT_NE(limitations.find("| a time | 1 | - |"), std::string::npos);
-  EXPECT_TRUE(without_times(read_text(k_docs / "limitations.md")) == limitations)
-      << "write it again: build/release/nilas verify --limitations > docs/limitations.md";
+  EXPECT_TRUE(without_times(read_text(k_docs / "evidence/limitations.md")) == limitations)
+      << "write it again: build/release/nilas verify --limitations > docs/evidence/limitations.md";
 }
 
 TEST(Verify, TheExtremesAreDrawn) {

@@ -1,4 +1,4 @@
-/// docs/scene_reference.md is the schema's own text; a change of the table must come with its page.
+/// docs/reference/scene.md is the schema's own text; a change of the table must come with its page.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -7,9 +7,9 @@
 #include "core/scene/schema.h"
 
 TEST(House, TheSceneReferenceIsThatOfTheSchema) {
-  std::ifstream in(std::string(NILAS_SOURCE_DIR) + "/docs/scene_reference.md");
+  std::ifstream in(std::string(NILAS_SOURCE_DIR) + "/docs/reference/scene.md");
   std::ostringstream text;
   text << in.rdbuf();
   EXPECT_EQ(text.str(), nilas::schema_markdown())
-      << "write it again: build/release/nilas schema --markdown > docs/scene_reference.md";
+      << "write it again: build/release/nilas schema --markdown > docs/reference/scene.md";
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// What runs are said to be off in their mean load, beside what they are. Method: docs/theory_compare.md.
+/// What runs are said to be off in their mean load, beside what they are. Method: docs/theory/compare.md.
 #include "apps/compare/scenes/merits.h"
 
 namespace nilas {

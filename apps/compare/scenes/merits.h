@@ -20,7 +20,7 @@ struct MotionError {
   double turn_rad = 0;
 };
 
-/// What a run is said to be off in the headline channel's mean, about 95 % [N]; docs/theory_compare.md. `alone` are the
+/// What a run is said to be off in the headline channel's mean, about 95 % [N]; docs/theory/compare.md. `alone` are the
 /// run's own words; the parts hold besides what other runs of the comparison tell. NaN: not known.
 struct LoadErrorParts {
   double alone = 0;  ///< as the run says by itself

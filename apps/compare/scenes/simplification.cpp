@@ -13,7 +13,7 @@ namespace {
 
 /// Sweeps of the older tool.
 constexpr int k_fixed_sweeps = 50;
-/// Of strength where a scene draws none: strengths scatter by 20 to 30 % in nature (docs/scales.md).
+/// Of strength where a scene draws none: strengths scatter by 20 to 30 % in nature (docs/reference/scales.md).
 constexpr double k_cov = 0.25;
 /// How far it holds together. No measurement: about the length of a piece that breaks off.
 constexpr double k_correlation_thicknesses = 10;

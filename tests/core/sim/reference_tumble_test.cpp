@@ -116,7 +116,7 @@ TEST_P(ReferenceTumble, HoldsTheStatedAttitude) {
   }
 }
 
-/// docs/theory_dynamics.md states these figures. The tumbler has turned over three times by 30 s; each time it passes
+/// docs/theory/dynamics.md states these figures. The tumbler has turned over three times by 30 s; each time it passes
 /// its unstable axis what was off before has grown.
 INSTANTIATE_TEST_SUITE_P(Tops, ReferenceTumble,
                          testing::Values(TopCase{"Stable", {2e-3, 1e-3, 3}, {1e-12, 1e-12, 2e-12}},

@@ -29,7 +29,7 @@ VecX random_vector(RandomStream& random, int n, double scale) {
   return x;
 }
 
-/// K6 - K6 S (S^T K6 S)^-1 S^T K6, as docs/theory_vessel.md has it.
+/// K6 - K6 S (S^T K6 S)^-1 S^T K6, as docs/theory/vessel.md has it.
 MatX condensed(const MatX& K6, const std::vector<int>& free) {
   if (free.empty()) return K6;
   const MatX unit = MatX::Identity(6, 6);

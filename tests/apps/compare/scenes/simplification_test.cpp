@@ -118,7 +118,7 @@ TEST(Simplification, UniformInertiaIsThatOfTheHullByDefault) {
   const Overrides own{{"vessel/mass/@inertia", "400 4000 4000 0 0 0"}};
   const Scene scene = shipped("towing.xml", own);
   const Vec6 entries = with(scene, uniform_inertia, own).vessel->mass.inertia.value();
-  // as `nilas run` writes it of the scene as shipped: docs/output_reference.md, vessel.inertia_kg_m2
+  // as `nilas run` writes it of the scene as shipped: docs/reference/outputs.md, vessel.inertia_kg_m2
   EXPECT_NEAR(entries[0], 210.98131338083203, 1e-6);
   EXPECT_NEAR(entries[1], 2836.9196034247525, 1e-6);
   EXPECT_NEAR(entries[4], -23.445128627636898, 1e-6);
