@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "contact/measure.h"
 #include "contact/problem.h"
 
 namespace nilas {
@@ -36,9 +35,6 @@ void validate(const LocalProblem& problem);
 
 /// u = W r + q.
 VecX contact_velocities(const LocalProblem& problem, const VecX& r);
-
-/// Residuals of impulses r; momentum_sqrtJ is zero, since nothing can be out of balance.
-Residuals measure(const LocalProblem& problem, const VecX& r);
 
 /// W = H^T M^-1 H and q = H^T M^-1 f + w. Every pair of contacts of one block gets a block of W: meant for up to about
 /// 1e4 contacts.

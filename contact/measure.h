@@ -1,5 +1,6 @@
 #pragma once
 /// The one yardstick for any impulses on any problem, outside all solvers. Formulas: docs/theory/contact.md.
+#include "contact/local_problem.h"
 #include "contact/problem.h"
 
 namespace nilas {
@@ -25,6 +26,9 @@ Residuals measure(const ContactProblem& problem, const VecX& r, const VecX& v);
 Residuals measure(const ContactProblem& problem, const VecX& r, const VecX& v, std::vector<double>& d);
 /// The same with v = M^-1 (f + H r).
 Residuals measure(const ContactProblem& problem, const VecX& r);
+
+/// Residuals of impulses r; momentum_sqrtJ is zero, since nothing can be out of balance.
+Residuals measure(const LocalProblem& problem, const VecX& r);
 
 /// Names and values in the order of the output columns.
 struct NamedResidual {

@@ -10,20 +10,6 @@
 
 namespace nilas {
 
-const char* to_string(SolveStatus status) {
-  switch (status) {
-    case SolveStatus::converged:
-      return "converged";
-    case SolveStatus::iteration_limit:
-      return "iteration_limit";
-    case SolveStatus::stalled:
-      return "stalled";
-    case SolveStatus::numerical_error:
-      return "numerical_error";
-  }
-  return "unknown";
-}
-
 namespace {
 
 /// Adds one island's outcome to the whole.
@@ -104,14 +90,6 @@ SolverSettings with_margin(SolverSettings shared) {
   constexpr double k_margin = 1e-3;
   shared.tolerance *= 1 - k_margin;
   return shared;
-}
-
-SolverSettings SolverSettings::started() const {
-  SolverSettings running = *this;
-  if (!deadline && max_seconds > 0)
-    running.deadline =
-        Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(max_seconds));
-  return running;
 }
 
 ContactSolution solve_islands(const LocalProblem& problem, const VecX& guess, const IslandSolve& solve) {

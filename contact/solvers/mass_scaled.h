@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "contact/solver.h"
+#include "contact/solution.h"
 
 namespace nilas {
 

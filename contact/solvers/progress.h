@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "contact/solver.h"
+#include "contact/solution.h"
 
 namespace nilas {
 

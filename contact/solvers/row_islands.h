@@ -2,7 +2,7 @@
 /// The islands of a problem with bodies solved apart on its rows, without ever forming W: a product costs O(nc).
 #include <functional>
 
-#include "contact/solver.h"
+#include "contact/solution.h"
 #include "contact/solvers/pgs_rows.h"
 #include "contact/solvers/row_residual.h"
 

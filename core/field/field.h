@@ -1,56 +1,13 @@
 #pragma once
 /// Ice fields: outlines of many floes inside a region.
-#include <cstdint>
 #include <filesystem>
-#include <functional>
-#include <string>
 #include <vector>
 
 #include "core/base/math.h"
-#include "core/bodies/ice_properties.h"
+#include "core/field/field_spec.h"
 
 namespace nilas {
 
-/// One floe of a field, in the still-water plane.
-struct FieldFloe {
-  std::vector<Vec2> outline;                               ///< counter-clockwise, in G [m]
-  double thickness = 0;                                    ///< [m]; 0: the scene's
-  double density = 0;                                      ///< [kg/m^3]; 0: the scene's
-  double flexural_strength = 0, compressive_strength = 0;  ///< [Pa]; 0: the scene's
-  double fracture_toughness = 0;                           ///< [Pa sqrt(m)]; 0: the scene's
-  bool fixed = false;                                      ///< never moves, whatever the field says
-};
-
-enum class FloeShape { polygon, rectangle, square, parallelogram, disc, library };
-enum class SizeDistribution { fixed, uniform, lognormal, power_law, as_library };
-
-struct PackedSpec {
-  Vec2 low = Vec2::Zero(), high = Vec2::Ones();  ///< region [m]
-  double concentration = 0.8;                    ///< area of ice / free area of region
-  double overlap_tolerance = 1e-3;               ///< largest overlap depth left, as a fraction of the mean floe size
-  SizeDistribution distribution = SizeDistribution::lognormal;
-  double mean = 0.8, sd = 0.3, min = 0.3, max = 1.6;  ///< of sqrt(area) [m]
-  double exponent = 1.5;                              ///< power law n(D) ~ D^-(1 + exponent)
-  FloeShape shape = FloeShape::polygon;
-  int vertices_min = 5, vertices_max = 9;
-  double aspect = 1.5;  ///< long side / short side of rectangle and parallelogram
-  double shear = 0;     ///< parallelogram, angle from a rectangle [rad]
-  std::vector<std::vector<Vec2>>
-      library;  ///< simple counter-clockwise outlines to draw from, scaled to the drawn sizes
-  std::vector<std::vector<Vec2>>
-      keep_out;  ///< convex counter-clockwise outlines that ice keeps clear of; their area is no part of the region
-  double keep_out_margin = 0;  ///< [m]
-  std::uint64_t seed = 1;
-};
-struct FieldResult {
-  std::vector<FieldFloe> floes;
-  double concentration = 0;          ///< reached, ice area / free region area
-  double worst_overlap = 0;          ///< depth [m]
-  int passes = 0;                    ///< relaxation passes used
-  int fitted = 0;                    ///< polygon floes whose outline was fitted to its neighbours, see pack_field
-  int left_out = 0;                  ///< floes dropped because they met a keep-out outline
-  std::vector<WeakLine> weak_lines;  ///< along which the floes are weaker, in G
-};
 /// Overlap relaxation [van den Berg, IceFieldCreator]: random floes start with overlaps and are pushed apart; floes
 /// that block each other change places and are shaken. Floes keep their areas. Rectangles, squares, parallelograms and
 /// discs keep their shapes; polygons beyond about 86 % are fitted: cut along the line between them and a neighbour and
@@ -68,13 +25,6 @@ FieldResult pack_field(const PackedSpec& spec);
 /// where those wedges are missed, saying what can be reached.
 FieldResult voronoi_field(const PackedSpec& spec);
 
-/// An intact sheet.
-struct LevelSpec {
-  Vec2 low = Vec2::Zero(), high = Vec2::Ones();  ///< region [m]
-  std::vector<std::vector<Vec2>> keep_out;       ///< convex, counter-clockwise
-  double keep_out_margin = 0;                    ///< [m]
-  Vec2 aft = -Vec2::UnitX();                     ///< where a hull came from
-};
 /// One floe filling the region outside the keep-out outlines, convex or not; several where outlines part it. An outline
 /// that stands wholly inside the region has its track open, as wide as itself, from the region's edge on the side of
 /// `aft`: a floe has no holes. The concentration counts the track as free water. Throws InputError.
@@ -84,26 +34,10 @@ FieldResult level_field(const LevelSpec& spec);
 /// with `strength` left on them. The spec's concentration has no part in it. Throws InputError.
 FieldResult frozen_field(const PackedSpec& spec, const Vec2& aft, double strength);
 
-/// A channel of broken ice along X between two sheets.
-struct ChannelSpec {
-  PackedSpec ice;             ///< of the whole region; its concentration is that of the channel
-  double width = 1;           ///< of the channel, about the region's middle line [m]
-  Vec2 aft = -Vec2::UnitX();  ///< see LevelSpec
-};
 /// The broken floes as pack_field makes them within the channel, then the sheets on both sides, fixed. Throws
 /// InputError.
 FieldResult channel_field(const ChannelSpec& spec);
 
-struct GridSpec {
-  Vec2 low = Vec2::Zero(), high = Vec2::Ones();
-  int rows = 1;      ///< along Y
-  int columns = 1;   ///< along X
-  double gap = 0;    ///< between neighbours [m]
-  double shear = 0;  ///< lines of constant X turned by this angle from Y, mirrored about the region's middle line [rad]
-  bool stagger = false;  ///< every second row shifted by half a piece
-  std::vector<std::vector<Vec2>> keep_out;
-  double keep_out_margin = 0;
-};
 /// Rectangles filling the region, or parallelograms within it (shear leaves a notch at its ends). Rows are laid out
 /// from the region's middle line, so the field is mirror-symmetric about it, bit for bit when the line is y = 0.
 /// Positive shear leans the rows' outer ends to larger X. Above and below the line pieces come in mirror pairs, 2k and
@@ -118,10 +52,5 @@ FieldResult grid_field(const GridSpec& spec);
 /// measured on reading. Throws FileError, InputError naming file and feature (counted from 1).
 FieldResult read_field(const std::filesystem::path& file);
 void write_field(const FieldResult& field, const std::filesystem::path& file);
-
-/// Outlines to draw floes from, counter-clockwise: JSON list of outlines, or an object with such a list "bodies" (as
-/// IceFieldCreator's), each a list of numbers x y x y ... or of pairs [x, y] in metres; or a GeoJSON field. Throws
-/// FileError, InputError naming file and outline (counted from 1).
-std::vector<std::vector<Vec2>> read_outlines(const std::filesystem::path& file);
 
 }  // namespace nilas

@@ -3,7 +3,7 @@
 #include <array>
 #include <string_view>
 
-#include "core/field/field.h"
+#include "core/field/field_spec.h"
 
 namespace nilas {
 

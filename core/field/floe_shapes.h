@@ -1,7 +1,7 @@
 #pragma once
 /// Outlines of the floes of a packed field.
 #include "core/base/random.h"
-#include "core/field/field.h"
+#include "core/field/field_spec.h"
 #include "core/field/loose_floe.h"
 
 namespace nilas {

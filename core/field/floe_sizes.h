@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/base/random.h"
-#include "core/field/field.h"
+#include "core/field/field_spec.h"
 
 namespace nilas {
 

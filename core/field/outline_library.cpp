@@ -1,3 +1,5 @@
+#include "core/field/outline_library.h"
+
 #include <fmt/format.h>
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 /// Checks of the description of a field of random floes, and what bounds it.
-#include "core/field/field.h"
+#include "core/field/field_spec.h"
 #include "core/field/loose_floe.h"
 
 namespace nilas {

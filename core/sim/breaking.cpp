@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "core/sim/breaking_settings.h"
 
 namespace nilas {
 
@@ -17,8 +16,8 @@ bool is_structure(const Bodies& bodies, int body) {
 
 }  // namespace
 
-Breaking::Breaking(const Scene& scene) : rules_(failure_settings(scene)) {
-  if (const auto& damage = scene.fracture->damage) damage_.emplace(DamageRule{damage->exponent, damage->endurance});
+Breaking::Breaking(const BreakingSettings& settings) : rules_(settings.failure) {
+  if (settings.damage) damage_.emplace(*settings.damage);
 }
 
 void Breaking::note_loads(const Bodies& bodies, const IceProperties& ice, const StepMotion& motion) {

@@ -9,7 +9,6 @@
 #include "core/base/state.h"
 #include "core/bodies/bodies.h"
 #include "core/bodies/ice_properties.h"
-#include "core/scene/scene.h"
 #include "core/sim/floe_pieces.h"
 #include "core/sim/step_motion.h"
 #include "fracture/failure.h"
@@ -17,10 +16,14 @@
 
 namespace nilas {
 
+struct BreakingSettings {
+  FailureSettings failure;
+  std::optional<DamageRule> damage;  ///< none: loads below the strength leave no trace
+};
+
 class Breaking {
  public:
-  /// Throws ContractError when the scene names no <fracture> or no <water>.
-  explicit Breaking(const Scene& scene);
+  explicit Breaking(const BreakingSettings& settings);
 
   /// Notes what the vessel and bodies (never floes or walls) press with on breakable floes in this part of a step.
   void note_loads(const Bodies& bodies, const IceProperties& ice, const StepMotion& motion);

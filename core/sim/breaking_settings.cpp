@@ -4,7 +4,7 @@
 
 namespace nilas {
 
-FailureSettings failure_settings(const Scene& scene) {
+static FailureSettings failure_settings(const Scene& scene) {
   NILAS_DEMAND(scene.fracture && scene.water && scene.ice);
   const FractureScene& fracture = *scene.fracture;
   FailureSettings settings;
@@ -28,6 +28,12 @@ FailureSettings failure_settings(const Scene& scene) {
     settings.curved = fracture.cracks->path == "curved";
     settings.segment = fracture.cracks->segment_thicknesses;
   }
+  return settings;
+}
+
+BreakingSettings breaking_settings(const Scene& scene) {
+  BreakingSettings settings{failure_settings(scene), {}};
+  if (const auto& damage = scene.fracture->damage) settings.damage = DamageRule{damage->exponent, damage->endurance};
   return settings;
 }
 

@@ -3,13 +3,13 @@
 #include <string>
 
 #include "core/scene/scene.h"
+#include "core/sim/breaking.h"
 #include "fracture/cut_floe.h"
-#include "fracture/failure.h"
 
 namespace nilas {
 
 /// All three throw ContractError when the scene names no <fracture>, the first also without <water> and <ice>.
-FailureSettings failure_settings(const Scene& scene);
+BreakingSettings breaking_settings(const Scene& scene);
 PieceLimits piece_limits(const Scene& scene);
 /// For the list of what was built.
 std::string breaking_description(const Scene& scene);

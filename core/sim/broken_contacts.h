@@ -7,7 +7,8 @@
 #include "contact/detect/contact_point.h"
 #include "core/base/state.h"
 #include "core/bodies/bodies.h"
-#include "core/sim/step_record.h"
+#include "core/sim/fracture_event.h"
+#include "core/sim/solved_problem.h"
 
 namespace nilas {
 

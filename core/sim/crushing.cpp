@@ -8,7 +8,6 @@
 #include "contact/detect/contact_key.h"
 #include "core/base/order_free_sum.h"
 #include "core/bodies/mass_properties.h"
-#include "core/sim/crushing_settings.h"
 
 namespace nilas {
 
@@ -146,11 +145,8 @@ ContactPoint Crushing::Pair::point_on(const FaceInIce& face) const {
   return point;
 }
 
-Crushing::Crushing(const Scene& scene, const Bodies& bodies, const IceProperties& ice)
-    : law_(crushing_law(scene)),
-      ice_(ice),
-      between_floes_(scene.fracture->crushing->between_floes),
-      clear_volume_(scene.fracture->crushing->clear_volume) {
+Crushing::Crushing(const CrushingSettings& settings, const Bodies& bodies, const IceProperties& ice)
+    : law_(settings.law), ice_(ice), between_floes_(settings.between_floes), clear_volume_(settings.clear_volume) {
   is_hull_.assign(bodies.id.size(), 0);
   for (int body = 0; body < bodies.size(); ++body) learn(bodies, body);
 }

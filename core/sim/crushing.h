@@ -13,7 +13,6 @@
 #include "core/base/state.h"
 #include "core/bodies/bodies.h"
 #include "core/bodies/ice_properties.h"
-#include "core/scene/scene.h"
 #include "core/sim/crushing_surface.h"
 #include "core/sim/floe_pieces.h"
 #include "core/sim/step_motion.h"
@@ -22,11 +21,17 @@
 
 namespace nilas {
 
+struct CrushingSettings {
+  CrushingLaw law;
+  bool between_floes = false;          ///< floes crush each other, too
+  std::optional<double> clear_volume;  ///< crushed ice is cut out of a floe from this volume on [m^3]
+};
+
 class Crushing {
  public:
   /// Learns the surfaces of the vessel and of the bodies with flat faces; cylinders crush as their faceted surface,
-  /// spheres and planes stay rigid. `ice` must outlive this. Throws ContractError when the scene names no <crushing>.
-  Crushing(const Scene& scene, const Bodies& bodies, const IceProperties& ice);
+  /// spheres and planes stay rigid. `ice` must outlive this.
+  Crushing(const CrushingSettings& settings, const Bodies& bodies, const IceProperties& ice);
 
   /// Counts the ice whose crushing took the work of the crush points' normal forces in this part of a step: work over
   /// pressure is its volume.

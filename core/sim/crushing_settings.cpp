@@ -7,14 +7,14 @@
 
 namespace nilas {
 
-CrushingLaw crushing_law(const Scene& scene) {
+CrushingSettings crushing_settings(const Scene& scene) {
   NILAS_DEMAND(scene.fracture && scene.fracture->crushing);
   const CrushingScene& crushing = *scene.fracture->crushing;
   CrushingLaw law{CrushingModel::seed_limit, crushing.coefficient, crushing.exponent,
                   scene.fracture->compressive_strength};
   if (crushing.model == "pressure-area") law.model = CrushingModel::pressure_area;
   if (crushing.model == "compliant") law.model = CrushingModel::compliant;
-  return law;
+  return {law, crushing.between_floes, crushing.clear_volume};
 }
 
 std::string crushing_description(const Scene& scene, const Bodies& bodies) {

@@ -4,12 +4,12 @@
 
 #include "core/bodies/bodies.h"
 #include "core/scene/scene.h"
-#include "fracture/crushing_law.h"
+#include "core/sim/crushing.h"
 
 namespace nilas {
 
 /// Both throw ContractError when the scene names no <crushing>.
-CrushingLaw crushing_law(const Scene& scene);
+CrushingSettings crushing_settings(const Scene& scene);
 /// For the list of what was built; names the bodies that stay rigid.
 std::string crushing_description(const Scene& scene, const Bodies& bodies);
 

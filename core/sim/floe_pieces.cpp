@@ -1,7 +1,5 @@
 #include "core/sim/floe_pieces.h"
 
-#include "core/sim/breaking_settings.h"
-
 namespace nilas {
 
 namespace {
@@ -27,8 +25,6 @@ FloeState state_of(const Bodies& bodies, std::size_t b) {
 }
 
 }  // namespace
-
-FloePieces::FloePieces(const Scene& scene) : limits_(piece_limits(scene)) {}
 
 /// Whether a piece of a fixed floe that is not its largest is held as well.
 static bool is_held(const FloePiece& piece, const Failure& way) {

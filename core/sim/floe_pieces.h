@@ -9,8 +9,7 @@
 #include "core/base/state.h"
 #include "core/bodies/bodies.h"
 #include "core/bodies/ice_properties.h"
-#include "core/scene/scene.h"
-#include "core/sim/step_record.h"
+#include "core/sim/fracture_event.h"
 #include "fracture/cut_floe.h"
 #include "fracture/failure.h"
 
@@ -24,8 +23,7 @@ struct FloeBreak {
 
 class FloePieces {
  public:
-  /// Throws ContractError when the scene names no <fracture>.
-  explicit FloePieces(const Scene& scene);
+  explicit FloePieces(const PieceLimits& limits) : limits_(limits) {}
 
   /// Puts pieces in the floe's place, in the first way that cuts it: after all other bodies, moving as it did, with its
   /// strengths. Of a fixed floe the largest piece stays fixed, and others that have more of its old edge than of cracks

@@ -7,6 +7,8 @@
 #include "contact/detect/reach.h"
 #include "core/base/error.h"
 #include "core/sim/advance.h"
+#include "core/sim/breaking_settings.h"
+#include "core/sim/crushing_settings.h"
 #include "core/sim/step_modules.h"
 
 namespace nilas {
@@ -34,9 +36,9 @@ Simulation::World::World(const Scene& scene, int thread_count, WarningCounts& wa
   list_step_modules(scene, parts);
   follow_bodies({});
   energy = EnergyAccount(parts.info.work_names, kinetic_energy(parts.bodies), potential());
-  if (has_crushing(scene, parts)) crushing.emplace(scene, parts.bodies, *parts.ice_properties);
-  if (has_breaking(scene, parts)) breaking.emplace(scene);
-  if (breaking || clears_crushed_ice(scene, parts)) pieces.emplace(scene);
+  if (has_crushing(scene, parts)) crushing.emplace(crushing_settings(scene), parts.bodies, *parts.ice_properties);
+  if (has_breaking(scene, parts)) breaking.emplace(breaking_settings(scene));
+  if (breaking || clears_crushed_ice(scene, parts)) pieces.emplace(piece_limits(scene));
   if (scene.contact.integrator == "reference") reference.emplace(scene, thread_count, parts, model);
 }
 

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "contact/detect/contact_point.h"
 #include "contact/detect/detector_counts.h"
 #include "contact/measure.h"
-#include "contact/solver.h"
 #include "core/base/error.h"
 #include "core/base/math.h"
-#include "core/vessel/vessel_system.h"
+#include "core/sim/fracture_event.h"
+#include "core/sim/solved_problem.h"
+#include "core/vessel/vessel_model.h"
 
 namespace nilas {
 
@@ -76,28 +76,6 @@ struct ContactEvent {
   double speed = 0;    ///< of approach at an impact [m/s]
 };
 
-/// A floe that broke.
-struct FractureEvent {
-  double t = 0;      ///< [s]
-  std::string kind;  ///< name_of(FailureKind)
-  std::int64_t floe = 0;
-  Vec3 p_G = Vec3::Zero();           ///< of the edge where it began [m]
-  double energy = 0;                 ///< that left the bodies: of brash; of a floe that was fixed, what its free pieces
-                                     ///< bring in, below 0 [J]
-  double length = 0;                 ///< of all cracks [m]
-  double radius = 0;                 ///< of the circumferential crack, 0 where there is none [m]
-  double ratio = 0;                  ///< load over what the ice bears; of crushing volume over clear_volume
-  double brash = 0;                  ///< [kg]
-  double extruded = 0;               ///< crushed ice that was cut out [kg]
-  std::vector<std::int64_t> pieces;  ///< ids
-};
-
-/// A piece of a floe that broke, in whose place it came.
-struct NewPiece {
-  std::int64_t id = 0, floe = 0;
-  Vec2 place = Vec2::Zero();  ///< of its centre in the floe's frame, to which its own is parallel [m]
-};
-
 struct StepRecord {
   long step = 0;  ///< 1 for the first
   double t = 0;   ///< at the step's end [s]
@@ -122,25 +100,6 @@ struct StepRecord {
   double crushed_overlap_max = 0;
   std::vector<ContactEvent> events;  ///< in the order of time
   std::vector<FractureEvent> broken;
-};
-
-/// A body where it touched another; it may have broken since.
-struct TouchingBody {
-  std::int64_t id = 0;
-  double inverse_mass = 0;  ///< 0 of a fixed one [1/kg]
-};
-
-/// A step's contact problem and what its solver made of it; of a step that was cut, the last part with contacts.
-struct SolvedProblem {
-  ContactProblem problem;
-  ContactSolution solution;
-  std::vector<ContactPoint> points;                   ///< where the contacts were found
-  std::vector<std::array<TouchingBody, 2>> touching;  ///< per point, a and b
-  std::vector<double> d;                              ///< per contact, as from `measure` [1/kg]
-  std::vector<Vec3> impulses;                         ///< per point, on body b, in G [N s]
-  std::vector<Vec3> couples;         ///< per point, on body b, in G [N m s]; empty without rolling friction
-  Vec3 vessel_p = Vec3::Zero();      ///< its centre of mass where the contacts were found, in G [m]
-  Mat3 vessel_R = Mat3::Identity();  ///< its attitude there
 };
 
 /// How the course of the vessel is found, the axis along which its ice load is told.

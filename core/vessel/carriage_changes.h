@@ -1,6 +1,6 @@
 #pragma once
 /// Speeds of a carriage that stops, or takes others at once.
-#include "core/vessel/vessel_system.h"
+#include "core/vessel/vessel_model.h"
 
 namespace nilas {
 

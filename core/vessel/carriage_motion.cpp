@@ -3,7 +3,7 @@
 
 #include "core/base/csv.h"
 #include "core/base/error.h"
-#include "core/vessel/vessel_system.h"
+#include "core/vessel/vessel_model.h"
 
 namespace nilas {
 

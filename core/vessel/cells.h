@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/math.h"
-#include "core/vessel/vessel_system.h"
+#include "core/vessel/vessel_model.h"
 
 namespace nilas {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/vessel/vessel_system.h"
+#include "core/vessel/vessel_model.h"
 
 namespace nilas {
 

@@ -2,7 +2,7 @@
 /// What moves the vessel: one class per way of holding it, each with the step of vessel_system.h.
 #include <memory>
 
-#include "core/vessel/vessel_system.h"
+#include "core/vessel/vessel_model.h"
 
 namespace nilas {
 

@@ -6,7 +6,7 @@
 
 #include "core/base/math.h"
 #include "core/bodies/mass_properties.h"
-#include "core/vessel/vessel_system.h"
+#include "core/vessel/vessel_model.h"
 
 namespace nilas {
 

@@ -8,6 +8,7 @@
 
 #include "core/bodies/mass_properties.h"
 #include "core/sim/crushing.h"
+#include "core/sim/crushing_settings.h"
 #include "tests/core/sim/crushing_rig.h"
 
 namespace {
@@ -70,7 +71,7 @@ TEST(CrushingOfFloes, FacesOfTheSmallerAreaCountAndTheWeakerIceYields) {
     ice.resize(2);
     ice.breakable = {1, 1};
     ice.compressive_strength = {{turned_over ? 3e5 : 2e5, {}}, {turned_over ? 2e5 : 3e5, {}}};
-    Crushing crush(rig.scene, bodies, ice);
+    Crushing crush(crushing_settings(rig.scene), bodies, ice);
     EXPECT_TRUE(crush.crushes(0, 1));
     const auto points = crush.points(bodies, {{0, 1}}, 0.01, 0.01);
     ASSERT_FALSE(points.empty());
@@ -95,7 +96,7 @@ TEST(CrushingOfFloes, ASplinterWithinASheetIsBraked) {
     ice.resize(2);
     ice.breakable = {1, 1};
     ice.compressive_strength = {{2e5, {}}, {3e5, {}}};
-    Crushing crush(rig.scene, bodies, ice);
+    Crushing crush(crushing_settings(rig.scene), bodies, ice);
     double force = 0;
     for (const ContactPoint& c : crush.points(bodies, {{0, 1}}, 0.01, 0.01))
       if (c.n.x() > 0.5) force += c.force_limit;
@@ -123,7 +124,7 @@ TEST(CrushingOfFloes, OfEqualAreasTheLighterFloesCountWhateverTheOrder) {
     ice.resize(2);
     ice.breakable = {1, 1};
     ice.compressive_strength.assign(2, {2e5, {}});
-    Crushing crush(rig.scene, bodies, ice);
+    Crushing crush(crushing_settings(rig.scene), bodies, ice);
     double sum = 0, force = 0;
     for (const ContactPoint& c : crush.points(bodies, {{0, 1}}, 0.01, 0.01)) {
       sum += c.force_limit * c.p.x();
@@ -147,7 +148,7 @@ TEST(CrushingOfFloes, WhatIsRememberedDependsOnPosesAlone) {
     ice.breakable = {1, 1};
     ice.compressive_strength = {{2e5, {}}, {2e5, {}}};
     const auto last_of = [&](const std::vector<double>& speeds) {
-      Crushing crush(rig.scene, bodies, ice);
+      Crushing crush(crushing_settings(rig.scene), bodies, ice);
       std::vector<ContactPoint> points;
       State state;
       for (const double speed : speeds) {

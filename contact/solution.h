@@ -1,0 +1,43 @@
+#pragma once
+/// What a solve is asked for besides its problem, and what it gives back.
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/math.h"
+
+namespace nilas {
+
+enum class SolveStatus { converged, iteration_limit, stalled, numerical_error };
+const char* to_string(SolveStatus status);
+/// The graver of two statuses, in the order of the enumeration.
+inline SolveStatus worse(SolveStatus a, SolveStatus b) { return a < b ? b : a; }
+
+struct ContactSolution {
+  VecX r;  ///< 3 nc impulses on body B in the contact frame [N s]
+  VecX v;  ///< nv velocities with r applied
+  VecX u;  ///< 3 nc, H^T v + w [m/s]
+  SolveStatus status = SolveStatus::numerical_error;
+  int iterations = 0;
+  std::vector<double> history;  ///< law_map_m_s after each iteration, when asked for
+  std::string message;          ///< what failed and at which contact key; for auto what it used; else empty
+};
+
+/// Settings that all solvers share; a solver's own settings are a struct in its header.
+struct SolverSettings {
+  using Clock = std::chrono::steady_clock;
+
+  double tolerance = 1e-6;  ///< on law_map_m_s [m/s]; 0: sweeps do all max_iterations, others go on until they stall
+  int max_iterations = 1000;
+  double max_seconds = 0;  ///< stop with iteration_limit after this wall time; 0: no limit [s]
+  bool keep_history = false;
+  int threads = 1;
+  std::optional<Clock::time_point> deadline{};  ///< of a solve that runs; its islands and stages share it
+
+  /// These settings for a solve that begins now, unless it has begun already.
+  SolverSettings started() const;
+  bool out_of_time() const { return deadline && Clock::now() >= *deadline; }
+};
+
+}  // namespace nilas

@@ -1,0 +1,78 @@
+#pragma once
+/// What an ice field is asked to be, and the floes that it becomes.
+#include <cstdint>
+#include <vector>
+
+#include "core/base/math.h"
+#include "core/bodies/ice_properties.h"
+
+namespace nilas {
+
+/// One floe of a field, in the still-water plane.
+struct FieldFloe {
+  std::vector<Vec2> outline;                               ///< counter-clockwise, in G [m]
+  double thickness = 0;                                    ///< [m]; 0: the scene's
+  double density = 0;                                      ///< [kg/m^3]; 0: the scene's
+  double flexural_strength = 0, compressive_strength = 0;  ///< [Pa]; 0: the scene's
+  double fracture_toughness = 0;                           ///< [Pa sqrt(m)]; 0: the scene's
+  bool fixed = false;                                      ///< never moves, whatever the field says
+};
+
+enum class FloeShape { polygon, rectangle, square, parallelogram, disc, library };
+enum class SizeDistribution { fixed, uniform, lognormal, power_law, as_library };
+
+struct PackedSpec {
+  Vec2 low = Vec2::Zero(), high = Vec2::Ones();  ///< region [m]
+  double concentration = 0.8;                    ///< area of ice / free area of region
+  double overlap_tolerance = 1e-3;               ///< largest overlap depth left, as a fraction of the mean floe size
+  SizeDistribution distribution = SizeDistribution::lognormal;
+  double mean = 0.8, sd = 0.3, min = 0.3, max = 1.6;  ///< of sqrt(area) [m]
+  double exponent = 1.5;                              ///< power law n(D) ~ D^-(1 + exponent)
+  FloeShape shape = FloeShape::polygon;
+  int vertices_min = 5, vertices_max = 9;
+  double aspect = 1.5;  ///< long side / short side of rectangle and parallelogram
+  double shear = 0;     ///< parallelogram, angle from a rectangle [rad]
+  std::vector<std::vector<Vec2>>
+      library;  ///< simple counter-clockwise outlines to draw from, scaled to the drawn sizes
+  std::vector<std::vector<Vec2>>
+      keep_out;  ///< convex counter-clockwise outlines that ice keeps clear of; their area is no part of the region
+  double keep_out_margin = 0;  ///< [m]
+  std::uint64_t seed = 1;
+};
+struct FieldResult {
+  std::vector<FieldFloe> floes;
+  double concentration = 0;          ///< reached, ice area / free region area
+  double worst_overlap = 0;          ///< depth [m]
+  int passes = 0;                    ///< relaxation passes used
+  int fitted = 0;                    ///< polygon floes whose outline was fitted to its neighbours, see pack_field
+  int left_out = 0;                  ///< floes dropped because they met a keep-out outline
+  std::vector<WeakLine> weak_lines;  ///< along which the floes are weaker, in G
+};
+
+/// An intact sheet.
+struct LevelSpec {
+  Vec2 low = Vec2::Zero(), high = Vec2::Ones();  ///< region [m]
+  std::vector<std::vector<Vec2>> keep_out;       ///< convex, counter-clockwise
+  double keep_out_margin = 0;                    ///< [m]
+  Vec2 aft = -Vec2::UnitX();                     ///< where a hull came from
+};
+
+/// A channel of broken ice along X between two sheets.
+struct ChannelSpec {
+  PackedSpec ice;             ///< of the whole region; its concentration is that of the channel
+  double width = 1;           ///< of the channel, about the region's middle line [m]
+  Vec2 aft = -Vec2::UnitX();  ///< see LevelSpec
+};
+
+struct GridSpec {
+  Vec2 low = Vec2::Zero(), high = Vec2::Ones();
+  int rows = 1;      ///< along Y
+  int columns = 1;   ///< along X
+  double gap = 0;    ///< between neighbours [m]
+  double shear = 0;  ///< lines of constant X turned by this angle from Y, mirrored about the region's middle line [rad]
+  bool stagger = false;  ///< every second row shifted by half a piece
+  std::vector<std::vector<Vec2>> keep_out;
+  double keep_out_margin = 0;
+};
+
+}  // namespace nilas
