@@ -7,9 +7,9 @@
 #include "contact/fclib_blocks.h"
 #include "contact/fclib_matrix.h"
 #include "contact/fclib_rolling.h"
-#include "contact/hdf5_file.h"
 #include "contact/mass_inverse.h"
 #include "core/base/error.h"
+#include "core/hdf5/hdf5_file.h"
 
 namespace nilas {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/hdf5_file.h"
+#include "core/hdf5/hdf5_file.h"
 
 namespace nilas {
 

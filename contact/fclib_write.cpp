@@ -5,8 +5,8 @@
 #include "contact/fclib_io.h"
 #include "contact/fclib_matrix.h"
 #include "contact/fclib_rolling.h"
-#include "contact/hdf5_file.h"
 #include "core/base/error.h"
+#include "core/hdf5/hdf5_file.h"
 
 namespace nilas {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/math.h"
-#include "core/bodies/shape.h"
+#include "core/geometry/shape.h"
 
 namespace nilas {
 

@@ -13,7 +13,7 @@
 #include <set>
 #include <utility>
 
-#include "core/bodies/mass_properties.h"
+#include "core/geometry/mass_properties.h"
 
 namespace nilas {
 

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "core/bodies/mass_properties.h"
-#include "core/bodies/orientation.h"
+#include "core/geometry/mass_properties.h"
+#include "core/geometry/orientation.h"
 #include "fracture/smallest_box.h"
 #include "fracture/snap_lines.h"
 

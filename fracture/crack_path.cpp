@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "core/bodies/polygon.h"
+#include "core/geometry/polygon.h"
 
 namespace nilas {
 

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/bodies/mass_properties.h"
-#include "core/bodies/polygon.h"
+#include "core/geometry/mass_properties.h"
+#include "core/geometry/polygon.h"
 #include "fracture/smallest_box.h"
 
 namespace nilas {

@@ -9,8 +9,8 @@
 #include <tuple>
 #include <utility>
 
-#include "core/bodies/orientation.h"
-#include "core/bodies/polygon.h"
+#include "core/geometry/orientation.h"
+#include "core/geometry/polygon.h"
 #include "fracture/crack_faces.h"
 #include "fracture/snap_lines.h"
 

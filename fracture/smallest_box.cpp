@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/bodies/polygon.h"
+#include "core/geometry/polygon.h"
 
 namespace nilas {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-#include "core/bodies/orientation.h"
+#include "core/geometry/orientation.h"
 
 namespace nilas {
 

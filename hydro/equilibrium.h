@@ -1,7 +1,7 @@
 #pragma once
 /// Floating equilibrium: in heave at a given attitude, and in draught, trim and heel.
-#include "core/bodies/mesh.h"
-#include "core/bodies/shape.h"
+#include "core/geometry/mesh.h"
+#include "core/geometry/shape.h"
 #include "hydro/water.h"
 
 namespace nilas {

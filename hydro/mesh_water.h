@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "core/bodies/mesh.h"
+#include "core/geometry/mesh.h"
 #include "hydro/cut_triangle.h"
 #include "hydro/water_plane.h"
 #include "hydro/wetted.h"

@@ -1,6 +1,6 @@
 #pragma once
 /// Faceted sphere for the face-wise drag law.
-#include "core/bodies/mesh.h"
+#include "core/geometry/mesh.h"
 
 namespace nilas {
 

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "core/base/math.h"
-#include "core/bodies/mass_properties.h"
-#include "core/bodies/shape.h"
+#include "core/geometry/mass_properties.h"
+#include "core/geometry/shape.h"
 #include "hydro/water_plane.h"
 
 namespace nilas {

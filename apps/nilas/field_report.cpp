@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/bodies/mass_properties.h"
 #include "core/field/floe_sizes.h"
+#include "core/geometry/mass_properties.h"
 
 namespace nilas {
 

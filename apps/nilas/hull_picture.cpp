@@ -9,7 +9,7 @@
 #include <map>
 
 #include "core/base/error.h"
-#include "core/bodies/mesh_box.h"
+#include "core/geometry/mesh_box.h"
 #include "core/output/plot.h"
 
 namespace nilas {

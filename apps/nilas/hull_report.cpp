@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/bodies/mass_properties.h"
-#include "core/bodies/mesh_box.h"
+#include "core/geometry/mass_properties.h"
+#include "core/geometry/mesh_box.h"
 #include "core/output/console.h"
 #include "core/vessel/hull_attitude.h"
 #include "hydro/wetted.h"

@@ -5,7 +5,7 @@
 #include "apps/nilas/hull_picture.h"
 #include "core/base/error.h"
 #include "core/base/file_bytes.h"
-#include "core/bodies/mesh_box.h"
+#include "core/geometry/mesh_box.h"
 
 namespace nilas {
 

@@ -5,7 +5,7 @@
 
 #include "apps/report/contact_windows.h"
 #include "apps/report/picture_frame.h"
-#include "core/bodies/mesh.h"
+#include "core/geometry/mesh.h"
 
 namespace nilas {
 

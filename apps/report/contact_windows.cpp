@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "contact/hdf5_columns.h"
 #include "core/base/error.h"
+#include "core/hdf5/hdf5_columns.h"
 
 namespace nilas {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "apps/report/contact_windows.h"
-#include "core/bodies/mesh.h"
+#include "core/geometry/mesh.h"
 
 namespace nilas {
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Convex parts of bodies, prepared for contact search: the same geometry as core/bodies/shape.h with what a search
+/// Convex parts of bodies, prepared for contact search: the same geometry as core/geometry/shape.h with what a search
 /// asks of it again and again laid out for it.
 #include <array>
 #include <memory>
@@ -9,7 +9,7 @@
 #include "contact/detect/part_cover.h"
 #include "core/base/math.h"
 #include "core/bodies/bodies.h"
-#include "core/bodies/shape.h"
+#include "core/geometry/shape.h"
 
 namespace nilas {
 

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/bodies/mass_properties.h"
 #include "core/field/power_diagram.h"
+#include "core/geometry/mass_properties.h"
 
 namespace nilas {
 

@@ -5,12 +5,12 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
-#include "core/bodies/mass_properties.h"
-#include "core/bodies/orientation.h"
-#include "core/bodies/polygon.h"
 #include "core/field/field.h"
 #include "core/field/floe_property.h"
 #include "core/field/overlaps.h"
+#include "core/geometry/mass_properties.h"
+#include "core/geometry/orientation.h"
+#include "core/geometry/polygon.h"
 
 namespace nilas {
 

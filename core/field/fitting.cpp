@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/bodies/mass_properties.h"
 #include "core/field/keep_out.h"
 #include "core/field/overlaps.h"
+#include "core/geometry/mass_properties.h"
 
 namespace nilas {
 

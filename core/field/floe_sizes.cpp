@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "core/bodies/mass_properties.h"
+#include "core/geometry/mass_properties.h"
 
 namespace nilas {
 

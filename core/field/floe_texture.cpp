@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/bodies/polygon.h"
+#include "core/geometry/polygon.h"
 
 namespace nilas {
 

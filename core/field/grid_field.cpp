@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/bodies/mass_properties.h"
 #include "core/field/field.h"
 #include "core/field/keep_out.h"
 #include "core/field/loose_floe.h"
+#include "core/geometry/mass_properties.h"
 
 namespace nilas {
 

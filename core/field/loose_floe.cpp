@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/bodies/mass_properties.h"
-#include "core/bodies/polygon.h"
+#include "core/geometry/mass_properties.h"
+#include "core/geometry/polygon.h"
 
 namespace nilas {
 

@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
-#include "core/bodies/mass_properties.h"
-#include "core/bodies/orientation.h"
-#include "core/bodies/polygon.h"
 #include "core/field/field.h"
+#include "core/geometry/mass_properties.h"
+#include "core/geometry/orientation.h"
+#include "core/geometry/polygon.h"
 
 namespace nilas {
 

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/bodies/mass_properties.h"
+#include "core/geometry/mass_properties.h"
 
 namespace nilas {
 

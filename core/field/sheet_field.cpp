@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/bodies/mass_properties.h"
-#include "core/bodies/polygon.h"
 #include "core/field/field.h"
 #include "core/field/keep_out.h"
 #include "core/field/outline_difference.h"
+#include "core/geometry/mass_properties.h"
+#include "core/geometry/polygon.h"
 
 namespace nilas {
 

@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/random.h"
-#include "core/bodies/mass_properties.h"
+#include "core/geometry/mass_properties.h"
 
 namespace nilas {
 

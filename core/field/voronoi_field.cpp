@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/bodies/mass_properties.h"
 #include "core/field/field.h"
 #include "core/field/floe_sizes.h"
 #include "core/field/keep_out.h"
 #include "core/field/packed_spec.h"
 #include "core/field/place_floes.h"
 #include "core/field/power_diagram.h"
+#include "core/geometry/mass_properties.h"
 
 namespace nilas {
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <numeric>
 
-#include "core/bodies/mesh_box.h"
+#include "core/geometry/mesh_box.h"
 #include "core/mesh/pieces.h"
 #include "core/mesh/surface_mesh.h"
 

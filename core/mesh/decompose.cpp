@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/bodies/mesh_box.h"
+#include "core/geometry/mesh_box.h"
 #include "core/mesh/pieces.h"
 #include "core/mesh/surface_distance.h"
 #include "core/mesh/surface_mesh.h"

@@ -1,6 +1,6 @@
 #pragma once
 /// Convex parts of a closed mesh, for contact.
-#include "core/bodies/mesh.h"
+#include "core/geometry/mesh.h"
 
 namespace nilas {
 

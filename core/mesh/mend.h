@@ -2,7 +2,7 @@
 /// Makes a closed, outward, manifold triangle mesh free of self-intersections of what a drawing program exported.
 #include <string>
 
-#include "core/bodies/mesh.h"
+#include "core/geometry/mesh.h"
 #include "core/mesh/polygon_soup.h"
 
 namespace nilas {

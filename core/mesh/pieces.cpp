@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/bodies/weld.h"
+#include "core/geometry/weld.h"
 #include "core/mesh/surface_mesh.h"
 
 namespace nilas {

@@ -2,7 +2,7 @@
 /// Pieces of a solid between cutting planes.
 #include <vector>
 
-#include "core/bodies/mesh.h"
+#include "core/geometry/mesh.h"
 #include "core/mesh/union_surface.h"
 
 namespace nilas {

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "core/base/parallel.h"
-#include "core/bodies/mesh_box.h"
+#include "core/geometry/mesh_box.h"
 #include "core/mesh/pieces.h"
 
 namespace nilas {

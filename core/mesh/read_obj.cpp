@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/bodies/mesh_words.h"
+#include "core/geometry/mesh_words.h"
 #include "core/mesh/soup_formats.h"
 
 namespace nilas {

@@ -1,7 +1,7 @@
 /// Object file format: a line of counts, a line per vertex, a line per face; normals and colours are passed over.
 #include <algorithm>
 
-#include "core/bodies/mesh_words.h"
+#include "core/geometry/mesh_words.h"
 #include "core/mesh/soup_formats.h"
 
 namespace nilas {

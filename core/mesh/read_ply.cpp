@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "core/base/error.h"
-#include "core/bodies/mesh_words.h"
+#include "core/geometry/mesh_words.h"
 #include "core/mesh/soup_formats.h"
 
 namespace nilas {

@@ -2,7 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/file_bytes.h"
-#include "core/bodies/mesh.h"
+#include "core/geometry/mesh.h"
 #include "core/mesh/soup_formats.h"
 
 namespace nilas {

@@ -7,7 +7,7 @@
 
 #include <queue>
 
-#include "core/bodies/mesh_box.h"
+#include "core/geometry/mesh_box.h"
 #include "core/mesh/union_surface.h"
 
 namespace nilas {

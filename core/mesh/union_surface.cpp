@@ -1,6 +1,6 @@
 #include "core/mesh/union_surface.h"
 
-#include "core/bodies/mesh_box.h"
+#include "core/geometry/mesh_box.h"
 
 namespace nilas {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/bodies/shape.h"
+#include "core/geometry/shape.h"
 
 namespace nilas {
 

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "contact/hdf5_columns.h"
 #include "core/base/state.h"
+#include "core/hdf5/hdf5_columns.h"
 #include "core/output/contact_rows.h"
 #include "core/scene/scene.h"
 

@@ -8,8 +8,8 @@
 
 #include "core/base/csv.h"
 #include "core/base/error.h"
-#include "core/bodies/mesh.h"
-#include "core/bodies/mesh_box.h"
+#include "core/geometry/mesh.h"
+#include "core/geometry/mesh_box.h"
 #include "core/scene/attribute_values.h"
 #include "core/scene/ice_presets.h"
 #include "core/scene/values.h"

@@ -3,8 +3,8 @@
 #include <memory>
 #include <string>
 
-#include "core/bodies/mass_properties.h"
-#include "core/bodies/shape.h"
+#include "core/geometry/mass_properties.h"
+#include "core/geometry/shape.h"
 #include "core/scene/scene.h"
 
 namespace nilas {

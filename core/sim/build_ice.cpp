@@ -5,10 +5,10 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/bodies/orientation.h"
-#include "core/bodies/polygon.h"
 #include "core/field/field.h"
 #include "core/field/keep_out.h"
+#include "core/geometry/orientation.h"
+#include "core/geometry/polygon.h"
 #include "core/sim/world.h"
 
 namespace nilas {

@@ -2,9 +2,9 @@
 
 #include <set>
 
-#include "contact/hdf5_file.h"
 #include "core/base/error.h"
 #include "core/base/hash.h"
+#include "core/hdf5/hdf5_file.h"
 
 namespace nilas {
 

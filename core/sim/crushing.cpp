@@ -7,7 +7,7 @@
 
 #include "contact/detect/contact_key.h"
 #include "core/base/order_free_sum.h"
-#include "core/bodies/mass_properties.h"
+#include "core/geometry/mass_properties.h"
 
 namespace nilas {
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "core/base/file_bytes.h"
-#include "core/bodies/mesh_box.h"
+#include "core/geometry/mesh_box.h"
 #include "core/vessel/hull_doubts.h"
 #include "hydro/wetted.h"
 

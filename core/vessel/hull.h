@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "core/bodies/mesh.h"
-#include "core/bodies/shape.h"
+#include "core/geometry/mesh.h"
+#include "core/geometry/shape.h"
 
 namespace nilas {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <string>
 
-#include "core/bodies/mesh.h"
+#include "core/geometry/mesh.h"
 
 namespace nilas {
 

@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/file_bytes.h"
-#include "core/bodies/mesh_box.h"
+#include "core/geometry/mesh_box.h"
 #include "core/vessel/hull.h"
 #include "core/vessel/hull_parts.h"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/bodies/mesh_box.h"
+#include "core/geometry/mesh_box.h"
 
 namespace nilas {
 

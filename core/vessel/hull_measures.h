@@ -1,6 +1,6 @@
 #pragma once
 /// Measures of a hull's shape that tell its sides, ends and faces from each other.
-#include "core/bodies/mesh.h"
+#include "core/geometry/mesh.h"
 
 namespace nilas {
 

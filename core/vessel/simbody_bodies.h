@@ -1,6 +1,6 @@
 #pragma once
 /// Vectors, poses and bodies in Simbody's terms. Include it in sources only, in place of <Simbody.h>.
-#include "core/bodies/mass_properties.h"
+#include "core/geometry/mass_properties.h"
 #include "core/vessel/simbody.h"
 #include "core/vessel/vessel_parts.h"
 #include "core/vessel/vessel_tree.h"

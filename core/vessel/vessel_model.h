@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/math.h"
-#include "core/bodies/mass_properties.h"
+#include "core/geometry/mass_properties.h"
 #include "core/vessel/vessel_parts.h"
 
 namespace nilas {

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "core/bodies/mesh.h"
+#include "core/geometry/mesh.h"
 #include "tests/core/mesh/hull_shapes.h"
 #include "tests/support/program.h"
 

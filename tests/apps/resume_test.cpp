@@ -10,7 +10,7 @@
 #include <set>
 #include <thread>
 
-#include "contact/hdf5_file.h"
+#include "core/hdf5/hdf5_file.h"
 #include "tests/support/mentions.h"
 #include "tests/support/started_program.h"
 

@@ -8,8 +8,8 @@
 #include <random>
 
 #include "contact/fclib_matrix.h"
-#include "contact/hdf5_file.h"
 #include "core/base/error.h"
+#include "core/hdf5/hdf5_file.h"
 #include "tests/support/program.h"
 
 namespace nilas {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/bodies/mass_properties.h"
+#include "core/geometry/mass_properties.h"
 #include "tests/support/cut_judge.h"
 
 namespace {

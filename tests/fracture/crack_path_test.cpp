@@ -6,8 +6,8 @@
 
 #include "core/base/error.h"
 #include "core/base/random.h"
-#include "core/bodies/orientation.h"
-#include "core/bodies/polygon.h"
+#include "core/geometry/orientation.h"
+#include "core/geometry/polygon.h"
 #include "fracture/crack_lines.h"
 #include "fracture/cut_outline.h"
 

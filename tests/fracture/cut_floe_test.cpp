@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/bodies/shape.h"
+#include "core/geometry/shape.h"
 #include "fracture/smallest_box.h"
 #include "tests/support/cut_judge.h"
 

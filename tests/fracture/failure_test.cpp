@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/bodies/mass_properties.h"
+#include "core/geometry/mass_properties.h"
 #include "fracture/cut_outline.h"
 
 namespace nilas {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "core/bodies/mass_properties.h"
-#include "core/bodies/polygon.h"
+#include "core/geometry/mass_properties.h"
+#include "core/geometry/polygon.h"
 
 namespace nilas {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/bodies/mesh.h"
+#include "core/geometry/mesh.h"
 
 namespace nilas::water_test {
 

@@ -4,7 +4,7 @@
 #include <Eigen/Dense>
 #include <nlohmann/json.hpp>
 
-#include "contact/hdf5_file.h"
+#include "core/hdf5/hdf5_file.h"
 #include "tests/support/started_program.h"
 
 namespace {

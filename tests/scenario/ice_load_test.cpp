@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "core/bodies/mesh.h"
+#include "core/geometry/mesh.h"
 #include "tests/support/program.h"
 
 namespace {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/base/random.h"
-#include "core/bodies/mass_properties.h"
-#include "core/bodies/orientation.h"
-#include "core/bodies/polygon.h"
+#include "core/geometry/mass_properties.h"
+#include "core/geometry/orientation.h"
+#include "core/geometry/polygon.h"
 
 namespace nilas::test {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
-#include "core/bodies/mass_properties.h"
-#include "core/bodies/orientation.h"
-#include "core/bodies/polygon.h"
+#include "core/geometry/mass_properties.h"
+#include "core/geometry/orientation.h"
+#include "core/geometry/polygon.h"
 #include "fracture/cut_floe.h"
 #include "fracture/cut_outline.h"
 #include "fracture/snap_lines.h"

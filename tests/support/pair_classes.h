@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/random.h"
-#include "core/bodies/shape.h"
+#include "core/geometry/shape.h"
 #include "tests/contact/detect/bodies_of_tests.h"
 
 namespace nilas::pairs {

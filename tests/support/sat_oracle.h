@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/bodies/bodies.h"
-#include "core/bodies/shape.h"
+#include "core/geometry/shape.h"
 
 namespace nilas::oracle {
 

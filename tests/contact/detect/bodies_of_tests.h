@@ -8,8 +8,8 @@
 #include "core/base/math.h"
 #include "core/base/random.h"
 #include "core/bodies/bodies.h"
-#include "core/bodies/mass_properties.h"
-#include "core/bodies/shape.h"
+#include "core/geometry/mass_properties.h"
+#include "core/geometry/shape.h"
 
 namespace nilas {
 

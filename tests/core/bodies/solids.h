@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/base/random.h"
-#include "core/bodies/mass_properties.h"
-#include "core/bodies/mesh.h"
+#include "core/geometry/mass_properties.h"
+#include "core/geometry/mesh.h"
 
 namespace nilas {
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/random.h"
-#include "core/bodies/polygon.h"
+#include "core/geometry/polygon.h"
 
 namespace nilas {
 namespace {

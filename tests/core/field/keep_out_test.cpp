@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/bodies/mass_properties.h"
-#include "core/bodies/polygon.h"
+#include "core/geometry/mass_properties.h"
+#include "core/geometry/polygon.h"
 
 namespace nilas {
 namespace {

@@ -5,11 +5,11 @@
 #include <algorithm>
 
 #include "core/base/random.h"
-#include "core/bodies/mass_properties.h"
 #include "core/field/exchange.h"
 #include "core/field/fitting.h"
 #include "core/field/overlaps.h"
 #include "core/field/place_floes.h"
+#include "core/geometry/mass_properties.h"
 
 namespace nilas {
 namespace {

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/bodies/mass_properties.h"
-#include "core/bodies/polygon.h"
 #include "core/field/field.h"
+#include "core/geometry/mass_properties.h"
+#include "core/geometry/polygon.h"
 
 namespace nilas {
 namespace {

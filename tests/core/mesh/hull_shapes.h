@@ -3,9 +3,9 @@
 #include <cmath>
 #include <functional>
 
-#include "core/bodies/mesh.h"
-#include "core/bodies/shape.h"
-#include "core/bodies/weld.h"
+#include "core/geometry/mesh.h"
+#include "core/geometry/shape.h"
+#include "core/geometry/weld.h"
 #include "core/mesh/polygon_soup.h"
 
 namespace nilas {

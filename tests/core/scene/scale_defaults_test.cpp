@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/bodies/mesh.h"
-#include "core/bodies/shape.h"
+#include "core/geometry/mesh.h"
+#include "core/geometry/shape.h"
 #include "core/scene/ice_presets.h"
 #include "tests/core/scene/scene_files.h"
 

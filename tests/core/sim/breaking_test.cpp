@@ -7,7 +7,7 @@
 #include <numeric>
 #include <string>
 
-#include "core/bodies/mass_properties.h"
+#include "core/geometry/mass_properties.h"
 #include "fracture/plate.h"
 #include "fracture/splitting_lefm.h"
 #include "tests/core/sim/breaking_rig.h"

@@ -9,9 +9,9 @@
 #include <limits>
 #include <sstream>
 
-#include "contact/hdf5_file.h"
 #include "contact/measure.h"
 #include "core/base/error.h"
+#include "core/hdf5/hdf5_file.h"
 #include "core/scene/read_scene.h"
 #include "core/sim/simulation.h"
 #include "tests/support/scratch_folder.h"

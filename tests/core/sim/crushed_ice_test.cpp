@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "core/bodies/mass_properties.h"
+#include "core/geometry/mass_properties.h"
 #include "tests/core/sim/crushing_rig.h"
 
 namespace {

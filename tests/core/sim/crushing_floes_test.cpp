@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "core/bodies/mass_properties.h"
+#include "core/geometry/mass_properties.h"
 #include "core/sim/crushing.h"
 #include "core/sim/crushing_settings.h"
 #include "tests/core/sim/crushing_rig.h"

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/bodies/mass_properties.h"
+#include "core/geometry/mass_properties.h"
 #include "core/scene/read_scene.h"
 #include "core/sim/simulation.h"
 #include "core/sim/world.h"

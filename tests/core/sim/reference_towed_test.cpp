@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "core/bodies/mesh.h"
+#include "core/geometry/mesh.h"
 #include "core/numerics/event_ode.h"
 #include "core/scene/read_scene.h"
 #include "core/sim/simulation.h"

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/bodies/mass_properties.h"
 #include "core/field/distribution_statistics.h"
+#include "core/geometry/mass_properties.h"
 #include "core/scene/read_scene.h"
 #include "core/sim/simulation.h"
 #include "core/sim/world.h"

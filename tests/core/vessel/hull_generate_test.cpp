@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "core/bodies/mass_properties.h"
+#include "core/geometry/mass_properties.h"
 #include "core/vessel/hull.h"
 
 namespace nilas {

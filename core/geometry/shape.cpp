@@ -1,0 +1,111 @@
+#include "core/geometry/shape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "core/base/error.h"
+#include "core/geometry/polygon.h"
+#include "core/geometry/prism_surface.h"
+
+namespace nilas {
+
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+double reach(const std::vector<Vec3>& points) {
+  double r = 0;
+  for (const auto& p : points) r = std::max(r, p.norm());
+  return r;
+}
+
+/// Surface over a convex outline.
+TriangleMesh convex_prism_surface(const std::vector<Vec2>& outline, double half) {
+  std::vector<int> all(outline.size());
+  std::iota(all.begin(), all.end(), 0);
+  return prism_surface(outline, {all}, half);
+}
+
+/// Corners of a convex piece; fewer than three where it has no width, as the ice between the sides of a needle.
+std::vector<Vec2> turning_points(const std::vector<Vec2>& outline, const std::vector<int>& piece) {
+  std::vector<Vec2> points, turning;
+  for (const int i : piece) points.push_back(outline[at(i)]);
+  for (const int k : corners(points)) turning.push_back(points[at(k)]);
+  return turning;
+}
+
+}  // namespace
+
+Shape prism_shape(const std::vector<Vec2>& outline, double thickness) {
+  const auto pieces = convex_piece_indices(outline);
+  NILAS_DEMAND(thickness > 0);
+  Shape s;
+  s.kind = ShapeKind::prism;
+  s.outline = outline;
+  s.thickness = thickness;
+  for (const auto& piece : pieces)
+    if (const auto loop = turning_points(outline, piece); loop.size() >= 3)
+      s.parts.push_back(make_prism(loop, -0.5 * thickness, 0.5 * thickness));
+  NILAS_DEMAND(!s.parts.empty());
+  s.surface = prism_surface(outline, pieces, 0.5 * thickness);
+  s.bounding_radius = reach(s.surface.vertices);
+  return s;
+}
+
+Shape box_shape(const Vec3& size) {
+  NILAS_DEMAND(size.minCoeff() > 0);
+  Shape s;
+  s.kind = ShapeKind::box;
+  s.parts.push_back(make_box(size));
+  const double x = 0.5 * size.x(), y = 0.5 * size.y();
+  s.surface = convex_prism_surface({{-x, -y}, {x, -y}, {x, y}, {-x, y}}, 0.5 * size.z());
+  s.bounding_radius = 0.5 * size.norm();
+  return s;
+}
+
+Shape sphere_shape(double radius) {
+  NILAS_DEMAND(radius > 0);
+  Shape s;
+  s.kind = ShapeKind::sphere;
+  s.radius = radius;
+  s.bounding_radius = radius;
+  return s;
+}
+
+Shape cylinder_shape(double radius, double height) {
+  NILAS_DEMAND(radius > 0 && height > 0);
+  Shape s;
+  s.kind = ShapeKind::cylinder;
+  s.radius = radius;
+  s.half_height = 0.5 * height;
+  constexpr int k_sides = 64;  // corners then stand 0.08 % of the radius outside the true circle
+  constexpr double k_step = 2 * k_pi / k_sides;
+  const double corner_radius = radius * std::sqrt(k_step / std::sin(k_step));  // polygon of the circle's area
+  std::vector<Vec2> outline;
+  for (int i = 0; i < k_sides; ++i)
+    outline.emplace_back(corner_radius * std::cos(k_step * i), corner_radius * std::sin(k_step * i));
+  s.surface = convex_prism_surface(outline, s.half_height);
+  s.bounding_radius = std::max(std::hypot(radius, s.half_height), reach(s.surface.vertices));
+  return s;
+}
+
+Shape plane_shape() {
+  Shape s;
+  s.kind = ShapeKind::plane;
+  s.bounding_radius = std::numeric_limits<double>::infinity();
+  return s;
+}
+
+Shape mesh_shape(TriangleMesh surface, std::vector<ConvexPolytope> parts) {
+  Shape s;
+  s.kind = ShapeKind::mesh;
+  s.bounding_radius = reach(surface.vertices);
+  for (const auto& part : parts) s.bounding_radius = std::max(s.bounding_radius, reach(part.vertices));
+  s.surface = std::move(surface);
+  s.parts = std::move(parts);
+  return s;
+}
+
+}  // namespace nilas
