@@ -2,8 +2,8 @@
 /// Pictures of a hull.
 #include <filesystem>
 
-#include "core/mesh/mend.h"
-#include "core/vessel/hull.h"
+#include "core/hull/hull.h"
+#include "core/mesh/mend/mend.h"
 
 namespace nilas {
 

@@ -7,8 +7,8 @@
 #include "core/base/error.h"
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/mesh_box.h"
+#include "core/hull/hull_attitude.h"
 #include "core/output/console.h"
-#include "core/vessel/hull_attitude.h"
 #include "hydro/wetted.h"
 
 namespace nilas {

@@ -3,10 +3,10 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "core/mesh/decompose.h"
-#include "core/mesh/mend.h"
-#include "core/vessel/hull.h"
-#include "core/vessel/hull_doubts.h"
+#include "core/hull/hull.h"
+#include "core/hull/hull_doubts.h"
+#include "core/mesh/decompose/decompose.h"
+#include "core/mesh/mend/mend.h"
 
 namespace nilas {
 

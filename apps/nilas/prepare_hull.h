@@ -6,8 +6,8 @@
 #include <thread>
 
 #include "apps/nilas/hull_report.h"
-#include "core/vessel/hull_axes.h"
-#include "core/vessel/new_hull_folder.h"
+#include "core/hull/hull_axes.h"
+#include "core/hull/new_hull_folder.h"
 
 namespace nilas {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/vessel/simbody.h"
+#include "core/vessel/tree/simbody.h"
 
 namespace nilas {
 

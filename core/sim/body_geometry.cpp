@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/vessel/hull.h"
+#include "core/hull/hull.h"
 
 namespace nilas {
 

@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/hull/hull.h"
 #include "core/sim/body_geometry.h"
 #include "core/sim/vessel_rest.h"
 #include "core/sim/world.h"
-#include "core/vessel/hull.h"
-#include "core/vessel/rods.h"
+#include "core/vessel/tree/rods.h"
 #include "hydro/equilibrium.h"
 #include "hydro/wetted.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/vessel/cells.h"
+#include "core/vessel/model/cells.h"
 #include "hydro/wetted.h"
 
 namespace nilas {

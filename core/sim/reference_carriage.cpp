@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/vessel/cells.h"
+#include "core/vessel/model/cells.h"
 
 namespace nilas {
 

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "core/vessel/carried_vessel.h"
+#include "core/vessel/tree/carried_vessel.h"
 
 namespace nilas {
 

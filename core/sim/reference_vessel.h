@@ -8,7 +8,7 @@
 #include "core/bodies/bodies.h"
 #include "core/bodies/module.h"
 #include "core/sim/reference_carriage.h"
-#include "core/vessel/jointed_tree.h"
+#include "core/vessel/tree/jointed_tree.h"
 
 namespace nilas {
 

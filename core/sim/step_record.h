@@ -12,7 +12,7 @@
 #include "core/base/math.h"
 #include "core/sim/fracture_event.h"
 #include "core/sim/solved_problem.h"
-#include "core/vessel/vessel_model.h"
+#include "core/vessel/model/vessel_model.h"
 
 namespace nilas {
 

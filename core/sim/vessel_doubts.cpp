@@ -4,7 +4,7 @@
 
 #include "core/base/file_bytes.h"
 #include "core/geometry/mesh_box.h"
-#include "core/vessel/hull_doubts.h"
+#include "core/hull/hull_doubts.h"
 #include "hydro/wetted.h"
 
 namespace nilas {

@@ -1,7 +1,7 @@
 #include "core/vessel/vessel_system.h"
 
 #include "core/base/error.h"
-#include "core/vessel/vessel_motion.h"
+#include "core/vessel/tree/vessel_motion.h"
 
 namespace nilas {
 

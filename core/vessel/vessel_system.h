@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/state.h"
-#include "core/vessel/vessel_model.h"
+#include "core/vessel/model/vessel_model.h"
 
 namespace nilas {
 

@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include "core/base/error.h"
-#include "core/vessel/carried_vessel.h"
-#include "core/vessel/cells.h"
+#include "core/vessel/model/cells.h"
+#include "core/vessel/tree/carried_vessel.h"
 
 namespace nilas {
 

@@ -1,7 +1,7 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "core/vessel/carried_vessel.h"
+#include "core/vessel/tree/carried_vessel.h"
 
 namespace nilas {
 

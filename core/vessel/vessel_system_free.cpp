@@ -2,8 +2,8 @@
 
 #include "core/base/error.h"
 #include "core/bodies/free_rotation.h"
-#include "core/vessel/vessel_motion.h"
-#include "core/vessel/vessel_tree.h"
+#include "core/vessel/tree/vessel_motion.h"
+#include "core/vessel/tree/vessel_tree.h"
 
 namespace nilas {
 

@@ -6,8 +6,8 @@
 
 #include "core/base/error.h"
 #include "core/numerics/nonlinear_solve.h"
-#include "core/vessel/carriage_changes.h"
-#include "core/vessel/carried_vessel.h"
+#include "core/vessel/tree/carriage_changes.h"
+#include "core/vessel/tree/carried_vessel.h"
 
 namespace nilas {
 

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "core/vessel/hull_axes.h"
+#include "core/hull/hull_axes.h"
 #include "tests/core/vessel/hull_family.h"
 #include "tests/support/program.h"
 

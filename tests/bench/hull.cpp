@@ -14,7 +14,7 @@
 
 #include "apps/nilas/hull_picture.h"
 #include "apps/nilas/prepare_hull.h"
-#include "core/mesh/surface_distance.h"
+#include "core/mesh/decompose/surface_distance.h"
 #include "tests/core/mesh/hull_shapes.h"
 
 namespace {

@@ -13,10 +13,10 @@
 #include <string>
 
 #include "core/base/random.h"
+#include "core/hull/hull.h"
 #include "core/output/plot.h"
 #include "core/scene/read_scene.h"
 #include "core/sim/simulation.h"
-#include "core/vessel/hull.h"
 #include "fracture/resistance.h"
 #include "tests/bench/twins.h"
 

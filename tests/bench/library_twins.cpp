@@ -21,8 +21,8 @@
 #include "contact/solvers/block_cholesky.h"
 #include "contact/solvers/block_lu.h"
 #include "core/base/random.h"
-#include "core/mesh/decompose.h"
-#include "core/vessel/simbody.h"
+#include "core/mesh/decompose/decompose.h"
+#include "core/vessel/tree/simbody.h"
 #include "core/vessel/vessel_system.h"
 
 namespace {

@@ -6,7 +6,7 @@
 #include "core/geometry/mesh.h"
 #include "core/geometry/shape.h"
 #include "core/geometry/weld.h"
-#include "core/mesh/polygon_soup.h"
+#include "core/mesh/mend/polygon_soup.h"
 
 namespace nilas {
 

@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/scene/read_scene.h"
 #include "core/sim/simulation.h"
-#include "core/vessel/cells.h"
+#include "core/vessel/model/cells.h"
 #include "hydro/equilibrium.h"
 #include "tests/support/scratch_folder.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/vessel/cells.h"
+#include "core/vessel/model/cells.h"
 #include "tests/core/vessel/example_vessel.h"
 
 namespace nilas {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/vessel/hull.h"
+#include "core/hull/hull.h"
 #include "tests/core/mesh/hull_shapes.h"
 
 namespace nilas_test {

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/vessel/cells.h"
+#include "core/vessel/model/cells.h"
 #include "tests/core/vessel/jointed_example.h"
 
 namespace nilas {

@@ -1,7 +1,7 @@
 #pragma once
 /// Vessels on rods, and what a rod does to them.
-#include "core/vessel/jointed_tree.h"
-#include "core/vessel/rods.h"
+#include "core/vessel/tree/jointed_tree.h"
+#include "core/vessel/tree/rods.h"
 #include "tests/core/vessel/jointed_example.h"
 
 namespace nilas::example {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/math.h"
-#include "core/vessel/exponential_mode.h"
+#include "core/vessel/tree/exponential_mode.h"
 
 namespace nilas {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "core/vessel/cells.h"
-#include "core/vessel/exponential_mode.h"
+#include "core/vessel/model/cells.h"
+#include "core/vessel/tree/exponential_mode.h"
 #include "tests/core/vessel/example_vessel.h"
 
 namespace nilas {

@@ -2,8 +2,8 @@
 
 #include "core/base/error.h"
 #include "core/base/random.h"
-#include "core/vessel/exponential_mode.h"
-#include "core/vessel/stiff_block.h"
+#include "core/vessel/tree/exponential_mode.h"
+#include "core/vessel/tree/stiff_block.h"
 
 namespace nilas {
 namespace {

@@ -1,0 +1,79 @@
+/// Hull folders and single hull files.
+#include <fmt/format.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "core/base/error.h"
+#include "core/base/file_bytes.h"
+#include "core/geometry/mesh_box.h"
+#include "core/hull/hull.h"
+#include "core/hull/hull_parts.h"
+
+namespace nilas {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Convex within this share of half the longest side: STL files hold float32 coordinates.
+constexpr double k_convex_tolerance = 1e-5;
+
+TriangleMesh read_sound(const fs::path& file) {
+  TriangleMesh mesh = read_stl(file);
+  const MeshDefects defects = find_defects(mesh);
+  if (!defects.sound()) throw InputError(file.string() + ": not a closed outward solid: " + defects.text());
+  return mesh;
+}
+
+void demand_convex(const TriangleMesh& mesh, const fs::path& file, const std::string& advice) {
+  try {
+    make_polytope(mesh, k_convex_tolerance * 0.5 * box_of(mesh).sizes().maxCoeff());
+  } catch (const InputError& e) {
+    throw InputError(file.string() + ": " + e.what() + advice);
+  }
+}
+
+/// A folder that lost a part would float right and touch wrongly; the description knows how many there were.
+void demand_described_parts(const fs::path& description, std::size_t parts) {
+  std::error_code ignored;
+  if (!fs::exists(description, ignored)) return;
+  const nlohmann::json json = nlohmann::json::parse(file_bytes(description), nullptr, false);
+  if (!json.is_object()) throw InputError(description.string() + ": not a JSON object, or cut short");
+  if (!json.contains("parts")) return;
+  if (json["parts"] != parts)
+    throw InputError(fmt::format("{}: parts: found {}, but the folder holds {} part-NNNN.stl files",
+                                 description.string(), json["parts"].dump(), parts));
+}
+
+}  // namespace
+
+Hull read_hull(const fs::path& path) {
+  Hull hull;
+  if (!is_folder(path)) {
+    hull.fluid = read_sound(path);
+    demand_convex(hull.fluid, path, "; `nilas hull` cuts such a file into a hull folder with convex parts");
+    hull.parts.push_back(hull.fluid);
+    return hull;
+  }
+  hull.fluid = read_sound(path / "fluid.stl");
+  const std::vector<fs::path> parts = part_files(path);
+  if (parts.empty()) throw InputError(path.string() + ": the hull folder holds no part-NNNN.stl");
+  demand_described_parts(path / "hull.json", parts.size());
+  for (const auto& file : parts) {
+    hull.parts.push_back(read_sound(file));
+    demand_convex(hull.parts.back(), file, "");
+  }
+  return hull;
+}
+
+void write_hull(const Hull& hull, const fs::path& folder, const std::string& json) {
+  write_stl(hull.fluid, folder / "fluid.stl");
+  for (std::size_t k = 0; k < hull.parts.size(); ++k) write_stl(hull.parts[k], folder / part_name(k + 1));
+  std::ofstream out(folder / "hull.json");
+  out << json;
+  out.close();
+  if (!out) throw FileError((folder / "hull.json").string() + ": cannot be written");
+}
+
+}  // namespace nilas

@@ -1,0 +1,249 @@
+#include "core/vessel/tree/jointed_rest.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/numerics/nonlinear_solve.h"
+#include "core/vessel/model/cells.h"
+#include "core/vessel/tree/carriage_changes.h"
+#include "core/vessel/tree/carried_vessel.h"
+
+namespace nilas {
+
+namespace {
+
+constexpr int k_roll = 0, k_pitch = 1, k_heave = 5;
+constexpr int k_first_translation = 3;
+/// Share of the weight along a coordinate that nothing holds above which the vessel moves rather than rests.
+constexpr double k_unbalanced = 0.01;
+/// Share of weight times lever per radian, or weight per length, below which nothing brings a part back.
+constexpr double k_restoring = 1e-6;
+
+/// A speed of the tree: whose it is and what is large along it.
+struct Along {
+  int body = 0;
+  bool held = false;      ///< by cells or a spring
+  bool settles = false;   ///< held, or water balances it
+  bool left_out = false;  ///< of a part that no joint holds
+  double force = 0;       ///< [N, N m]
+  double move = 1;        ///< [m, rad]
+};
+
+double lever_of(const PartModel& part) {
+  return (part.in_V.p - part.point_V).norm() + std::sqrt(0.5 * part.inertia_B.trace() / part.mass);
+}
+
+class RestSearch {
+ public:
+  RestSearch(JointedTree& tree, const VesselModel& model, const RestModel& rest, const CarriageMotion::State& carriage);
+  JointedRest find();
+
+ private:
+  void add_hull(const VesselModel& model);
+  void add_parts(const VesselModel& model);
+  VecX force_at(const VecX& along);
+  MatX restored(const std::vector<int>& loose);
+  void choose_directions();
+  VecX balance(const VecX& start, NonlinearSolution& found);
+  std::optional<int> who_moves(const VecX& along);
+  Wrench carried_at(const VecX& along);
+  std::vector<Pose> poses() const;
+
+  JointedTree& tree_;
+  const RestModel& rest_;
+  CarriageMotion::State carriage_;
+  VecX placed_;
+  std::vector<Along> speeds_;
+  std::vector<bool> left_out_;  ///< per body
+  double hull_mass_;
+  std::optional<int> heave_;    ///< the hull's speed of that motion
+  std::optional<int> started_;  ///< a body that the scene starts with a rate
+  MatX directions_;  ///< columns: combinations of speeds, in units of their moves, along which the balance is sought
+};
+
+RestSearch::RestSearch(JointedTree& tree, const VesselModel& model, const RestModel& rest,
+                       const CarriageMotion::State& carriage)
+    : tree_(tree),
+      rest_(rest),
+      carriage_(stopped(carriage)),
+      placed_(tree.coordinates()),
+      speeds_(static_cast<std::size_t>(tree.num_speeds())),
+      left_out_(static_cast<std::size_t>(tree.num_bodies()), false),
+      hull_mass_(model.mass.mass) {
+  tree_.set_carriage(carriage_);
+  tree_.set_speeds(VecX::Zero(tree.num_speeds()));
+  add_hull(model);
+  add_parts(model);
+  choose_directions();
+}
+
+void RestSearch::add_hull(const VesselModel& model) {
+  const CarriageModel& carriage = *model.carriage;
+  const bool on_cells = carriage.balance == BalanceKind::six_cells;
+  const std::vector<int> free = free_axes(carriage);
+  MatX stiffness = MatX::Zero(6, 6);
+  if (on_cells) stiffness = condensed_stiffness(cell_wrenches(carriage.cells), carriage.stiffness, free);
+  const std::vector<int> axes = on_cells ? std::vector<int>{0, 1, 2, 3, 4, 5} : free;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const int axis = axes[i];
+    if (axis == k_heave) heave_ = static_cast<int>(i);
+    const bool shifts = axis >= k_first_translation;
+    Along& along = speeds_[i];
+    along.held = stiffness(axis, axis) > 0;
+    along.settles = along.held || (rest_.afloat && (axis == k_roll || axis == k_pitch || axis == k_heave));
+    along.force = shifts ? rest_.weight : rest_.weight * rest_.length;
+    along.move = shifts ? rest_.length : 1;
+    if (!along.held) continue;
+    if (along.force == 0) along.force = stiffness(axis, axis) * along.move;
+    along.move = std::min(along.move, along.force / stiffness(axis, axis));
+  }
+}
+
+void RestSearch::add_parts(const VesselModel& model) {
+  for (std::size_t k = 0; k < model.parts.size(); ++k) {
+    const PartModel& part = model.parts[k];
+    const int body = static_cast<int>(k) + 1;
+    left_out_[k + 1] = part.joint == JointKind::free || left_out_[static_cast<std::size_t>(part.to + 1)];
+    const auto [first, count] = tree_.speeds_of(body);
+    if (part.rate != 0 && !left_out_[k + 1] && !started_) started_ = body;
+    const double weight = part.mass * rest_.weight / hull_mass_, lever = lever_of(part);
+    for (int i = first; i < first + count; ++i) {
+      Along& along = speeds_[static_cast<std::size_t>(i)];
+      along.body = body;
+      along.left_out = left_out_[k + 1];
+      along.held = along.settles = part.stiffness > 0 && !along.left_out;
+      const bool shifts = part.joint == JointKind::slider;
+      along.force = shifts ? weight : weight * lever;
+      along.move = shifts ? lever : 1;
+      if (along.held && along.force == 0) along.force = part.stiffness * along.move;
+    }
+  }
+}
+
+std::vector<Pose> RestSearch::poses() const {
+  std::vector<Pose> poses;
+  for (int b = 0; b < tree_.num_bodies(); ++b) poses.push_back(tree_.pose(b));
+  return poses;
+}
+
+/// Along the speeds, where the vessel is moved along them from where it was placed.
+VecX RestSearch::force_at(const VecX& along) {
+  tree_.set_coordinates(tree_.moved(placed_, along));
+  return tree_.force(rest_.loads(poses()), {}) + tree_.cell_force() - tree_.stiffness().cwiseProduct(tree_.stretch());
+}
+
+/// What weight and water bring back of coordinates without a spring: columns in units of their moves.
+MatX RestSearch::restored(const std::vector<int>& loose) {
+  const auto n = static_cast<Eigen::Index>(loose.size());
+  constexpr double k_probe = 1e-5;
+  MatX stiffness(n, n);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    VecX along = VecX::Zero(tree_.num_speeds());
+    const int moved = loose[static_cast<std::size_t>(j)];
+    along[moved] = k_probe * speeds_[static_cast<std::size_t>(moved)].move;
+    const VecX ahead = force_at(along), behind = force_at(-along);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const int felt = loose[static_cast<std::size_t>(i)];
+      stiffness(i, j) = (behind[felt] - ahead[felt]) / (2 * k_probe) / speeds_[static_cast<std::size_t>(felt)].force;
+    }
+  }
+  const Eigen::SelfAdjointEigenSolver<MatX> eigen(0.5 * (stiffness + stiffness.transpose()));
+  const Eigen::Index first = (eigen.eigenvalues().array() <= k_restoring).count();
+  return eigen.eigenvectors().rightCols(n - first);
+}
+
+void RestSearch::choose_directions() {
+  std::vector<int> settling, loose;
+  for (int i = 0; i < tree_.num_speeds(); ++i) {
+    const Along& along = speeds_[static_cast<std::size_t>(i)];
+    if (along.settles)
+      settling.push_back(i);
+    else if (along.body > 0 && !along.left_out && along.force > 0)
+      loose.push_back(i);
+  }
+  const auto n = static_cast<Eigen::Index>(settling.size());
+  const MatX back = loose.empty() ? MatX(0, 0) : restored(loose);
+  directions_ = MatX::Zero(tree_.num_speeds(), n + back.cols());
+  for (Eigen::Index j = 0; j < n; ++j) directions_(settling[static_cast<std::size_t>(j)], j) = 1;
+  if (back.cols() > 0) directions_(loose, Eigen::seqN(n, back.cols())) = back;
+}
+
+/// Returns how far the vessel moves along its speeds.
+VecX RestSearch::balance(const VecX& start, NonlinearSolution& found) {
+  VecX force(tree_.num_speeds()), move(tree_.num_speeds());
+  for (int i = 0; i < tree_.num_speeds(); ++i) {
+    const Along& along = speeds_[static_cast<std::size_t>(i)];
+    force[i] = along.force > 0 ? along.force : 1;  // what has no scale takes no part
+    move[i] = along.move;
+  }
+  const auto at = [&](const VecX& x) { return VecX(move.cwiseProduct(directions_ * x)); };
+  const NonlinearEquations equations = [&](const VecX& x, VecX& f) {
+    f = directions_.transpose() * force_at(at(x)).cwiseQuotient(force);
+  };
+  found = solve_nonlinear(equations, directions_.transpose() * start.cwiseQuotient(move));
+  return at(found.x);
+}
+
+/// Where the vessel has found its balance; nothing where all of it rests.
+std::optional<int> RestSearch::who_moves(const VecX& along) {
+  if (started_) return started_;
+  const VecX force = force_at(along);
+  for (int i = 0; i < tree_.num_speeds(); ++i) {
+    const Along& one = speeds_[static_cast<std::size_t>(i)];
+    if (!one.left_out && !one.held && std::abs(force[i]) > k_unbalanced * one.force) return one.body;
+  }
+  constexpr double k_probe = 1e-5;
+  for (int i = 0; i < tree_.num_speeds(); ++i) {
+    const Along& one = speeds_[static_cast<std::size_t>(i)];
+    if (one.body == 0 || !one.held) continue;
+    VecX ahead = along;
+    ahead[i] += k_probe * one.move;
+    if (force_at(ahead)[i] > force[i]) return one.body;
+  }
+  return std::nullopt;
+}
+
+Wrench RestSearch::carried_at(const VecX& along) {
+  tree_.set_coordinates(tree_.moved(placed_, along));
+  const std::vector<Pose> where = poses();
+  const std::vector<Wrench> loads = rest_.loads(where);
+  Wrench carried;
+  for (std::size_t b = 0; b < loads.size(); ++b) {
+    if (left_out_[b]) continue;
+    carried.force -= loads[b].force;
+    carried.torque -= loads[b].torque + (where[b].p - carriage_.p).cross(loads[b].force);
+  }
+  return carried;
+}
+
+JointedRest RestSearch::find() {
+  VecX along = VecX::Zero(tree_.num_speeds());
+  if (directions_.cols() > 0) {
+    NonlinearSolution found;
+    along = balance(along, found);
+    if (!found.converged && heave_ && rest_.heave != 0) {  // above the water, nothing tells which way it is
+      VecX start = VecX::Zero(tree_.num_speeds());
+      start[*heave_] = rest_.heave;
+      along = balance(start, found);
+    }
+    if (!found.converged)
+      throw InputError(
+          fmt::format("the vessel finds no rest on its carriage: {:.1e} of its weight stays unbalanced ({})",
+                      found.residual, found.message));
+  }
+  const std::optional<int> moving = who_moves(along);
+  const Wrench carried = carried_at(along);
+  return {tree_.moved(placed_, along), moving, carried};
+}
+
+}  // namespace
+
+JointedRest jointed_rest(JointedTree& tree, const VesselModel& model, const RestModel& rest,
+                         const CarriageMotion::State& carriage) {
+  return RestSearch(tree, model, rest, carriage).find();
+}
+
+}  // namespace nilas
