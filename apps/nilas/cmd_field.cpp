@@ -7,7 +7,7 @@
 #include "apps/nilas/scene_flags.h"
 #include "core/base/error.h"
 #include "core/output/phase_progress.h"
-#include "core/scene/read_scene.h"
+#include "core/scene/read/read_scene.h"
 
 namespace nilas {
 

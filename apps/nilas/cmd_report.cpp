@@ -9,7 +9,7 @@
 #include "core/output/console.h"
 #include "core/output/phase_progress.h"
 #include "core/output/plot.h"
-#include "core/scene/read_scene.h"
+#include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
 
 namespace nilas {

@@ -1,7 +1,7 @@
 #include <iostream>
 
 #include "apps/nilas/commands.h"
-#include "core/scene/schema.h"
+#include "core/scene/schema/schema.h"
 
 namespace nilas {
 

@@ -1,6 +1,6 @@
 #include "apps/nilas/program_identity.h"
 
-#include "core/scene/input_files.h"
+#include "core/scene/read/input_files.h"
 
 namespace nilas {
 

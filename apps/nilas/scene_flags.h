@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/scene/read_scene.h"
+#include "core/scene/read/read_scene.h"
 #include "core/scene/time_steps.h"
 
 namespace nilas {

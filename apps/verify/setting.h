@@ -5,7 +5,7 @@
 
 #include "apps/verify/case.h"
 #include "apps/verify/trial.h"
-#include "core/scene/read_scene.h"
+#include "core/scene/read/read_scene.h"
 
 namespace nilas {
 

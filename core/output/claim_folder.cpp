@@ -15,7 +15,7 @@
 #include "core/base/error.h"
 #include "core/output/problem_files.h"
 #include "core/output/run_inputs.h"
-#include "core/scene/input_files.h"
+#include "core/scene/read/input_files.h"
 
 namespace nilas {
 

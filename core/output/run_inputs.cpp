@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/file_bytes.h"
 #include "core/output/output_file.h"
-#include "core/scene/input_files.h"
+#include "core/scene/read/input_files.h"
 
 namespace nilas {
 

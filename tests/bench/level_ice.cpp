@@ -15,7 +15,7 @@
 #include "core/base/random.h"
 #include "core/hull/hull.h"
 #include "core/output/plot.h"
-#include "core/scene/read_scene.h"
+#include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
 #include "fracture/resistance.h"
 #include "tests/bench/twins.h"

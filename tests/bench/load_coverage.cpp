@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "core/output/run_statistics.h"
-#include "core/scene/read_scene.h"
+#include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
 #include "tests/bench/twins.h"
 

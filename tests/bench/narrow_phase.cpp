@@ -12,7 +12,7 @@
 
 #include "contact/detect/detector.h"
 #include "contact/detect/fast_pairs.h"
-#include "core/scene/read_scene.h"
+#include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
 
 namespace {

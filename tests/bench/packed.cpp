@@ -11,7 +11,7 @@
 #include <string>
 
 #include "core/field/field.h"
-#include "core/scene/read_scene.h"
+#include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
 #include "tests/bench/peers/floe_scene.h"
 

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "core/scene/schema.h"
+#include "core/scene/schema/schema.h"
 
 TEST(House, TheSceneReferenceIsThatOfTheSchema) {
   std::ifstream in(std::string(NILAS_SOURCE_DIR) + "/docs/reference/scene.md");

@@ -6,7 +6,7 @@
 
 #include "core/output/mean_error.h"
 #include "core/output/run_statistics.h"
-#include "core/scene/read_scene.h"
+#include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
 #include "tests/support/program.h"
 

@@ -11,7 +11,7 @@
 
 #include "core/base/random.h"
 #include "core/field/field.h"
-#include "core/scene/read_scene.h"
+#include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
 #include "tests/support/sat_oracle.h"
 

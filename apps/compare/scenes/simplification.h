@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/scene/read_scene.h"
+#include "core/scene/read/read_scene.h"
 
 namespace nilas {
 

@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/output/claim_folder.h"
-#include "core/scene/input_files.h"
+#include "core/scene/read/input_files.h"
 #include "tests/core/output/sample_run.h"
 #include "tests/support/size_limit.h"
 

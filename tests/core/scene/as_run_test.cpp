@@ -1,7 +1,7 @@
 /// The scene as run says everything, and reads back as itself.
 #include <gtest/gtest.h>
 
-#include "core/scene/input_files.h"
+#include "core/scene/read/input_files.h"
 #include "tests/core/scene/complete_scene.h"
 
 namespace nilas {

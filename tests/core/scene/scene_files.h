@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/scene/read_scene.h"
+#include "core/scene/read/read_scene.h"
 #include "tests/support/scratch_folder.h"
 
 namespace nilas::testing {

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-#include "core/scene/read_scene.h"
+#include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
 #include "tests/support/scratch_folder.h"
 

@@ -12,7 +12,7 @@
 #include "contact/measure.h"
 #include "core/base/error.h"
 #include "core/hdf5/hdf5_file.h"
-#include "core/scene/read_scene.h"
+#include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
 #include "tests/support/scratch_folder.h"
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/scene/read_scene.h"
+#include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
 #include "core/sim/world.h"
 #include "hydro/equilibrium.h"

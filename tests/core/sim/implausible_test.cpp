@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/scene/read_scene.h"
+#include "core/scene/read/read_scene.h"
 #include "core/sim/course.h"
 #include "core/sim/simulation.h"
 #include "tests/support/scratch_folder.h"

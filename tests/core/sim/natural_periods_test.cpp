@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "core/scene/read_scene.h"
+#include "core/scene/read/read_scene.h"
 #include "tests/support/scratch_folder.h"
 
 namespace nilas {

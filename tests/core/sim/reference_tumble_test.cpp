@@ -9,7 +9,7 @@
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <cmath>
 
-#include "core/scene/read_scene.h"
+#include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
 #include "tests/support/scratch_folder.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "core/scene/read_scene.h"
+#include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
 #include "tests/support/scratch_folder.h"
 

@@ -9,7 +9,7 @@
 #include <fstream>
 
 #include "core/base/error.h"
-#include "core/scene/read_scene.h"
+#include "core/scene/read/read_scene.h"
 #include "tests/support/scratch_folder.h"
 
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "core/scene/read_scene.h"
+#include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
 #include "core/sim/step_motion.h"
 #include "tests/support/scratch_folder.h"

@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/geometry/mesh.h"
-#include "core/scene/read_scene.h"
+#include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/thin_plates.h"

@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "core/field/distribution_statistics.h"
 #include "core/geometry/mass_properties.h"
-#include "core/scene/read_scene.h"
+#include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
 #include "core/sim/world.h"
 #include "tests/support/scratch_folder.h"

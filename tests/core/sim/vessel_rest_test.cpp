@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "core/scene/read_scene.h"
+#include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
 #include "core/vessel/model/cells.h"
 #include "hydro/equilibrium.h"

@@ -1,0 +1,12 @@
+#pragma once
+/// Values of a valid scene that can hardly be meant, as far as the file alone tells.
+#include <vector>
+
+#include "core/scene/document/document.h"
+
+namespace nilas {
+
+/// Warnings with their places, on a resolved tree without faults.
+std::vector<Fault> implausible_values(const SceneElement& root);
+
+}  // namespace nilas

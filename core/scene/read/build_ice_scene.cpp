@@ -1,0 +1,129 @@
+#include <algorithm>
+#include <map>
+
+#include "core/scene/read/build_scene.h"
+#include "core/scene/schema/attribute_values.h"
+#include "core/scene/schema/ice_presets.h"
+
+namespace nilas {
+
+static SizeScene build_size(const SceneElement& element) {
+  SizeScene size;
+  assign(size.distribution, element, "distribution");
+  assign(size.mean, element, "mean");
+  assign(size.sd, element, "sd");
+  assign(size.min, element, "min");
+  assign(size.max, element, "max");
+  assign(size.exponent, element, "exponent");
+  return size;
+}
+
+static ShapeScene build_shape(const SceneElement& element) {
+  ShapeScene shape;
+  assign(shape.kind, element, "kind");
+  if (const auto vertices = numbers_of(element, "vertices")) {
+    shape.vertices_min = static_cast<int>(vertices->at(0));
+    shape.vertices_max = static_cast<int>(vertices->at(1));
+  }
+  assign(shape.aspect, element, "aspect");
+  assign(shape.library, element, "library");
+  return shape;
+}
+
+/// What a field and a single floe share.
+template <class IceElement>
+static void build_placement(IceElement& target, const SceneElement& element) {
+  assign(target.fixed, element, "fixed");
+  assign(target.velocity, element, "velocity");
+  assign(target.z, element, "z");
+  assign(target.thickness, element, "thickness");
+  assign(target.breakable, element, "breakable");
+}
+
+static FieldScene build_field(const SceneElement& element) {
+  FieldScene field;
+  assign(field.kind, element, "kind");
+  if (const auto region = numbers_of(element, "region")) std::copy_n(region->begin(), 4, field.region.begin());
+  assign(field.concentration, element, "concentration");
+  assign(field.overlap_tolerance, element, "overlap_tolerance");
+  assign(field.channel_width, element, "channel_width");
+  assign(field.rows, element, "rows");
+  assign(field.columns, element, "columns");
+  assign(field.gap, element, "gap");
+  assign(field.stagger, element, "stagger");
+  assign(field.shear_deg, element, "shear_deg");
+  assign(field.file, element, "file");
+  build_placement(field, element);
+  if (const auto* size = child_of(element, "size")) field.size = build_size(*size);
+  if (const auto* shape = child_of(element, "shape")) field.shape = build_shape(*shape);
+  if (const auto* bond = child_of(element, "bond")) field.bond = number_of(*bond, "strength");
+  return field;
+}
+
+static std::vector<Vec2> points_of(const SceneElement& element, const std::string& attribute) {
+  const auto numbers = numbers_of(element, attribute).value_or(std::vector<double>{});
+  std::vector<Vec2> points;
+  for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) points.emplace_back(numbers[i], numbers[i + 1]);
+  return points;
+}
+
+static WeakLineScene build_weak_line(const SceneElement& element) {
+  WeakLineScene line;
+  line.points = points_of(element, "points");
+  assign(line.strength, element, "strength");
+  return line;
+}
+
+static FloeScene build_floe(const SceneElement& element) {
+  FloeScene floe;
+  floe.line = element.place.line;
+  assign(floe.name, element, "name");
+  floe.outline = points_of(element, "outline");
+  build_placement(floe, element);
+  return floe;
+}
+
+/// What a strength varies about when <vary> gives no mean: that of <fracture>, or of the ice's preset.
+static double strength_of(const std::string& property, const IcePreset& preset, const SceneElement* fracture) {
+  const std::map<std::string, double> strengths{{"flexural_strength", preset.flexural_strength},
+                                                {"compressive_strength", preset.compressive_strength},
+                                                {"fracture_toughness", preset.fracture_toughness}};
+  const auto strength = strengths.find(property);
+  if (strength == strengths.end()) return 0;
+  double mean = strength->second;
+  if (fracture) assign(mean, *fracture, property);
+  return mean;
+}
+
+static VaryScene build_vary(const SceneElement& element, const IcePreset& preset, const SceneElement* fracture) {
+  VaryScene vary;
+  vary.line = element.place.line;
+  assign(vary.property, element, "property");
+  assign(vary.distribution, element, "distribution");
+  assign(vary.cov, element, "cov");
+  vary.mean = strength_of(vary.property, preset, fracture);
+  if (vary.mean > 0) assign(vary.mean, element, "mean");
+  assign(vary.correlation_length, element, "correlation_length");
+  const auto partners = words_of(element, "with");
+  const auto correlations = numbers_of(element, "correlation").value_or(std::vector<double>{});
+  for (std::size_t k = 0; k < partners.size(); ++k) vary.correlations.emplace_back(partners[k], correlations.at(k));
+  return vary;
+}
+
+IceScene build_ice_scene(const SceneElement& element, const SceneElement* fracture) {
+  IceScene ice;
+  const IcePreset& preset = ice_preset(text_of(element, "preset").value());
+  assign(ice.density, element, "density");
+  assign(ice.youngs_modulus, element, "youngs_modulus");
+  assign(ice.poisson, element, "poisson");
+  assign(ice.thickness, element, "thickness");
+  for (const auto& child : element.children) {
+    if (child.name == "field") ice.fields.push_back(build_field(child));
+    if (child.name == "vary") ice.vary.push_back(build_vary(child, preset, fracture));
+    if (child.name == "floe") ice.floes.push_back(build_floe(child));
+    if (child.name == "weak_line") ice.weak_lines.push_back(build_weak_line(child));
+  }
+  return ice;
+}
+
+}  // namespace nilas

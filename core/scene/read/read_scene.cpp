@@ -1,0 +1,92 @@
+#include "core/scene/read/read_scene.h"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <tuple>
+
+#include "core/scene/check/check_document.h"
+#include "core/scene/check/cross_checks.h"
+#include "core/scene/check/implausible_values.h"
+#include "core/scene/document/places.h"
+#include "core/scene/read/build_scene.h"
+#include "core/scene/read/input_files.h"
+#include "core/scene/read/overrides.h"
+#include "core/scene/read/resolve.h"
+
+namespace nilas {
+
+static std::string read_text(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream content;
+  // A folder opens but does not read.
+  if (!in || std::filesystem::is_directory(file)) throw FileError("cannot open scene file " + file.string());
+  content << in.rdbuf();
+  if (in.bad()) throw FileError("cannot read scene file " + file.string());
+  std::string text = content.str();
+  const std::string byte_order_mark = "\xEF\xBB\xBF";
+  if (text.rfind(byte_order_mark, 0) == 0) text.erase(0, byte_order_mark.size());
+  return text;
+}
+
+static void check_root_name(SceneElement& root, std::vector<Fault>& faults) {
+  if (root.name == "scene") return;
+  faults.push_back(fault_of(root, "found <" + root.name + "> as the root; allowed: <scene>"));
+  // Only a misspelt scene is worth checking further.
+  if (nearest_name(root.name, {"scene"}).empty()) throw SceneError(faults);
+  root.name = "scene";
+}
+
+[[noreturn]] static void throw_sorted(std::vector<Fault> faults) {
+  const auto place = [](const Fault& f) { return std::tuple(f.line, f.column); };
+  std::stable_sort(faults.begin(), faults.end(), [&](const Fault& a, const Fault& b) { return place(a) < place(b); });
+  throw SceneError(std::move(faults));
+}
+
+/// Makes a resolved tree that of the scene as run: with the input files and their hashes in place of those it may have
+/// recorded. Returns them.
+static std::vector<InputFile> record_inputs(SceneElement& root) {
+  auto inputs = name_by_copies(root);
+  std::erase_if(root.children, [](const SceneElement& child) { return child.name == "input"; });
+  for (const auto& input : inputs) {
+    SceneElement& element = root.children.emplace_back(make_element("input", &root, root.place));
+    element.attributes = {{.name = "file", .value = input.copy}, {.name = "sha256", .value = input.sha256}};
+  }
+  return inputs;
+}
+
+static std::string fingerprint(SceneElement root) {
+  const auto blank = [&](const char* child, const char* attribute) {
+    if (SceneAttribute* found = attribute_of(*child_of(root, child), attribute)) found->value.clear();
+  };
+  blank("time", "end");
+  blank("output", "checkpoint_every");
+  std::erase_if(child_of(root, "output")->attributes,
+                [](const SceneAttribute& a) { return a.name == "statistics" || a.name == "peak_filter"; });
+  return text_sha256(write_document(root));
+}
+
+Scene read_scene(const std::filesystem::path& file, const Overrides& overrides) {
+  std::vector<Fault> faults;
+  SceneNotes notes;
+  SceneElement root = parse_document(read_text(file), file.string());
+  check_root_name(root, faults);
+  apply_overrides(root, overrides, faults);
+  check_document(root, faults);
+  resolve_defaults(root, file, notes);
+  cross_check(root, faults);
+  check_files(root, faults);
+  if (!faults.empty()) throw_sorted(std::move(faults));
+  Scene scene = build_scene(root);
+  scene.file = file;
+  scene.notes = std::move(notes.said_once);
+  scene.derived = std::move(notes.derived);
+  scene.warnings = implausible_values(root);
+  scene.places = places_of(root);
+  scene.inputs = record_inputs(root);
+  scene.as_run = write_document(root);
+  scene.fingerprint = fingerprint(std::move(root));
+  return scene;
+}
+
+}  // namespace nilas

@@ -1,0 +1,34 @@
+#pragma once
+/// Typed values of a resolved tree. Absent and faulty attributes give nothing.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/math.h"
+#include "core/scene/document/document.h"
+
+namespace nilas {
+
+std::optional<std::string> text_of(const SceneElement& element, const std::string& attribute);
+std::optional<std::vector<double>> numbers_of(const SceneElement& element, const std::string& attribute);
+std::optional<double> number_of(const SceneElement& element, const std::string& attribute);
+/// Words of a list, empty when absent.
+std::vector<std::string> words_of(const SceneElement& element, const std::string& attribute);
+bool is_true(const SceneElement& element, const std::string& attribute);
+/// Whether the attribute is given and not zero throughout.
+bool is_given_nonzero(const SceneElement& element, const std::string& attribute);
+
+/// Each leaves the target alone where the attribute gives nothing.
+void assign(double& target, const SceneElement& element, const std::string& attribute);
+void assign(int& target, const SceneElement& element, const std::string& attribute);
+void assign(bool& target, const SceneElement& element, const std::string& attribute);
+void assign(std::string& target, const SceneElement& element, const std::string& attribute);
+void assign(Vec3& target, const SceneElement& element, const std::string& attribute);
+void assign(Vec6& target, const SceneElement& element, const std::string& attribute);
+template <class Value>
+void assign(std::optional<Value>& target, const SceneElement& element, const std::string& attribute) {
+  if (!text_of(element, attribute)) return;
+  assign(target.emplace(), element, attribute);
+}
+
+}  // namespace nilas

@@ -1,0 +1,73 @@
+#include "core/scene/schema/ice_presets.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+
+namespace nilas {
+
+const std::vector<IcePreset>& ice_presets() {
+  static const std::vector<IcePreset> presets{
+      // Middle of what model basins aim at: flexural strength 20 to 60 kPa, modulus 10 to 150 MPa, toughness 1 to
+      // 5 kPa sqrt(m), compressive over flexural strength 1 to 4.
+      {.name = "model",
+       .density = 920,
+       .youngs_modulus = 6e7,
+       .poisson = 0.3,
+       .thickness = 0.04,
+       .flexural_strength = 4e4,
+       .compressive_strength = 1e5,
+       .fracture_toughness = 3e3,
+       .pressure_coefficient = 1e5,
+       .floe_mean = 0.8,
+       .floe_sd = 0.3,
+       .floe_min = 0.3,
+       .floe_max = 1.6,
+       .min_area = 2e-4},
+      // First-year ice, Timco and Weeks (2010) and ISO 19906; pressure on an area: 7.4 MPa (A / 1 m^2)^-0.7.
+      {.name = "full-scale sea ice",
+       .density = 920,
+       .youngs_modulus = 5e9,
+       .poisson = 0.33,
+       .thickness = 1,
+       .flexural_strength = 5e5,
+       .compressive_strength = 2.5e6,
+       .fracture_toughness = 1.15e5,
+       .pressure_coefficient = 7.4e6,
+       .floe_mean = 20,
+       .floe_sd = 7.5,
+       .floe_min = 7.5,
+       .floe_max = 40,
+       .min_area = 0.1},
+      // The same formulas without brine: Timco and O'Brien (1994) 1.76 MPa, modulus 9 GPa.
+      {.name = "full-scale freshwater ice",
+       .density = 917,
+       .youngs_modulus = 9e9,
+       .poisson = 0.33,
+       .thickness = 1,
+       .flexural_strength = 1.76e6,
+       .compressive_strength = 5e6,
+       .fracture_toughness = 1.15e5,
+       .pressure_coefficient = 7.4e6,
+       .floe_mean = 20,
+       .floe_sd = 7.5,
+       .floe_min = 7.5,
+       .floe_max = 40,
+       .min_area = 0.1}};
+  return presets;
+}
+
+const IcePreset& ice_preset(const std::string& name) {
+  const auto found =
+      std::find_if(ice_presets().begin(), ice_presets().end(), [&](const IcePreset& p) { return p.name == name; });
+  NILAS_DEMAND(found != ice_presets().end());
+  return *found;
+}
+
+std::vector<std::string> ice_preset_names() {
+  std::vector<std::string> names;
+  for (const IcePreset& preset : ice_presets()) names.push_back(preset.name);
+  return names;
+}
+
+}  // namespace nilas

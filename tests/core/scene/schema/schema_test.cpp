@@ -1,0 +1,153 @@
+/// The table is consistent with itself, and what comes from it works.
+#include "core/scene/schema/schema.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <set>
+
+#include "core/scene/schema/values.h"
+#include "tests/core/scene/complete_scene.h"
+
+namespace nilas {
+namespace {
+
+using testing::in_scene;
+using testing::SceneFolder;
+
+TEST(Schema, ElementNamesAreUniqueAndParentsComeFirst) {
+  std::set<std::string> seen;
+  for (const auto& element : scene_schema()) {
+    EXPECT_TRUE(element.parent.empty() ? seen.empty() : seen.count(element.parent) == 1) << element.name;
+    EXPECT_TRUE(seen.insert(element.name).second) << element.name;
+    EXPECT_FALSE(element.doc.empty()) << element.name;
+  }
+}
+
+TEST(Schema, AttributesAreComplete) {
+  for (const auto& element : scene_schema()) {
+    std::set<std::string> seen;
+    for (const auto& a : element.attributes) {
+      SCOPED_TRACE(element.name + "/@" + a.name);
+      EXPECT_TRUE(seen.insert(a.name).second);
+      EXPECT_FALSE(a.doc.empty());
+      EXPECT_FALSE(a.required && !a.default_value.empty());
+      EXPECT_TRUE(a.type != ValueType::choice || !a.choices.empty());
+      for (const auto& choice : a.not_built) EXPECT_EQ(std::count(a.choices.begin(), a.choices.end(), choice), 1);
+      if (a.default_value.empty()) continue;
+      EXPECT_EQ(value_problem(a, a.default_value), std::nullopt);
+      const bool stand_in = is_not_built(a, a.default_value);
+      EXPECT_EQ(stand_in, !a.fallback.empty());
+      EXPECT_TRUE(!stand_in || (!value_problem(a, a.fallback) && !is_not_built(a, a.fallback)));
+    }
+  }
+}
+
+TEST(Schema, ConditionsNameAttributesAndValuesThatExist) {
+  const auto expect_known = [](const ElementSpec& element, const Condition& condition) {
+    if (condition.values.empty()) return;
+    const AttributeSpec* decides = find_attribute(element, condition.attribute);
+    ASSERT_NE(decides, nullptr) << element.name << "/@" << condition.attribute;
+    for (const auto& value : condition.values) EXPECT_EQ(value_problem(*decides, value), std::nullopt) << value;
+  };
+  for (const auto& element : scene_schema()) {
+    if (!element.parent.empty()) expect_known(*find_element(element.parent), element.applies);
+    for (const auto& a : element.attributes) expect_known(element, a.applies);
+  }
+}
+
+/// The structs' own defaults speak to programs that build a Scene by hand; they must not differ from the table's.
+TEST(Schema, DefaultsAgreeWithTheStructs) {
+  const SceneFolder folder;
+  const Scene scene = folder.read(
+      in_scene("<contact/><water/><hydro><drag/><virtual_drag/></hydro><ice><field region='0 0 1 1'/></ice><body/>"
+               "<vessel><hull/><mass value='1'/><carriage/></vessel>"));
+  const Scene plain;
+  EXPECT_EQ(scene.time.step, plain.time.step);
+  EXPECT_EQ(scene.time.end, plain.time.end);
+  EXPECT_EQ(scene.gravity, plain.gravity);
+  EXPECT_EQ(scene.seed, plain.seed);
+  EXPECT_EQ(scene.contact.tolerance, plain.contact.tolerance);
+  EXPECT_EQ(scene.contact.max_iterations, plain.contact.max_iterations);
+  EXPECT_EQ(scene.contact.erp, plain.contact.erp);
+  EXPECT_EQ(scene.contact.slop, plain.contact.slop);
+  EXPECT_EQ(scene.contact.max_speed, plain.contact.max_speed);
+  EXPECT_EQ(scene.contact.margin, plain.contact.margin);
+  EXPECT_EQ(scene.contact.warm_start, plain.contact.warm_start);
+  EXPECT_EQ(scene.water->density, WaterScene{}.density);
+  EXPECT_EQ(scene.hydro->drag->form, DragScene{}.form);
+  EXPECT_EQ(scene.hydro->drag->skin, DragScene{}.skin);
+  EXPECT_EQ(scene.hydro->virtual_drag->coefficient, VirtualDragScene{}.coefficient);
+  EXPECT_EQ(scene.ice->density, IceScene{}.density);
+  EXPECT_EQ(scene.ice->thickness, IceScene{}.thickness);
+  EXPECT_EQ(scene.ice->fields[0].concentration, FieldScene{}.concentration);
+  EXPECT_EQ(scene.ice->fields[0].overlap_tolerance, FieldScene{}.overlap_tolerance);
+  EXPECT_EQ(scene.ice->fields[0].size.max, SizeScene{}.max);
+  EXPECT_EQ(scene.ice->fields[0].shape.vertices_max, ShapeScene{}.vertices_max);
+  EXPECT_EQ(scene.bodies[0].size, BodyScene{}.size);
+  EXPECT_EQ(scene.bodies[0].material, BodyScene{}.material);
+  EXPECT_EQ(scene.vessel->carriage->balance.kind, ForceBalanceScene{}.kind);
+  EXPECT_EQ(scene.output.trajectory_every, plain.output.trajectory_every);
+}
+
+/// Exit status of xmllint on a scene and the XSD.
+int validate(const SceneFolder& folder, const std::string& scene) {
+  const auto xsd = folder.write("scene.xsd", schema_xsd());
+  const auto file = folder.write("validated.xml", scene);
+  const std::string command = "xmllint --noout --schema '" + xsd.string() + "' '" + file.string() + "' >'" +
+                              (folder.path() / "xmllint.txt").string() + "' 2>&1";
+  return std::system(command.c_str());
+}
+
+std::string verdict(const SceneFolder& folder) {
+  std::ifstream in(folder.path() / "xmllint.txt");
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST(Xsd, AcceptsGoodScenes) {
+  const SceneFolder folder;
+  testing::write_inputs(folder);
+  EXPECT_EQ(validate(folder, testing::k_complete_scene), 0) << verdict(folder);
+  EXPECT_EQ(validate(folder, folder.read(testing::k_complete_scene).as_run), 0) << verdict(folder);
+  EXPECT_EQ(validate(folder, folder.read("<scene version='1'/>").as_run), 0) << verdict(folder);
+  EXPECT_EQ(validate(folder, in_scene("<contact law='pyramid-8' integrator='moreau'/>")), 0) << verdict(folder);
+}
+
+TEST(Xsd, RejectsBadScenes) {
+  const SceneFolder folder;
+  for (const char* content :
+       {"<bodie/>", "<contact tolerence='1'/>", "<time step='0'/>", "<time step='nan'/>", "<time step='INF'/>",
+        "<time step='1 s'/>", "<gravity value='0 0'/>", "<gravity value='0 0 0 0'/>", "<contact law='coulom'/>",
+        "<contact max_iterations='1.5'/>", "<contact gyroscopic='yes'/>", "<tank length='1'/>", "<ice poisson='0.6'/>",
+        "<ice><floe outline='0 0 1 0'/></ice>", "<hydro><drag/><drag/></hydro>", "<body name='a,b'/>",
+        "<vessel><carriage free='heave yow'/></vessel>", "<time>text</time>", "<input file='x'/>"})
+    EXPECT_NE(validate(folder, in_scene(content)), 0) << content;
+  EXPECT_NE(validate(folder, "<scene version='2'/>"), 0);
+  EXPECT_NE(validate(folder, "<scene/>"), 0);
+}
+
+TEST(Markdown, NamesEverything) {
+  const std::string page = schema_markdown();
+  for (const auto& element : scene_schema()) {
+    EXPECT_NE(page.find("## `<" + element.name + ">`"), std::string::npos) << element.name;
+    for (const auto& a : element.attributes)
+      EXPECT_NE(page.find("| `" + a.name + "` |"), std::string::npos) << element.name << "/@" << a.name;
+  }
+  EXPECT_NE(page.find("**Not built in this version.**"), std::string::npos) << "fracture, for one";
+  EXPECT_NE(page.find("| `end` | a finite number [s] | `10` |"), std::string::npos) << page;
+}
+
+/// Every row of a table has as many cells as its head.
+TEST(Markdown, TablesAreRectangular) {
+  std::istringstream page(schema_markdown());
+  for (std::string line; std::getline(page, line);) {
+    if (line.rfind("| ", 0) != 0) continue;
+    std::size_t bars = 0;
+    for (std::size_t i = 0; i < line.size(); ++i) bars += line[i] == '|' && (i == 0 || line[i - 1] != '\\') ? 1 : 0;
+    EXPECT_EQ(bars, 5u) << line;
+  }
+}
+
+}  // namespace
+}  // namespace nilas
