@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
-#include "contact/contact_frame.h"
 #include "contact/detect/contact_key.h"
+#include "contact/law/contact_frame.h"
 #include "core/base/error.h"
 
 namespace nilas {

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "contact/detect/contact_point.h"
-#include "contact/friction.h"
-#include "contact/problem.h"
+#include "contact/law/friction.h"
+#include "contact/problem/problem.h"
 #include "core/bodies/bodies.h"
 #include "core/bodies/module.h"
 

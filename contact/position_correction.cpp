@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/islands.h"
-#include "contact/operators.h"
+#include "contact/problem/islands.h"
+#include "contact/problem/operators.h"
 #include "contact/solvers/newton_order_free.h"
 #include "core/base/error.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/solver.h"
+#include "contact/solvers/solver.h"
 
 namespace nilas {
 

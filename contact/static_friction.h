@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "contact/solver.h"
+#include "contact/solvers/solver.h"
 #include "core/base/state.h"
 
 namespace nilas {

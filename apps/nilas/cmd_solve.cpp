@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/nilas/commands.h"
-#include "contact/contact_counts.h"
-#include "contact/fclib_io.h"
+#include "contact/fclib/fclib_io.h"
+#include "contact/measure/contact_counts.h"
 #include "contact/registry.h"
 #include "core/base/error.h"
 #include "core/output/phase_progress.h"

@@ -4,7 +4,7 @@
 ///
 ///   [A + D] pi = verr,  pi = -r,  verr = q,  A = (W + W^T)/2,  D the compliance of the normal rows;  law coulomb
 /// Its own stop is a change of the iterate; `measure` decides what is converged. Library: Simbody 3.7.
-#include "contact/solver.h"
+#include "contact/solvers/solver.h"
 
 namespace nilas {
 

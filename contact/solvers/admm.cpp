@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/cone.h"
-#include "contact/solvers/anderson.h"
-#include "contact/solvers/block_cholesky.h"
-#include "contact/solvers/mass_scaled.h"
+#include "contact/law/cone.h"
+#include "contact/solvers/linear/block_cholesky.h"
+#include "contact/solvers/shared/anderson.h"
+#include "contact/solvers/shared/mass_scaled.h"
 #include "core/base/error.h"
 
 namespace nilas {

@@ -15,7 +15,7 @@
 /// Sources: Boyd et al. 2011 (ADMM); Carpentier, Le Lidec, Montaut 2024 (contact, spectral rule); De Saxce, Feng 1998.
 ///
 /// Nominal tolerances: 1e-6 m/s, 1e-9 m/s where it does not stall. Islands are solved apart.
-#include "contact/solver.h"
+#include "contact/solvers/solver.h"
 
 namespace nilas {
 

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "contact/solvers/best_iterate.h"
-#include "contact/solvers/island_operator.h"
-#include "contact/solvers/law_cone.h"
+#include "contact/solvers/shared/best_iterate.h"
+#include "contact/solvers/shared/island_operator.h"
+#include "contact/solvers/shared/law_cone.h"
 #include "core/base/error.h"
 
 namespace nilas {

@@ -14,7 +14,7 @@
 /// (the outer loop).
 ///
 /// Laws: ccp, coulomb, pyramid-k, frictionless. Nominal tolerance 1e-8 m/s. Islands are solved apart.
-#include "contact/solver.h"
+#include "contact/solvers/solver.h"
 
 namespace nilas {
 

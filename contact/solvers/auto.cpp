@@ -4,10 +4,10 @@
 #include <limits>
 #include <utility>
 
-#include "contact/islands.h"
-#include "contact/law_map.h"
-#include "contact/operators.h"
-#include "contact/reducible.h"
+#include "contact/law/law_map.h"
+#include "contact/problem/islands.h"
+#include "contact/problem/operators.h"
+#include "contact/problem/reducible.h"
 #include "contact/solvers/admm.h"
 #include "contact/solvers/apgd.h"
 #include "contact/solvers/continuation.h"

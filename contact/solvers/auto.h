@@ -13,7 +13,7 @@
 ///   5  continuation in friction (continuation.h), for laws with friction
 ///   6  ipm (laws coulomb, ccp, frictionless), then newton from there
 ///
-/// Islands whose W is too large to be formed or factorised (contact/reducible.h) have rung 1, then half of the
+/// Islands whose W is too large to be formed or factorised (contact/problem/reducible.h) have rung 1, then half of the
 /// iterations nsgs and half apgd. Problems with rolling or spinning friction have rung 1 alone, without its limit.
 /// Every rung but the second starts from the best impulses so far in law_map_m_s, and the best ever seen are returned.
 /// What decides is the residual, and for rung 2 the share that sticks. Cost: that of nsgs for loose fields, one to two
@@ -21,7 +21,7 @@
 ///
 /// Nominal tolerances: 1e-6 m/s in simulations, 1e-10 m/s as a reference. `message` names each rung that was used, on
 /// how many islands, and the most iterations that one island took of it.
-#include "contact/solver.h"
+#include "contact/solvers/solver.h"
 
 namespace nilas {
 

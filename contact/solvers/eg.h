@@ -15,7 +15,7 @@
 /// number of threads then give the same r, v and u to the last bit.
 ///
 /// Laws: coulomb, ccp, pyramid-k, frictionless. Nominal tolerance 1e-8 m/s. Islands are solved apart.
-#include "contact/solver.h"
+#include "contact/solvers/solver.h"
 
 namespace nilas {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "contact/solvers/row_residual.h"
+#include "contact/solvers/shared/row_residual.h"
 #include "core/base/error.h"
 
 namespace nilas {

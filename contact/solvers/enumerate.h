@@ -14,7 +14,7 @@
 /// Source: pivoting through all bases, as in Al-Fahed, Stavroulakis, Panagiotopoulos 1991.
 ///
 /// Laws: coulomb, ccp, frictionless. Nominal tolerance 1e-10 m/s. Islands are solved apart.
-#include "contact/solver.h"
+#include "contact/solvers/solver.h"
 
 namespace nilas {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/solvers/anderson.h"
-#include "contact/solvers/interior_point.h"
-#include "contact/solvers/newton_finish.h"
+#include "contact/solvers/newton/interior_point.h"
+#include "contact/solvers/newton/newton_finish.h"
+#include "contact/solvers/shared/anderson.h"
 #include "core/base/error.h"
 
 namespace nilas {

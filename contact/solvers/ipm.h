@@ -16,7 +16,7 @@
 /// Sources: De Saxce, Feng 1998; Acary, Cadoux, Lemarechal, Malick 2011 (outer loop); those of the headers named.
 ///
 /// Nominal tolerances: 1e-9 m/s. Islands are solved apart.
-#include "contact/solver.h"
+#include "contact/solvers/solver.h"
 
 namespace nilas {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/solvers/mass_scaled.h"
-#include "contact/solvers/newton_system.h"
+#include "contact/solvers/newton/newton_system.h"
+#include "contact/solvers/shared/mass_scaled.h"
 #include "core/base/error.h"
 
 namespace nilas {

@@ -15,7 +15,7 @@
 /// (semismooth Newton); Acary, Bremond, Huber 2018 (the two together).
 ///
 /// Laws: all. Nominal tolerances: 1e-6 m/s in simulations, 1e-10 m/s as a reference. Islands are solved apart.
-#include "contact/solver.h"
+#include "contact/solvers/solver.h"
 
 namespace nilas {
 

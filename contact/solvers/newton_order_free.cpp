@@ -1,9 +1,9 @@
 #include "contact/solvers/newton_order_free.h"
 
-#include "contact/islands.h"
+#include "contact/problem/islands.h"
 #include "contact/solvers/eg.h"
 #include "contact/solvers/newton.h"
-#include "contact/solvers/order_free_velocities.h"
+#include "contact/solvers/shared/order_free_velocities.h"
 
 namespace nilas {
 

@@ -8,7 +8,7 @@
 ///
 /// Laws: coulomb, ccp, pyramid-k, frictionless. Nominal tolerance 1e-6 m/s. Islands are solved apart; cost per
 /// iteration about three times that of newton.
-#include "contact/solver.h"
+#include "contact/solvers/solver.h"
 
 namespace nilas {
 

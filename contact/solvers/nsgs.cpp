@@ -1,6 +1,6 @@
 #include "contact/solvers/nsgs.h"
 
-#include "contact/solvers/nsgs_sweep.h"
+#include "contact/solvers/shared/nsgs_sweep.h"
 
 namespace nilas {
 

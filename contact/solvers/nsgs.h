@@ -1,5 +1,5 @@
 #pragma once
-/// Block Gauss-Seidel: each contact in turn is solved exactly with all others held (contact/local_solve.h).
+/// Block Gauss-Seidel: each contact in turn is solved exactly with all others held (contact/law/local_solve.h).
 ///
 ///   for each contact a in order:  b_a = u_a - A_aa r_a,   r_a <- the law's answer to u_a = A_aa r_a + b_a
 ///
@@ -11,7 +11,7 @@
 /// Sources: Jourdan, Alart, Jean 1998; Jean 1999 (non-smooth contact dynamics).
 ///
 /// Laws: all. Nominal tolerances: 1e-6 m/s in simulations, 1e-10 m/s in tests. Islands are solved apart.
-#include "contact/solvers/sweep_loop.h"
+#include "contact/solvers/shared/sweep_loop.h"
 
 namespace nilas {
 

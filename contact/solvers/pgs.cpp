@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/solvers/pgs_sweep.h"
+#include "contact/solvers/shared/pgs_sweep.h"
 
 namespace nilas {
 

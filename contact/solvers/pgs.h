@@ -13,7 +13,7 @@
 /// is the norm clamp of Simbody and Bullet, both rows stepped at once.
 ///
 /// Nominal tolerances: 1e-6 m/s in simulations, 1e-10 m/s in tests. Islands are solved apart, each to its own stop.
-#include "contact/solvers/sweep_loop.h"
+#include "contact/solvers/shared/sweep_loop.h"
 
 namespace nilas {
 

@@ -1,6 +1,6 @@
 #pragma once
 /// One solver, and where it fails a second one from what the first left: on_failure="retry".
-#include "contact/solver.h"
+#include "contact/solvers/solver.h"
 
 namespace nilas {
 

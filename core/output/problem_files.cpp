@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "contact/fclib_io.h"
+#include "contact/fclib/fclib_io.h"
 #include "core/base/error.h"
 
 namespace nilas {

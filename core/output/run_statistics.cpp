@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/measure.h"
+#include "contact/measure/measure.h"
 #include "core/base/error.h"
 #include "core/output/structure_channels.h"
 

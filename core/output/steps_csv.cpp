@@ -1,6 +1,6 @@
 #include "core/output/steps_csv.h"
 
-#include "contact/measure.h"
+#include "contact/measure/measure.h"
 #include "core/base/error.h"
 
 namespace nilas {

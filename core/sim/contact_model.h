@@ -6,7 +6,7 @@
 #include "contact/assemble.h"
 #include "contact/detect/narrow_phase_choice.h"
 #include "contact/position_correction.h"
-#include "contact/solver.h"
+#include "contact/solvers/solver.h"
 #include "contact/static_friction.h"
 #include "core/scene/scene.h"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "contact/islands.h"
+#include "contact/problem/islands.h"
 
 namespace nilas {
 

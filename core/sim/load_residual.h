@@ -1,6 +1,6 @@
 #pragma once
 /// What the residuals of a step's contacts amount to, as loads on the vessel. Theory: docs/theory/load-error.md.
-#include "contact/impulse_residual.h"
+#include "contact/measure/impulse_residual.h"
 #include "core/sim/step_motion.h"
 #include "core/sim/step_record.h"
 

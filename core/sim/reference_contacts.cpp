@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "contact/assemble.h"
-#include "contact/contact_frame.h"
-#include "contact/measure.h"
+#include "contact/law/contact_frame.h"
+#include "contact/measure/measure.h"
 #include "core/base/error.h"
 #include "core/bodies/free_rotation.h"
 

@@ -5,8 +5,8 @@
 
 #include "contact/assemble.h"
 #include "contact/detect/detector.h"
-#include "contact/friction.h"
-#include "contact/solver.h"
+#include "contact/law/friction.h"
+#include "contact/solvers/solver.h"
 #include "core/bodies/bodies.h"
 #include "core/bodies/module.h"
 #include "core/sim/reference_vessel.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "contact/islands.h"
+#include "contact/problem/islands.h"
 #include "core/sim/course.h"
 #include "core/sim/simulation_world.h"
 #include "core/sim/stopwatch.h"

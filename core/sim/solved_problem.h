@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "contact/detect/contact_point.h"
-#include "contact/problem.h"
-#include "contact/solution.h"
+#include "contact/problem/problem.h"
+#include "contact/problem/solution.h"
 #include "core/base/math.h"
 
 namespace nilas {

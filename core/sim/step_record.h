@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "contact/detect/detector_counts.h"
-#include "contact/measure.h"
+#include "contact/measure/measure.h"
 #include "core/base/error.h"
 #include "core/base/math.h"
 #include "core/sim/fracture_event.h"

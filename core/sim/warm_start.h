@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "contact/problem.h"
+#include "contact/problem/problem.h"
 #include "core/base/state.h"
 
 namespace nilas {

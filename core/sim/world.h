@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "contact/friction.h"
+#include "contact/law/friction.h"
 #include "core/base/log.h"
 #include "core/bodies/bodies.h"
 #include "core/bodies/ice_properties.h"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "contact/fclib_io.h"
-#include "contact/measure.h"
+#include "contact/fclib/fclib_io.h"
+#include "contact/measure/measure.h"
 #include "tests/support/mentions.h"
 #include "tests/support/program.h"
 

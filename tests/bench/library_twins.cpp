@@ -18,8 +18,8 @@
 #include <optional>
 #include <string>
 
-#include "contact/solvers/block_cholesky.h"
-#include "contact/solvers/block_lu.h"
+#include "contact/solvers/linear/block_cholesky.h"
+#include "contact/solvers/linear/block_lu.h"
 #include "core/base/random.h"
 #include "core/mesh/decompose/decompose.h"
 #include "core/vessel/tree/simbody.h"

@@ -10,7 +10,7 @@
 #include <functional>
 #include <string>
 
-#include "contact/fclib_io.h"
+#include "contact/fclib/fclib_io.h"
 #include "contact/peers/siconos.h"
 #include "contact/registry.h"
 #include "tests/bench/run_apart.h"

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "contact/contact_frame.h"
-#include "contact/measure.h"
+#include "contact/law/contact_frame.h"
+#include "contact/measure/measure.h"
 #include "contact/solvers/pgs.h"
 #include "core/base/error.h"
 #include "core/base/random.h"

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "contact/problem.h"
+#include "contact/problem/problem.h"
 
 namespace nilas::test {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "contact/challenge_problems.h"
+#include "apps/compare/problems/challenge_problems.h"
 
 namespace nilas {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/problem.h"
+#include "contact/problem/problem.h"
 
 namespace nilas {
 

@@ -16,7 +16,7 @@
 #include "apps/compare/problems/challenge_scenes.h"
 #include "apps/compare/problems/problem_study_plan.h"
 #include "apps/verify/jobs.h"
-#include "contact/fclib_io.h"
+#include "contact/fclib/fclib_io.h"
 #include "contact/registry.h"
 #include "core/base/error.h"
 #include "core/output/claim_folder.h"

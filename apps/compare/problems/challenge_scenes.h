@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "contact/problem.h"
+#include "contact/problem/problem.h"
 
 namespace nilas {
 

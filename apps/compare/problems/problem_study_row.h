@@ -3,7 +3,7 @@
 #include <limits>
 #include <string>
 
-#include "contact/measure.h"
+#include "contact/measure/measure.h"
 
 namespace nilas {
 

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "apps/compare/problems/problem_study_plan.h"
-#include "contact/fclib_io.h"
+#include "contact/fclib/fclib_io.h"
 #include "core/base/error.h"
 
 namespace nilas {

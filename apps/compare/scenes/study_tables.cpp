@@ -6,7 +6,7 @@
 
 #include "apps/compare/scenes/paired_text.h"
 #include "apps/compare/scenes/study_outputs.h"
-#include "contact/measure.h"
+#include "contact/measure/measure.h"
 #include "core/output/csv_row.h"
 #include "core/sim/step_record.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 /// A peer's contacts and impulses put into our contact problem, so that its error is found by the same `measure`.
-#include "contact/contact_frame.h"
-#include "contact/measure.h"
+#include "contact/law/contact_frame.h"
+#include "contact/measure/measure.h"
 #include "tests/bench/peers/floe_scene.h"
 
 namespace peers {

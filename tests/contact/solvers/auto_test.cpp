@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <numeric>
 
-#include "contact/fclib_io.h"
+#include "contact/fclib/fclib_io.h"
 #include "tests/support/cone_problems.h"
 #include "tests/support/problem_factory.h"
 

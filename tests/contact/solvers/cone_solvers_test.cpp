@@ -6,7 +6,7 @@
 #include "contact/registry.h"
 #include "contact/solvers/admm.h"
 #include "contact/solvers/ipm.h"
-#include "contact/solvers/second_order_cone.h"
+#include "contact/solvers/shared/second_order_cone.h"
 #include "core/base/error.h"
 #include "tests/support/cone_problems.h"
 

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "contact/registry.h"
-#include "contact/solvers/colouring.h"
+#include "contact/solvers/shared/colouring.h"
 #include "tests/support/problem_changes.h"
 #include "tests/support/problem_factory.h"
 

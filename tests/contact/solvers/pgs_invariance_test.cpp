@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "contact/islands.h"
+#include "contact/problem/islands.h"
 #include "contact/solvers/pgs.h"
 #include "tests/support/problem_changes.h"
 #include "tests/support/problem_factory.h"

@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-#include "contact/fclib_io.h"
+#include "contact/fclib/fclib_io.h"
 #include "contact/registry.h"
 
 namespace nilas {

@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "contact/assemble.h"
-#include "contact/contact_frame.h"
-#include "contact/measure.h"
+#include "contact/law/contact_frame.h"
+#include "contact/measure/measure.h"
 #include "contact/registry.h"
 #include "core/base/error.h"
 #include "tests/core/sim/crushing_rig.h"

@@ -9,7 +9,7 @@
 #include <limits>
 #include <sstream>
 
-#include "contact/measure.h"
+#include "contact/measure/measure.h"
 #include "core/base/error.h"
 #include "core/hdf5/hdf5_file.h"
 #include "core/scene/read/read_scene.h"

@@ -4,7 +4,7 @@
 
 #include <tuple>
 
-#include "contact/measure.h"
+#include "contact/measure/measure.h"
 
 namespace nilas {
 namespace {

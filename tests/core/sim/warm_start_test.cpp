@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "contact/contact_frame.h"
+#include "contact/law/contact_frame.h"
 
 namespace nilas {
 namespace {

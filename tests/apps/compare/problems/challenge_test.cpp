@@ -5,8 +5,8 @@
 #include <set>
 
 #include "apps/compare/problems/challenge_catalogue.h"
-#include "contact/fclib_io.h"
-#include "contact/measure.h"
+#include "contact/fclib/fclib_io.h"
+#include "contact/measure/measure.h"
 #include "tests/support/program.h"
 
 namespace {

@@ -6,7 +6,7 @@
 
 #include "apps/compare/problems/problem_study_run.h"
 #include "apps/compare/problems/problem_study_table.h"
-#include "contact/fclib_io.h"
+#include "contact/fclib/fclib_io.h"
 #include "core/base/error.h"
 #include "tests/support/cone_problems.h"
 #include "tests/support/mentions.h"

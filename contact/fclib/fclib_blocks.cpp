@@ -1,0 +1,94 @@
+#include "contact/fclib/fclib_blocks.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace nilas {
+
+namespace {
+
+constexpr int k_rigid_body = 6, k_point_mass = 3;  ///< degrees of freedom
+
+using Blocks = std::vector<std::vector<int>>;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Sets that grow together; the smallest member stands for its set.
+class JoinedSets {
+ public:
+  explicit JoinedSets(int count) : parent_(at(count)) { std::iota(parent_.begin(), parent_.end(), 0); }
+  int root(int k) {
+    while (parent_[at(k)] != k) k = parent_[at(k)] = parent_[at(parent_[at(k)])];
+    return k;
+  }
+  void join(int a, int b) {
+    a = root(a), b = root(b);
+    parent_[at(std::max(a, b))] = std::min(a, b);
+  }
+  Blocks sets() {
+    Blocks all;
+    std::vector<int> place(parent_.size(), -1);
+    for (int k = 0; k < static_cast<int>(parent_.size()); ++k) {
+      int& set = place[at(root(k))];
+      if (set < 0) {
+        set = static_cast<int>(all.size());
+        all.emplace_back();
+      }
+      all[at(set)].push_back(k);
+    }
+    return all;
+  }
+
+ private:
+  std::vector<int> parent_;
+};
+
+/// Gathers consecutive parts into blocks of at most `size`; larger parts stay alone.
+Blocks gather(const Blocks& parts, std::size_t size) {
+  Blocks blocks;
+  for (const auto& part : parts) {
+    if (blocks.empty() || blocks.back().size() + part.size() > size) blocks.emplace_back();
+    blocks.back().insert(blocks.back().end(), part.begin(), part.end());
+  }
+  for (auto& block : blocks) std::sort(block.begin(), block.end());
+  return blocks;
+}
+
+/// Degrees of freedom that each contact touches.
+Blocks touched_by_contact(const std::vector<MatrixEntry>& jacobian, int num_contacts) {
+  Blocks touched(at(num_contacts));
+  for (const auto& entry : jacobian) touched[at(entry.column / 3)].push_back(entry.row);
+  return touched;
+}
+
+bool fits(const Blocks& blocks, int ndof, const Blocks& touched) {
+  std::vector<int> block_of(at(ndof));
+  for (std::size_t k = 0; k < blocks.size(); ++k)
+    for (const int dof : blocks[k]) block_of[at(dof)] = static_cast<int>(k);
+  return std::all_of(touched.begin(), touched.end(), [&block_of](const std::vector<int>& dofs) {
+    int first = -1, second = -1;
+    for (const int dof : dofs) {
+      const int block = block_of[at(dof)];
+      if (block == first || block == second) continue;
+      if (second >= 0) return false;
+      (first < 0 ? first : second) = block;
+    }
+    return true;
+  });
+}
+
+}  // namespace
+
+Blocks split_into_blocks(int ndof, const std::vector<MatrixEntry>& mass, const std::vector<MatrixEntry>& jacobian,
+                         int num_contacts) {
+  JoinedSets joined(ndof);
+  for (const auto& entry : mass) joined.join(entry.row, entry.column);
+  const Blocks parts = joined.sets(), touched = touched_by_contact(jacobian, num_contacts);
+  for (const Blocks& blocks : {parts, gather(parts, k_rigid_body), gather(parts, k_point_mass)})
+    if (fits(blocks, ndof, touched)) return blocks;
+  for (const auto& dofs : touched)
+    for (const int dof : dofs) joined.join(dofs.front(), dof);
+  return joined.sets();
+}
+
+}  // namespace nilas

@@ -1,0 +1,15 @@
+#pragma once
+/// What the contacts of an answer do.
+#include "contact/problem/local_problem.h"
+
+namespace nilas {
+
+/// Contacts that separate, stick and slide. A contact is open where u_N >= d_a r_N; it slides where its slip is more
+/// than the friction that is left could stop, and more than ten times the answer's law_map_m_s.
+struct ContactCounts {
+  int open = 0, sticking = 0, sliding = 0;
+};
+ContactCounts count_contacts(const ContactProblem& problem, const VecX& r, const VecX& u);
+ContactCounts count_contacts(const LocalProblem& problem, const VecX& r, const VecX& u);
+
+}  // namespace nilas

@@ -1,0 +1,169 @@
+#include "contact/measure/measure.h"
+
+#include <cmath>
+
+#include "contact/law/cone.h"
+#include "contact/law/law_map.h"
+#include "contact/law/moment_cone.h"
+#include "contact/problem/local_problem.h"
+#include "contact/problem/operators.h"
+#include "core/base/error.h"
+
+namespace nilas {
+
+/// Contacts slower than this do not count as sliding: ten times the default tolerance of solvers [m/s].
+constexpr double k_slide_speed = 1e-5;
+
+/// Keeps the larger; once NaN, always NaN.
+static void keep_worst(double& worst, double x) {
+  if (!(x <= worst) && !std::isnan(worst)) worst = x;
+}
+
+/// Closing speed that the law does not allow: at its force limit a contact may close, which is crushing.
+static double forbidden_closing(const ContactScale& scale, double r_n, double u_n) {
+  if (u_n >= 0) return 0;
+  return std::isinf(scale.force_limit) ? -u_n : std::min(-u_n, scale.d * std::max(0.0, scale.force_limit - r_n));
+}
+
+static double complementarity(const ContactScale& scale, double r_n, double u_n) {
+  const bool crushing = u_n < 0 && std::isfinite(scale.force_limit);
+  return std::abs((crushing ? scale.force_limit - r_n : r_n) * u_n);
+}
+
+/// u.r + mu |u_T| r_N, plus the work of crushing at the limit: zero when the law holds, else positive.
+static double bipotential(const ContactScale& scale, const Vec3& r, const Vec3& u, double slip) {
+  const bool crushing = u[0] < 0 && std::isfinite(scale.force_limit);
+  return u.dot(r) + scale.mu * slip * r[0] - (crushing ? scale.force_limit * u[0] : 0);
+}
+
+static double slip_angle_deg(const Vec3& r, const Vec3& u, double slip) {
+  if (slip <= k_slide_speed || r[0] <= 0) return 0;
+  const double friction = tangential_norm(r);
+  if (friction == 0) return 0;
+  const double along = -(r[1] * u[1] + r[2] * u[2]);
+  const double across = r[1] * u[2] - r[2] * u[1];
+  return std::atan2(std::abs(across), along) / k_deg;
+}
+
+static double creep(const ContactScale& scale, const Vec3& r, double slip) {
+  const double bound = scale.mu * r[0];
+  if (bound <= 0) return 0;
+  return slip * std::max(0.0, 1 - tangential_norm(r) / bound);
+}
+
+/// How far one contact is from three laws.
+struct Maps {
+  double law = 0, natural = 0, ccp = 0;
+};
+
+static Maps maps_of(Law asked, int facets, const ContactScale& scale, const Vec3& r, const Vec3& u) {
+  const double natural = natural_map(scale, r, u), ccp = ccp_map(scale, r, u);
+  const double law = asked == Law::coulomb ? natural : asked == Law::ccp ? ccp : law_map(asked, facets, scale, r, u);
+  return {law, natural, ccp};
+}
+
+static void measure_contact(const Maps& maps, const ContactScale& scale, const Vec3& r, const Vec3& u, Residuals& out) {
+  const double slip = tangential_norm(u);
+  keep_worst(out.law_map_m_s, maps.law);
+  keep_worst(out.natural_map_m_s, maps.natural);
+  out.natural_map_rms_m_s += maps.natural * maps.natural;
+  keep_worst(out.ccp_map_m_s, maps.ccp);
+  keep_worst(out.penetration_rate_m_s, forbidden_closing(scale, r[0], u[0]));
+  keep_worst(out.complementarity_J, complementarity(scale, r[0], u[0]));
+  keep_worst(out.cone_violation_m_s, scale.d * std::max(0.0, tangential_norm(r) - scale.mu * r[0]));
+  keep_worst(out.slip_angle_deg, slip_angle_deg(r, u, slip));
+  keep_worst(out.creep_m_s, creep(scale, r, slip));
+  out.bipotential_J += bipotential(scale, r, u, slip);
+}
+
+/// What the moment adds to a contact's residuals beyond the maps.
+static void measure_moment(const ContactScale& scale, double r_n, const Vec3& r, const Vec3& u, Residuals& out) {
+  const double largest = std::max(std::abs(r[0]), tangential_norm(r));
+  keep_worst(out.cone_violation_m_s, scale.d * std::max(0.0, largest - r_n));
+  out.bipotential_J += u.dot(r) + (std::abs(u[0]) + tangential_norm(u)) * r_n;
+}
+
+/// |diag(M)^-1/2 (M v - f - H r)|; `excess` holds -f - H r on entry.
+static double momentum_residual(const ContactProblem& problem, const VecX& v, VecX& excess) {
+  double sum = 0;
+  for (int k = 0; k < problem.num_blocks(); ++k) {
+    const auto mass = problem.mass(k);
+    const int first = problem.block_offset[static_cast<std::size_t>(k)];
+    auto block = excess.segment(first, mass.rows());
+    block += mass.lazyProduct(v.segment(first, mass.rows()));
+    sum += (block.array().square() / mass.diagonal().array()).sum();
+  }
+  return std::sqrt(sum);
+}
+
+Residuals measure(const ContactProblem& problem, const VecX& r, const VecX& v) {
+  std::vector<double> ignored;
+  return measure(problem, r, v, ignored);
+}
+
+Residuals measure(const ContactProblem& problem, const VecX& r, const VecX& v, std::vector<double>& d) {
+  NILAS_DEMAND(r.size() == 3 * problem.num_contacts() && v.size() == problem.num_velocities());
+  const MassInverse masses(problem);
+  std::vector<double> response(largest_response(problem));
+  VecX excess = -problem.f;
+  Residuals out;
+  d.assign(static_cast<std::size_t>(problem.num_contacts()), 0);
+  for (int c = 0; c < problem.num_contacts(); ++c) {
+    const Vec3 r_c = r.segment<3>(3 * static_cast<Eigen::Index>(c));
+    const ContactScale scale = contact_scale(problem, c, inverse_mass_scale(problem, masses, c, response.data()));
+    d[static_cast<std::size_t>(c)] = problem.is_moment(c) ? 0 : scale.d;
+    const Vec3 u = compliant_velocity(problem.compliance[static_cast<std::size_t>(c)], r_c,
+                                      contact_velocity(problem, c, v.data()));
+    add_impulse(problem, c, -r_c, excess.data());
+    if (problem.is_moment(c)) continue;  // judged with its contact
+    const int m = problem.moment_of(c);
+    if (m < 0) {
+      measure_contact(maps_of(problem.law, problem.facets, scale, r_c, u), scale, r_c, u, out);
+      continue;
+    }
+    const ForceAndMoment r_all{r_c, r.segment<3>(3 * static_cast<Eigen::Index>(m))};
+    const ForceAndMoment u_all{u, contact_velocity(problem, m, v.data())};
+    measure_contact(
+        {law_map(problem.law, scale, r_all, u_all), natural_map(scale, r_all, u_all), ccp_map(scale, r_all, u_all)},
+        scale, r_c, u, out);
+    measure_moment(scale, r_c[0], r_all.moment, u_all.moment, out);
+  }
+  if (problem.num_contacts() > 0) out.natural_map_rms_m_s = std::sqrt(out.natural_map_rms_m_s / problem.num_points());
+  out.momentum_sqrtJ = momentum_residual(problem, v, excess);
+  return out;
+}
+
+Residuals measure(const LocalProblem& problem, const VecX& r) {
+  const VecX velocity = contact_velocities(problem, r);
+  Residuals out;
+  for (int c = 0; c < problem.num_contacts(); ++c) {
+    const auto first = 3 * static_cast<Eigen::Index>(c);
+    const ContactScale scale = contact_scale(problem, c);
+    const Vec3 r_c = r.segment<3>(first);
+    const Vec3 u = compliant_velocity(problem.compliance[static_cast<std::size_t>(c)], r_c, velocity.segment<3>(first));
+    measure_contact(maps_of(problem.law, problem.facets, scale, r_c, u), scale, r_c, u, out);
+  }
+  if (problem.num_contacts() > 0) out.natural_map_rms_m_s = std::sqrt(out.natural_map_rms_m_s / problem.num_contacts());
+  return out;
+}
+
+Residuals measure(const ContactProblem& problem, const VecX& r) { return measure(problem, r, velocities(problem, r)); }
+
+const std::vector<NamedResidual>& residual_columns() {
+  static const std::vector<NamedResidual> columns{
+      {"law_map_m_s", &Residuals::law_map_m_s},
+      {"natural_map_m_s", &Residuals::natural_map_m_s},
+      {"natural_map_rms_m_s", &Residuals::natural_map_rms_m_s},
+      {"ccp_map_m_s", &Residuals::ccp_map_m_s},
+      {"penetration_rate_m_s", &Residuals::penetration_rate_m_s},
+      {"complementarity_J", &Residuals::complementarity_J},
+      {"cone_violation_m_s", &Residuals::cone_violation_m_s},
+      {"slip_angle_deg", &Residuals::slip_angle_deg},
+      {"creep_m_s", &Residuals::creep_m_s},
+      {"bipotential_J", &Residuals::bipotential_J},
+      {"momentum_sqrtJ", &Residuals::momentum_sqrtJ},
+  };
+  return columns;
+}
+
+}  // namespace nilas

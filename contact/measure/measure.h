@@ -1,0 +1,41 @@
+#pragma once
+/// The one yardstick for any impulses on any problem, outside all solvers. Formulas: docs/theory/contact.md.
+#include "contact/problem/local_problem.h"
+#include "contact/problem/problem.h"
+
+namespace nilas {
+
+/// d_a = trace(W_aa)/3 and m_a = 1/d_a scale impulses to velocities, so every length below is in m/s.
+struct Residuals {
+  double law_map_m_s = 0;      ///< of the law that was asked; every solver's stop
+  double natural_map_m_s = 0;  ///< max over contacts of the distance from exact Coulomb
+  double natural_map_rms_m_s = 0;
+  double ccp_map_m_s = 0;
+  double penetration_rate_m_s = 0;
+  double complementarity_J = 0;
+  double cone_violation_m_s = 0;
+  double slip_angle_deg = 0;
+  double creep_m_s = 0;
+  double bipotential_J = 0;
+  double momentum_sqrtJ = 0;
+};
+
+/// Residuals of impulses r with the velocities v that go with them.
+Residuals measure(const ContactProblem& problem, const VecX& r, const VecX& v);
+/// The same, and d_a of every contact for what else is to be judged (contact/measure/impulse_residual.h); 0 of a
+/// moment.
+Residuals measure(const ContactProblem& problem, const VecX& r, const VecX& v, std::vector<double>& d);
+/// The same with v = M^-1 (f + H r).
+Residuals measure(const ContactProblem& problem, const VecX& r);
+
+/// Residuals of impulses r; momentum_sqrtJ is zero, since nothing can be out of balance.
+Residuals measure(const LocalProblem& problem, const VecX& r);
+
+/// Names and values in the order of the output columns.
+struct NamedResidual {
+  const char* name;
+  double Residuals::*member;
+};
+const std::vector<NamedResidual>& residual_columns();
+
+}  // namespace nilas

@@ -1,0 +1,15 @@
+#pragma once
+/// Groups of contacts that share no moving block: each can be solved apart.
+#include <vector>
+
+#include "contact/problem/problem.h"
+
+namespace nilas {
+
+/// Contact indices per island, ascending inside, islands ordered by their first contact.
+std::vector<std::vector<int>> find_islands(const ContactProblem& problem);
+
+/// The problem of some contacts (rising), with only the blocks that they touch, in their order.
+ContactProblem select(const ContactProblem& problem, const std::vector<int>& contacts);
+
+}  // namespace nilas

@@ -1,0 +1,119 @@
+#include "contact/problem/operators.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+
+namespace nilas {
+
+using Rows6 = Eigen::Matrix<double, 3, 6, Eigen::RowMajor>;
+using RowMajor = ContactProblem::RowMajor;
+
+namespace {
+
+/// One side of a contact: its rows (3 x n) and where its block's velocities begin.
+struct Side {
+  const double* rows = nullptr;
+  Eigen::Index n = 0;
+  int first = 0;
+  int block = -1;
+};
+
+Side side_of(const ContactProblem& problem, int block, const ContactProblem::ConstJacobian& jacobian) {
+  if (block < 0) return {};
+  return {jacobian.data(), jacobian.cols(), problem.block_offset[static_cast<std::size_t>(block)], block};
+}
+
+Side side_a(const ContactProblem& problem, int c) {
+  return side_of(problem, problem.pairs[static_cast<std::size_t>(c)].a, problem.jacobian_a(c));
+}
+
+Side side_b(const ContactProblem& problem, int c) {
+  return side_of(problem, problem.pairs[static_cast<std::size_t>(c)].b, problem.jacobian_b(c));
+}
+
+/// J x, with the usual size six unrolled.
+Vec3 times(const Side& side, const double* x) {
+  if (side.n == 6) return Eigen::Map<const Rows6>(side.rows) * Eigen::Map<const Vec6>(x);
+  return Eigen::Map<const RowMajor>(side.rows, 3, side.n).lazyProduct(Eigen::Map<const VecX>(x, side.n));
+}
+
+void add_transposed(const Side& side, const Vec3& r, double* y) {
+  if (side.n == 6)
+    Eigen::Map<Vec6>{y} += Eigen::Map<const Rows6>(side.rows).transpose() * r;
+  else
+    Eigen::Map<VecX>(y, side.n) += Eigen::Map<const RowMajor>(side.rows, 3, side.n).transpose().lazyProduct(r);
+}
+
+void respond(const MassInverse& masses, const Side& side, double* response) {
+  for (int i = 0; i < 3; ++i) masses.apply(side.block, side.rows + i * side.n, response + i * side.n);
+}
+
+/// w += J Y for the rows of one side and the response (n x 3) of the same block.
+void add_product(const Side& side, const double* response, Mat3& w) {
+  for (int j = 0; j < 3; ++j) w.col(j) += times(side, response + j * side.n);
+}
+
+}  // namespace
+
+Vec3 contact_velocity(const ContactProblem& problem, int c, const double* v) {
+  Vec3 u = problem.w.segment<3>(3 * static_cast<Eigen::Index>(c));
+  const Side a = side_a(problem, c), b = side_b(problem, c);
+  if (a.n > 0) u += times(a, v + a.first);
+  if (b.n > 0) u += times(b, v + b.first);
+  return u;
+}
+
+void add_impulse(const ContactProblem& problem, int c, const Vec3& r, double* momentum) {
+  const Side a = side_a(problem, c), b = side_b(problem, c);
+  if (a.n > 0) add_transposed(a, r, momentum + a.first);
+  if (b.n > 0) add_transposed(b, r, momentum + b.first);
+}
+
+Mat3 delassus_block(const ContactProblem& problem, const MassInverse& masses, int c, double* response) {
+  const Side a = side_a(problem, c), b = side_b(problem, c);
+  double* const response_b = response + 3 * a.n;
+  Mat3 w = Mat3::Zero();
+  if (a.n > 0) {
+    respond(masses, a, response);
+    add_product(a, response, w);
+  }
+  if (b.n > 0) {
+    respond(masses, b, response_b);
+    add_product(b, response_b, w);
+  }
+  if (a.n > 0 && a.block == b.block) {  // both sides belong to one tree: each moves the other
+    add_product(a, response_b, w);
+    add_product(b, response, w);
+  }
+  return w;
+}
+
+double inverse_mass_scale(const ContactProblem& problem, const MassInverse& masses, int c, double* response) {
+  const auto& pair = problem.pairs[static_cast<std::size_t>(c)];
+  if (pair.a == pair.b) return inverse_mass_scale(delassus_block(problem, masses, c, response));
+  double trace = 0;
+  for (const Side& side : {side_a(problem, c), side_b(problem, c)})
+    for (int i = 0; i < 3 && side.n > 0; ++i) trace += masses.square(side.block, side.rows + i * side.n);
+  return trace / 3;
+}
+
+VecX velocities(const ContactProblem& problem, const MassInverse& masses, const VecX& r) {
+  NILAS_DEMAND(r.size() == 3 * problem.num_contacts());
+  VecX v = problem.f;
+  for (int c = 0; c < problem.num_contacts(); ++c)
+    add_impulse(problem, c, r.segment<3>(3 * static_cast<Eigen::Index>(c)), v.data());
+  for (int k = 0; k < problem.num_blocks(); ++k) {
+    double* const block = v.data() + problem.block_offset[static_cast<std::size_t>(k)];
+    masses.apply(k, block, block);
+  }
+  return v;
+}
+
+std::size_t largest_response(const ContactProblem& problem) {
+  int largest = 0;
+  for (int k = 0; k < problem.num_blocks(); ++k) largest = std::max(largest, problem.block_size(k));
+  return 6 * static_cast<std::size_t>(largest);
+}
+
+}  // namespace nilas

@@ -1,0 +1,99 @@
+#include "contact/solvers/shared/mass_scaled.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/law/cone.h"
+
+namespace nilas {
+
+namespace {
+
+/// Larger differences between W' and its symmetric part, whose mean diagonal is 1, are not rounding.
+constexpr double k_rounding = 1e-14;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+Eigen::Index row_of(int c) { return 3 * static_cast<Eigen::Index>(c); }
+
+}  // namespace
+
+MassScaled mass_scaled(const LocalProblem& island) {
+  MassScaled scaled;
+  scaled.law = island.law;
+  const int nc = island.num_contacts();
+  scaled.w = sparse_matrix(island);
+  scaled.q = island.q;
+  VecX rows(3 * nc);
+  for (int a = 0; a < nc; ++a) {
+    const double compliance = island.compliance[at(a)];
+    scaled.w.coeffRef(row_of(a), row_of(a)) += compliance;
+    const double d = (island.diagonal(a).trace() + compliance) / 3;
+    const double e = 1 / std::sqrt(d);
+    scaled.scale.push_back(e);
+    rows.segment<3>(row_of(a)).setConstant(e);
+    scaled.mu.push_back(island.law == Law::frictionless ? 0 : island.mu[at(a)]);
+    scaled.cap.push_back(island.force_limit[at(a)] / e);
+  }
+  scaled.w = rows.asDiagonal() * scaled.w * rows.asDiagonal();
+  scaled.q = scaled.q.cwiseProduct(rows);
+  const Eigen::SparseMatrix<double> transposed = scaled.w.transpose();
+  scaled.symmetric = 0.5 * (scaled.w + transposed);
+  scaled.skew = Eigen::SparseMatrix<double>(scaled.w - scaled.symmetric).coeffs().cwiseAbs().maxCoeff() > k_rounding;
+  return scaled;
+}
+
+VecX MassScaled::impulses(const VecX& scaled) const {
+  VecX r = scaled;
+  for (int a = 0; a < num_contacts(); ++a) r.segment<3>(row_of(a)) *= scale[at(a)];
+  return r;
+}
+
+VecX MassScaled::scaled_impulses(const VecX& r) const {
+  VecX scaled = r;
+  for (int a = 0; a < num_contacts(); ++a) scaled.segment<3>(row_of(a)) /= scale[at(a)];
+  return scaled;
+}
+
+double convex_map(const MassScaled& problem, const VecX& scaled, const VecX& velocity) {
+  double worst = 0;
+  for (int a = 0; a < problem.num_contacts(); ++a) {
+    const Vec3 r = scaled.segment<3>(row_of(a));
+    const Vec3 step = r - velocity.segment<3>(row_of(a));
+    const double map = (r - project_cone(step, problem.mu[at(a)], problem.cap[at(a)])).norm() / problem.scale[at(a)];
+    if (!(map <= worst)) worst = map;  // a NaN stays
+  }
+  return worst;
+}
+
+VecX de_saxce_shift(const MassScaled& problem, const VecX& velocity) {
+  VecX shift = VecX::Zero(velocity.size());
+  for (int a = 0; a < problem.num_contacts(); ++a)
+    shift[row_of(a)] = problem.mu[at(a)] * tangential_norm(velocity.segment<3>(row_of(a)));
+  return shift;
+}
+
+std::optional<ContactSolution> solve_immovable(const LocalProblem& island) {
+  const int nc = island.num_contacts();
+  ContactSolution solution;
+  solution.r = VecX::Zero(3 * nc);
+  bool any = false, all = true;
+  for (int a = 0; a < nc; ++a) {
+    if (island.diagonal(a).trace() + island.compliance[at(a)] > 0) {
+      all = false;
+      continue;
+    }
+    any = true;
+    if (!(island.q[row_of(a)] < 0)) continue;
+    if (std::isfinite(island.force_limit[at(a)])) {
+      solution.r[row_of(a)] = island.force_limit[at(a)];
+    } else {
+      solution.message = "contact " + std::to_string(island.key[at(a)]) + " closes and neither side can move";
+    }
+  }
+  if (!any) return std::nullopt;
+  if (!all && solution.message.empty()) solution.message = "W has coupled rows with a zero diagonal block";
+  solution.status = solution.message.empty() ? SolveStatus::converged : SolveStatus::numerical_error;
+  return solution;
+}
+
+}  // namespace nilas

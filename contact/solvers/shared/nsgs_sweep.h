@@ -1,0 +1,23 @@
+#pragma once
+/// One sweep of block Gauss-Seidel over an island of a problem with bodies.
+#include "contact/law/local_solve.h"
+#include "contact/solvers/shared/pgs_rows.h"
+
+namespace nilas {
+
+/// What the exact solve of one contact needs beside its rows.
+struct NsgsContact {
+  ContactBlock block;
+  ContactStart start;
+  double d = 0;  ///< trace(W_aa)/3
+};
+
+/// In the order of the island's contacts.
+std::vector<NsgsContact> make_nsgs_contacts(const PgsRows& rows, const PgsIsland& island);
+
+/// Visits the island's contacts in order (or backwards), those of one colour with `threads` at once. Returns the
+/// largest d |dr| [m/s].
+double nsgs_sweep(PgsRows& rows, const PgsIsland& island, std::vector<NsgsContact>& blocks, int facets, bool backward,
+                  int threads);
+
+}  // namespace nilas

@@ -1,0 +1,94 @@
+#include "contact/solvers/shared/row_islands.h"
+
+#include <algorithm>
+
+#include "contact/problem/operators.h"
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+
+namespace nilas {
+
+namespace {
+
+void fail(const std::string& message, ContactSolution& out) {
+  out.status = SolveStatus::numerical_error;
+  out.message = message;
+}
+
+ContactSolution solve_one(const RowIsland& island, const SolverSettings& shared, const RowSolve& solve) {
+  ContactSolution part = solve(island);
+  const auto culprit = island.residual.find_culprit(island.rows, island.island, shared.tolerance);
+  if (culprit.contact >= 0)
+    fail(closing_message(culprit.contact, island.problem.key[static_cast<std::size_t>(culprit.contact)],
+                         culprit.closing_speed),
+         part);
+  return part;
+}
+
+/// The islands' worst: an island that stopped early keeps its last law_map.
+void merge(const std::vector<ContactSolution>& parts, ContactSolution& out) {
+  out.status = SolveStatus::converged;
+  std::size_t longest = 0;
+  for (const ContactSolution& part : parts) {
+    out.iterations = std::max(out.iterations, part.iterations);
+    out.status = worse(out.status, part.status);
+    if (out.message.empty()) out.message = part.message;
+    longest = std::max(longest, part.history.size());
+  }
+  out.history.assign(longest, 0.0);
+  for (const ContactSolution& part : parts)
+    for (std::size_t k = 0; k < longest && !part.history.empty(); ++k)
+      out.history[k] = std::max(out.history[k], part.history[std::min(k, part.history.size() - 1)]);
+}
+
+void solve_all(const ContactProblem& problem, const MassInverse& masses, PgsRows& rows, const SolverSettings& shared,
+               const RowSolve& solve, ContactSolution& out) {
+  std::vector<ContactSolution> parts(rows.islands.size());
+  RowResidual residual(problem, masses);
+  const auto is_large = [&](std::size_t i) { return rows.islands[i].last - rows.islands[i].first >= k_large_island; };
+  const auto solve_island = [&](std::size_t i, int threads) {
+    parts[i] = solve_one({problem, masses, rows, rows.islands[i], residual, threads}, shared, solve);
+  };
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (is_large(i)) solve_island(i, shared.threads);
+  parallel_for(static_cast<std::ptrdiff_t>(parts.size()), shared.threads, [&](std::ptrdiff_t k) {
+    const auto i = static_cast<std::size_t>(k);
+    if (!is_large(i)) solve_island(i, 1);
+  });
+  for (std::size_t k = 0; k < rows.source.size(); ++k)
+    out.r.segment<3>(3 * static_cast<Eigen::Index>(rows.source[k])) = Eigen::Map<const Vec3>(rows.contacts[k].r);
+  merge(parts, out);
+}
+
+void demand_sizes(const ContactProblem& problem) {
+  const std::size_t nc = problem.pairs.size();
+  NILAS_DEMAND(problem.f.size() == problem.num_velocities());
+  NILAS_DEMAND(problem.w.size() == 3 * problem.num_contacts() && problem.jacobian_offset.size() == nc + 1);
+  NILAS_DEMAND(problem.mu.size() == nc && problem.force_limit.size() == nc && problem.compliance.size() == nc);
+  NILAS_DEMAND(problem.key.size() == nc);
+}
+
+}  // namespace
+
+ContactSolution solve_row_islands(const ContactProblem& problem, const VecX& guess, const SolverSettings& shared,
+                                  RowOrder order, const RowSolve& solve) {
+  NILAS_DEMAND(guess.size() == 0 || guess.size() == 3 * problem.num_contacts());
+  demand_sizes(problem);
+  const MassInverse masses(problem);
+  PgsRows rows = make_pgs_rows(problem, masses, guess, order, shared.threads);
+  ContactSolution out;
+  out.r = VecX::Zero(3 * static_cast<Eigen::Index>(problem.num_contacts()));
+  if (masses.first_bad_block() >= 0)
+    fail("mass block " + std::to_string(masses.first_bad_block()) + " is not positive definite", out);
+  else if (!rows.finite || !guess.allFinite())
+    fail("the problem or the guess holds numbers that are not finite", out);
+  else
+    solve_all(problem, masses, rows, shared, solve, out);
+  out.v = velocities(problem, masses, out.r);
+  out.u = contact_velocities(problem, out.v);
+  if (out.status != SolveStatus::numerical_error && !(out.v.allFinite() && out.r.allFinite()))
+    fail("the impulses grew beyond all numbers", out);
+  return out;
+}
+
+}  // namespace nilas

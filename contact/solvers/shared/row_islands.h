@@ -1,0 +1,33 @@
+#pragma once
+/// The islands of a problem with bodies solved apart on its rows, without ever forming W: a product costs O(nc).
+#include <functional>
+
+#include "contact/problem/solution.h"
+#include "contact/solvers/shared/pgs_rows.h"
+#include "contact/solvers/shared/row_residual.h"
+
+namespace nilas {
+
+/// What a solver gets of one island. It leaves its impulses in rows.contacts of the island.
+struct RowIsland {
+  const ContactProblem& problem;
+  const MassInverse& masses;
+  PgsRows& rows;
+  const PgsIsland& island;
+  RowResidual& residual;
+  int threads;  ///< for work within the island
+};
+
+/// What it says of them; `r`, `v` and `u` stay empty.
+using RowSolve = std::function<ContactSolution(const RowIsland& island)>;
+
+/// Islands of fewer contacts are solved side by side, larger ones one after another with all threads inside.
+constexpr int k_large_island = 1000;
+
+/// Sets the rows up with the guess made admissible, calls `solve` for every island (in parallel, each with its own
+/// data) and gathers: the worst status, the most iterations, the first message. numerical_error where input is not
+/// finite or a contact closes whose sides cannot move and that has no force limit.
+ContactSolution solve_row_islands(const ContactProblem& problem, const VecX& guess, const SolverSettings& shared,
+                                  RowOrder order, const RowSolve& solve);
+
+}  // namespace nilas

@@ -1,0 +1,96 @@
+#include "contact/solvers/shared/row_residual.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/law/moment_cone.h"
+#include "contact/problem/operators.h"
+
+namespace nilas {
+
+/// Closing slower than this is rounding where nothing can move [m/s].
+constexpr double k_closing_speed = 1e-9;
+/// A normal held by less than this share of the trace does not yield; rounding alone gives the square of 1e-16.
+constexpr double k_immovable_share = 1e-20;
+
+static const PgsContact& moment_of(const PgsRows& rows, const PgsContact& contact) {
+  return rows.contacts[static_cast<std::size_t>(contact.moment)];
+}
+
+static int moment_source(const PgsRows& rows, const PgsContact& contact) {
+  return rows.source[static_cast<std::size_t>(contact.moment)];
+}
+
+double RowResidual::law_map(const PgsRows& rows, const PgsIsland& island) {
+  set_velocities(rows, island);
+  double worst = 0;
+  for (int k = island.first; k < island.last; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const PgsContact& contact = rows.contacts[i];
+    if (contact.bound_by >= 0) continue;  // judged with its contact
+    const int c = rows.source[i];
+    const Vec3 r = Eigen::Map<const Vec3>(contact.r);
+    const Vec3 u = compliant_velocity(problem_.compliance[static_cast<std::size_t>(c)], r,
+                                      contact_velocity(problem_, c, v_.data()));
+    const double map =
+        contact.moment < 0
+            ? nilas::law_map(problem_.law, problem_.facets, rows.scales[i], r, u)
+            : nilas::law_map(problem_.law, rows.scales[i], {r, Eigen::Map<const Vec3>(moment_of(rows, contact).r)},
+                             {u, contact_velocity(problem_, moment_source(rows, contact), v_.data())});
+    if (!(map <= worst)) worst = map;
+    if (std::isnan(worst)) return worst;
+  }
+  return worst;
+}
+
+void RowResidual::set_velocities(const PgsRows& rows, const PgsIsland& island) {
+  for (const int k : island.blocks) {
+    const int first = problem_.block_offset[static_cast<std::size_t>(k)];
+    momentum_.segment(first, problem_.block_size(k)) = problem_.f.segment(first, problem_.block_size(k));
+  }
+  for (int k = island.first; k < island.last; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    add_impulse(problem_, rows.source[i], Eigen::Map<const Vec3>(rows.contacts[i].r), momentum_.data());
+  }
+  for (const int k : island.blocks) {
+    const int first = problem_.block_offset[static_cast<std::size_t>(k)];
+    masses_.apply(k, momentum_.data() + first, v_.data() + first);
+  }
+}
+
+void RowResidual::correct(PgsRows& rows, const PgsIsland& island) const {
+  for (const int k : island.blocks)
+    set_block_velocities(masses_, k, momentum_.data() + problem_.block_offset[static_cast<std::size_t>(k)], rows);
+}
+
+RowResidual::Culprit RowResidual::find_culprit(const PgsRows& rows, const PgsIsland& island, double tolerance) {
+  for (int k = island.first; k < island.last; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    if (!rows.contacts[i].unanswerable) continue;
+    set_velocities(rows, island);
+    const double u_n = contact_velocity(problem_, rows.source[i], v_.data())[0];
+    if (u_n < -std::max(k_closing_speed, tolerance)) return {rows.source[i], -u_n};
+  }
+  return {};
+}
+
+std::string find_culprit(const LocalProblem& problem, const VecX& r, double tolerance) {
+  VecX u;
+  for (int c = 0; c < problem.num_contacts(); ++c) {
+    const auto i = static_cast<std::size_t>(c);
+    const Mat3& w = problem.diagonal(c);
+    if (w(0, 0) > k_immovable_share * w.trace() || problem.compliance[i] > 0 || std::isfinite(problem.force_limit[i]))
+      continue;
+    if (u.size() == 0) u = contact_velocities(problem, r);
+    const double u_n = u[3 * static_cast<Eigen::Index>(c)];
+    if (u_n < -std::max(k_closing_speed, tolerance)) return closing_message(c, problem.key[i], -u_n);
+  }
+  return "";
+}
+
+std::string closing_message(int contact, std::uint64_t key, double speed) {
+  return "contact " + std::to_string(contact) + " (key " + std::to_string(key) + ") closes at " +
+         std::to_string(speed) + " m/s, but neither side can move and it has no force limit";
+}
+
+}  // namespace nilas

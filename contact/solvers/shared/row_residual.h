@@ -1,0 +1,42 @@
+#pragma once
+/// The residual of sweeps over a problem with bodies, from the impulses alone.
+#include <string>
+
+#include "contact/problem/local_problem.h"
+#include "contact/solvers/shared/pgs_rows.h"
+
+namespace nilas {
+
+/// One solve's true velocities. Islands touch different parts, so they may be asked from different threads.
+class RowResidual {
+ public:
+  RowResidual(const ContactProblem& problem, const MassInverse& masses)
+      : problem_(problem), masses_(masses), momentum_(VecX::Zero(problem.num_velocities())), v_(momentum_) {}
+
+  /// law_map of the island with velocities M^-1 (f + H r) [m/s], as `measure` has it.
+  double law_map(const PgsRows& rows, const PgsIsland& island);
+  /// The sweeps go on from the velocities last found, free of accumulated rounding.
+  void correct(PgsRows& rows, const PgsIsland& island) const;
+
+  /// A contact that closes faster than `tolerance` although nothing can move and no limit says what to do.
+  struct Culprit {
+    int contact = -1;  ///< of the problem; -1: none
+    double closing_speed = 0;
+  };
+  Culprit find_culprit(const PgsRows& rows, const PgsIsland& island, double tolerance);
+
+ private:
+  void set_velocities(const PgsRows& rows, const PgsIsland& island);
+
+  const ContactProblem& problem_;
+  const MassInverse& masses_;
+  VecX momentum_, v_;  ///< f + H r and M^-1 of it
+};
+
+/// The same on a local problem, as a message; empty: none.
+std::string find_culprit(const LocalProblem& problem, const VecX& r, double tolerance);
+
+/// "contact 3 (key 17) closes at 0.2 m/s, but neither side can move and it has no force limit".
+std::string closing_message(int contact, std::uint64_t key, double speed);
+
+}  // namespace nilas

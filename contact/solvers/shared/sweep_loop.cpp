@@ -1,0 +1,62 @@
+#include "contact/solvers/shared/sweep_loop.h"
+
+#include <cmath>
+
+#include "contact/law/law_map.h"
+
+namespace nilas {
+
+/// `measure` finds the same law_map up to rounding: velocities of bodies are summed in another order there.
+constexpr double k_agreed_share = 1 - 1e-12;
+
+RowSweeps::RowSweeps(const RowIsland& whole)
+    : rows_(whole.rows),
+      island_(whole.island),
+      residual_(whole.residual),
+      saved_(3 * static_cast<std::size_t>(island_.last - island_.first)) {}
+
+double RowSweeps::law_map() const { return residual_.law_map(rows_, island_) / k_agreed_share; }
+
+void RowSweeps::save() {
+  for (int k = island_.first; k < island_.last; ++k)
+    std::copy_n(rows_.contacts[static_cast<std::size_t>(k)].r, 3, saved_at(k));
+}
+
+void RowSweeps::restore() {
+  for (int k = island_.first; k < island_.last; ++k)
+    std::copy_n(saved_at(k), 3, rows_.contacts[static_cast<std::size_t>(k)].r);
+}
+
+LocalSweeps::LocalSweeps(const LocalProblem& problem, const VecX& guess)
+    : problem_(problem), r_(guess.size() > 0 ? guess : VecX(VecX::Zero(problem.q.size()))), saved_(r_) {
+  for (int c = 0; c < problem.num_contacts(); ++c) scales_.push_back(contact_scale(problem, c));
+}
+
+double LocalSweeps::law_map() const {
+  const VecX u = contact_velocities(problem_, r_);
+  double worst = 0;
+  for (int c = 0; c < problem_.num_contacts(); ++c) {
+    const auto i = static_cast<std::size_t>(c);
+    const Vec3 r = r_.segment<3>(3 * static_cast<Eigen::Index>(c));
+    const Vec3 own = compliant_velocity(problem_.compliance[i], r, u.segment<3>(3 * static_cast<Eigen::Index>(c)));
+    const double map = nilas::law_map(problem_.law, problem_.facets, scales_[i], r, own);
+    if (!(map <= worst)) worst = map;
+    if (std::isnan(worst)) break;
+  }
+  return worst;
+}
+
+Vec3 LocalSweeps::velocity(int c) const {
+  const auto i = static_cast<std::size_t>(c);
+  const double* const r = r_.data();
+  double u[3] = {0, 0, 0};
+  for (int k = problem_.row_start[i]; k < problem_.row_start[i + 1]; ++k) {
+    const double* const w = problem_.block[static_cast<std::size_t>(k)].data();
+    const double* const x = r + 3 * static_cast<std::ptrdiff_t>(problem_.column[static_cast<std::size_t>(k)]);
+    for (int j = 0; j < 3; ++j) u[j] += w[j] * x[0] + w[j + 3] * x[1] + w[j + 6] * x[2];
+  }
+  const auto q = problem_.q.segment<3>(3 * static_cast<Eigen::Index>(c));
+  return {u[0] + q[0], u[1] + q[1], u[2] + q[2]};
+}
+
+}  // namespace nilas

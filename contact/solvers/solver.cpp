@@ -1,0 +1,168 @@
+#include "contact/solvers/solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/problem/islands.h"
+#include "contact/problem/operators.h"
+#include "contact/problem/reducible.h"
+#include "core/base/error.h"
+
+namespace nilas {
+
+namespace {
+
+/// Adds one island's outcome to the whole.
+void take_over(const ContactSolution& part, const std::vector<int>& contacts, ContactSolution& whole) {
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    whole.r.segment<3>(3 * static_cast<Eigen::Index>(contacts[i])) =
+        part.r.segment<3>(3 * static_cast<Eigen::Index>(i));
+  whole.status = worse(whole.status, part.status);
+  whole.iterations = std::max(whole.iterations, part.iterations);
+  if (!part.message.empty()) whole.message += (whole.message.empty() ? "" : "; ") + part.message;
+  // an island that stopped early keeps its last value
+  const double last = whole.history.empty() ? 0 : whole.history.back();
+  whole.history.resize(std::max(whole.history.size(), part.history.size()), last);
+  for (std::size_t k = 0; k < whole.history.size() && !part.history.empty(); ++k)
+    whole.history[k] = std::max(whole.history[k], part.history[std::min(k, part.history.size() - 1)]);
+}
+
+VecX part_of(const VecX& guess, const std::vector<int>& contacts) {
+  if (guess.size() == 0) return {};
+  VecX part(3 * static_cast<Eigen::Index>(contacts.size()));
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    part.segment<3>(3 * static_cast<Eigen::Index>(i)) = guess.segment<3>(3 * static_cast<Eigen::Index>(contacts[i]));
+  return part;
+}
+
+ContactSolution nothing_solved(int num_contacts) {
+  ContactSolution whole;
+  whole.r = VecX::Zero(3 * static_cast<Eigen::Index>(num_contacts));
+  whole.status = SolveStatus::converged;
+  return whole;
+}
+
+/// What makes a problem unfit for any solver; empty: nothing.
+std::string unfit(const LocalProblem& problem, const VecX& guess) {
+  double sum = problem.q.sum() + guess.sum();
+  for (const Mat3& block : problem.block) sum += block.sum();
+  for (std::size_t a = 0; a < problem.mu.size(); ++a) {
+    sum += problem.mu[a] + problem.compliance[a];
+    if (std::isnan(problem.force_limit[a])) return "a force limit is not a number";
+  }
+  if (!std::isfinite(sum)) return "the problem or the guess holds numbers that are not finite";
+  for (int a = 0; a < problem.num_contacts(); ++a)
+    if (problem.diagonal(a).trace() < 0)
+      return "contact " + std::to_string(problem.key[static_cast<std::size_t>(a)]) + " has a negative inverse mass";
+  return "";
+}
+
+ContactSolution failed(int num_contacts, const std::string& message) {
+  ContactSolution whole = nothing_solved(num_contacts);
+  whole.status = SolveStatus::numerical_error;
+  whole.message = message;
+  return whole;
+}
+
+ContactSolution left_alone(const VecX& guess, const std::string& reason) {
+  ContactSolution part;
+  part.r = guess;
+  part.message = reason;
+  return part;
+}
+
+/// Demotes a claim that does not hold on the problem itself: W r + q and M^-1 (f + H r) differ by rounding.
+template <class Problem>
+void confirm(const Problem& problem, double tolerance, ContactSolution& solution) {
+  if (solution.status == SolveStatus::converged && !(measure(problem, solution.r).law_map_m_s <= tolerance))
+    solution.status = SolveStatus::stalled;
+}
+
+/// So that where time runs out it is the hardest island that lacks it.
+std::vector<std::vector<int>> smallest_first(std::vector<std::vector<int>> islands) {
+  std::stable_sort(islands.begin(), islands.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
+  return islands;
+}
+
+}  // namespace
+
+SolverSettings with_margin(SolverSettings shared) {
+  constexpr double k_margin = 1e-3;
+  shared.tolerance *= 1 - k_margin;
+  return shared;
+}
+
+ContactSolution solve_islands(const LocalProblem& problem, const VecX& guess, const IslandSolve& solve) {
+  NILAS_DEMAND(guess.size() == 0 || guess.size() == problem.q.size());
+  if (const std::string reason = unfit(problem, guess); !reason.empty()) {
+    ContactSolution whole = failed(problem.num_contacts(), reason);
+    whole.u = contact_velocities(problem, whole.r);
+    return whole;
+  }
+  ContactSolution whole = nothing_solved(problem.num_contacts());
+  const auto islands = smallest_first(find_islands(problem));
+  if (islands.size() == 1)
+    take_over(solve(problem, guess), islands.front(), whole);
+  else
+    for (const auto& island : islands) take_over(solve(select(problem, island), part_of(guess, island)), island, whole);
+  whole.u = contact_velocities(problem, whole.r);
+  return whole;
+}
+
+ContactSolution solve_islands(const ContactProblem& problem, const std::vector<std::vector<int>>& islands,
+                              const VecX& guess, const IslandSolve& solve) {
+  NILAS_DEMAND(guess.size() == 0 || guess.size() == 3 * problem.num_contacts());
+  const MassInverse masses(problem);
+  ContactSolution whole = nothing_solved(problem.num_contacts());
+  if (masses.first_bad_block() >= 0) {
+    whole = failed(problem.num_contacts(),
+                   "mass block " + std::to_string(masses.first_bad_block()) + " is not positive definite");
+  } else if (!problem.f.allFinite()) {
+    whole = failed(problem.num_contacts(), "the momenta hold numbers that are not finite");
+  } else {
+    if (guess.size() > 0) whole.r = guess;
+    for (const auto& island : smallest_first(islands))
+      take_over(is_reducible(problem, island)
+                    ? solve_islands(reduce(select(problem, island)), part_of(guess, island), solve)
+                    : left_alone(part_of(whole.r, island), not_reducible_message(island)),
+                island, whole);
+  }
+  whole.v = velocities(problem, masses, whole.r);
+  whole.u = contact_velocities(problem, whole.v);
+  return whole;
+}
+
+void demand_known(const char* solver, std::initializer_list<Law> known, Law law) {
+  if (std::find(known.begin(), known.end(), law) != known.end()) return;
+  std::string laws;
+  for (const Law one : known) laws += (laws.empty() ? "" : ", ") + std::string(to_string(one));
+  throw InputError("solver '" + std::string(solver) + "' knows the laws " + laws + "; choose one of them");
+}
+
+void demand_no_moments(const std::string& solver, const ContactProblem& problem) {
+  if (problem.has_moments())
+    throw InputError("solver '" + solver + "' does not take rolling and spinning friction; nsgs and auto do");
+}
+
+ContactSolution IslandSolver::solve(const LocalProblem& problem, const VecX& guess) const {
+  demand_law(problem.law);
+  const SolverSettings shared = shared_.started();
+  ContactSolution solution = solve_islands(problem, guess, [&](const LocalProblem& island, const VecX& start) {
+    return solve_island(island, start, shared);
+  });
+  confirm(problem, shared_.tolerance, solution);
+  return solution;
+}
+
+ContactSolution IslandSolver::solve(const ContactProblem& problem, const VecX& guess) const {
+  demand_law(problem.law);
+  demand_no_moments(name(), problem);
+  const SolverSettings shared = with_margin(shared_.started());
+  ContactSolution solution =
+      solve_islands(problem, find_islands(problem), guess,
+                    [&](const LocalProblem& island, const VecX& start) { return solve_island(island, start, shared); });
+  confirm(problem, shared_.tolerance, solution);
+  return solution;
+}
+
+}  // namespace nilas

@@ -1,0 +1,67 @@
+#pragma once
+/// What every contact solver is: a pure function from a problem and a guess to a solution.
+#include <functional>
+#include <initializer_list>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "contact/measure/measure.h"
+#include "contact/problem/local_problem.h"
+#include "contact/problem/problem.h"
+#include "contact/problem/solution.h"
+
+namespace nilas {
+
+class ContactSolver {
+ public:
+  virtual ~ContactSolver() = default;
+  virtual std::string name() const = 0;
+  /// Same arguments, same bits. Never throws for non-convergence. `guess`: 3 nc impulses, or empty.
+  virtual ContactSolution solve(const ContactProblem& problem, const VecX& guess) const = 0;
+  /// The same for a problem without bodies; `v` stays empty.
+  virtual ContactSolution solve(const LocalProblem& problem, const VecX& guess) const = 0;
+};
+
+/// Solves one connected local problem.
+using IslandSolve = std::function<ContactSolution(const LocalProblem& island, const VecX& guess)>;
+
+/// Solves the islands of a problem apart and puts them together: the worst status, the most iterations, the sum of
+/// messages. `v` (of a problem with bodies) is M^-1 (f + H r), `u` follows from it or from W. numerical_error without
+/// calling `solve` where problem or guess hold numbers that are not finite, a mass that is not positive definite or a
+/// negative diagonal of W. Throws ContractError for a guess of the wrong size.
+ContactSolution solve_islands(const LocalProblem& problem, const VecX& guess, const IslandSolve& solve);
+/// Of a problem with bodies only the islands given (contact/problem/islands.h) are reduced, one at a time, and solved;
+/// all other contacts keep the impulses of `guess`.
+ContactSolution solve_islands(const ContactProblem& problem, const std::vector<std::vector<int>>& islands,
+                              const VecX& guess, const IslandSolve& solve);
+
+/// Throws InputError naming the laws that a solver knows where `law` is none of them.
+void demand_known(const char* solver, std::initializer_list<Law> known, Law law);
+
+/// Throws InputError naming the solvers that take rolling and spinning friction where the problem has it.
+void demand_no_moments(const std::string& solver, const ContactProblem& problem);
+
+/// A solver that reduces every problem to its islands' local form. It says converged only of what `measure` confirms on
+/// the whole problem.
+class IslandSolver : public ContactSolver {
+ public:
+  explicit IslandSolver(const SolverSettings& shared) : shared_(shared) {}
+  ContactSolution solve(const ContactProblem& problem, const VecX& guess) const final;
+  ContactSolution solve(const LocalProblem& problem, const VecX& guess) const final;
+
+ private:
+  /// Throws InputError for a law it does not know.
+  virtual void demand_law(Law) const {}
+  /// `shared`: to be used in place of the solver's own.
+  virtual ContactSolution solve_island(const LocalProblem& island, const VecX& guess,
+                                       const SolverSettings& shared) const = 0;
+
+  SolverSettings shared_;
+};
+
+/// A tolerance a thousandth tighter, for problems with bodies that are solved on their reduced form: the two forms
+/// differ by rounding.
+SolverSettings with_margin(SolverSettings shared);
+
+}  // namespace nilas
