@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "contact/detect/contact_key.h"
+#include "contact/detect/broad/contact_key.h"
 #include "contact/law/contact_frame.h"
 #include "core/base/error.h"
 

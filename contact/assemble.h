@@ -2,7 +2,7 @@
 /// From bodies, loads and contact points to one step's contact problem.
 #include <vector>
 
-#include "contact/detect/contact_point.h"
+#include "contact/detect/broad/contact_point.h"
 #include "contact/law/friction.h"
 #include "contact/problem/problem.h"
 #include "core/bodies/bodies.h"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "contact/assemble.h"
-#include "contact/detect/contact_point.h"
+#include "contact/detect/broad/contact_point.h"
 #include "core/base/math.h"
 
 namespace nilas {

@@ -5,13 +5,13 @@
 #include <functional>
 #include <numeric>
 
-#include "contact/detect/broad_phase.h"
-#include "contact/detect/fcl_query.h"
-#include "contact/detect/known_parts.h"
+#include "contact/detect/broad/broad_phase.h"
+#include "contact/detect/broad/known_parts.h"
+#include "contact/detect/broad/reach.h"
 #include "contact/detect/narrow_phase.h"
 #include "contact/detect/pair_memories.h"
-#include "contact/detect/reach.h"
-#include "contact/detect/seam_points.h"
+#include "contact/detect/search/fcl_query.h"
+#include "contact/detect/search/seam_points.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 

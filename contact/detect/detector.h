@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "contact/detect/contact_point.h"
+#include "contact/detect/broad/contact_point.h"
+#include "contact/detect/broad/fast_pairs.h"
 #include "contact/detect/detector_counts.h"
-#include "contact/detect/fast_pairs.h"
 #include "contact/detect/narrow_phase_choice.h"
 #include "contact/detect/swept.h"
 #include "core/base/state.h"
@@ -43,7 +43,7 @@ class ContactDetector {
   /// since the last call are noticed; a body whose shape changed must be re-added under a new id. Pairs that `left`
   /// names are left to the caller: see pairs_left().
   std::vector<ContactPoint> detect(const Bodies& bodies, double margin, const PairFilter& left = {});
-  /// The points whose gap the bodies' own reach (contact/detect/reach.h, one length per body [m]) may close.
+  /// The points whose gap the bodies' own reach (contact/detect/broad/reach.h, one length per body [m]) may close.
   /// All points with gap < margin enter beside them.
   std::vector<ContactPoint> detect(const Bodies& bodies, const std::vector<double>& own_reach, double margin = 0,
                                    const PairFilter& left = {});

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "contact/detect/pair_points.h"
-#include "contact/detect/primitive_contacts.h"
+#include "contact/detect/surface/pair_points.h"
+#include "contact/detect/surface/primitive_contacts.h"
 
 namespace nilas {
 

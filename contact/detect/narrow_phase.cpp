@@ -5,13 +5,13 @@
 #include <span>
 #include <utility>
 
-#include "contact/detect/contact_key.h"
-#include "contact/detect/cylinder_axis.h"
+#include "contact/detect/broad/contact_key.h"
+#include "contact/detect/broad/mirror_pair.h"
 #include "contact/detect/fcl_contacts.h"
-#include "contact/detect/mirror_pair.h"
-#include "contact/detect/pair_points.h"
-#include "contact/detect/primitive_contacts.h"
-#include "contact/detect/way_out.h"
+#include "contact/detect/search/cylinder_axis.h"
+#include "contact/detect/search/way_out.h"
+#include "contact/detect/surface/pair_points.h"
+#include "contact/detect/surface/primitive_contacts.h"
 
 namespace nilas {
 

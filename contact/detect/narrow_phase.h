@@ -2,11 +2,11 @@
 /// Contact points of one candidate pair of parts.
 #include <vector>
 
-#include "contact/detect/axis_search.h"
-#include "contact/detect/contact_key.h"
-#include "contact/detect/contact_point.h"
+#include "contact/detect/broad/contact_key.h"
+#include "contact/detect/broad/contact_point.h"
 #include "contact/detect/narrow_phase_choice.h"
-#include "contact/detect/point_reduction.h"
+#include "contact/detect/search/axis_search.h"
+#include "contact/detect/surface/point_reduction.h"
 
 namespace nilas {
 

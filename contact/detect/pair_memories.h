@@ -2,7 +2,7 @@
 /// What the pairs of parts remember of a detector's last call.
 #include <vector>
 
-#include "contact/detect/broad_phase.h"
+#include "contact/detect/broad/broad_phase.h"
 #include "contact/detect/narrow_phase.h"
 #include "core/base/state.h"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "contact/detect/cylinder_axis.h"
-#include "contact/detect/nearest_point.h"
+#include "contact/detect/search/cylinder_axis.h"
+#include "contact/detect/surface/nearest_point.h"
 
 namespace nilas {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Detection in time: when two parts first touch on their way through a step.
-#include "contact/detect/axis_search.h"
-#include "contact/detect/part.h"
+#include "contact/detect/broad/part.h"
+#include "contact/detect/search/axis_search.h"
 
 namespace nilas {
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <vector>
 
-#include "contact/detect/contact_point.h"
+#include "contact/detect/broad/contact_point.h"
 #include "core/base/state.h"
 #include "core/bodies/bodies.h"
 #include "core/sim/fracture_event.h"

@@ -5,7 +5,7 @@
 #include <limits>
 #include <set>
 
-#include "contact/detect/contact_key.h"
+#include "contact/detect/broad/contact_key.h"
 #include "core/base/order_free_sum.h"
 #include "core/geometry/mass_properties.h"
 

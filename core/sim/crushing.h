@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "contact/detect/contact_point.h"
+#include "contact/detect/broad/contact_point.h"
 #include "core/base/log.h"
 #include "core/base/state.h"
 #include "core/bodies/bodies.h"

@@ -1,6 +1,6 @@
 #include "core/sim/crushing_surface.h"
 
-#include "contact/detect/part.h"
+#include "contact/detect/broad/part.h"
 #include "fracture/ice_columns.h"
 
 namespace nilas {

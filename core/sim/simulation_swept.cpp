@@ -5,7 +5,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "contact/detect/contact_key.h"
+#include "contact/detect/broad/contact_key.h"
 #include "core/bodies/free_rotation.h"
 #include "core/sim/advance.h"
 #include "core/sim/simulation_world.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/detect/reach.h"
+#include "contact/detect/broad/reach.h"
 #include "core/base/error.h"
 #include "core/sim/advance.h"
 #include "core/sim/breaking_settings.h"

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "contact/detect/contact_point.h"
+#include "contact/detect/broad/contact_point.h"
 #include "contact/problem/problem.h"
 #include "contact/problem/solution.h"
 #include "core/base/math.h"

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "contact/assemble.h"
-#include "contact/detect/contact_point.h"
+#include "contact/detect/broad/contact_point.h"
 #include "core/bodies/bodies.h"
 #include "core/bodies/module.h"
 

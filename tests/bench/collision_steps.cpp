@@ -6,8 +6,8 @@
 #include <functional>
 #include <vector>
 
+#include "contact/detect/broad/reach.h"
 #include "contact/detect/detector.h"
-#include "contact/detect/reach.h"
 #include "core/base/parallel.h"
 #include "tests/bench/collision.h"
 #include "tests/bench/moving_field.h"

@@ -10,8 +10,8 @@
 #include <tuple>
 #include <vector>
 
+#include "contact/detect/broad/fast_pairs.h"
 #include "contact/detect/detector.h"
-#include "contact/detect/fast_pairs.h"
 #include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
 

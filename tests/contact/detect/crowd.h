@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/detect/contact_point.h"
+#include "contact/detect/broad/contact_point.h"
 #include "tests/contact/detect/bodies_of_tests.h"
 
 namespace nilas {

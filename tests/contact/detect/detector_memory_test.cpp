@@ -7,7 +7,7 @@
 #include <set>
 
 #include "contact/detect/detector.h"
-#include "contact/detect/point_reduction.h"
+#include "contact/detect/surface/point_reduction.h"
 #include "core/base/error.h"
 #include "tests/contact/detect/crowd.h"
 

@@ -6,7 +6,7 @@
 #include <ostream>
 #include <vector>
 
-#include "contact/detect/point_reduction.h"
+#include "contact/detect/surface/point_reduction.h"
 #include "tests/support/pair_judge.h"
 
 namespace nilas::pairs {

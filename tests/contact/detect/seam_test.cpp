@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "contact/detect/broad/part.h"
 #include "contact/detect/detector.h"
-#include "contact/detect/part.h"
 #include "tests/contact/detect/bodies_of_tests.h"
 
 namespace nilas {

@@ -1,8 +1,8 @@
 /// What of the faces of a body in parts is its surface.
 #include <gtest/gtest.h>
 
-#include "contact/detect/part.h"
-#include "contact/detect/part_cover.h"
+#include "contact/detect/broad/part.h"
+#include "contact/detect/broad/part_cover.h"
 #include "tests/contact/detect/bodies_of_tests.h"
 
 namespace nilas {

@@ -1,0 +1,307 @@
+#include "contact/detect/broad/broad_phase.h"
+
+#include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
+#include <fcl/geometry/shape/box.h>
+#include <fcl/narrowphase/collision_object.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <numeric>
+
+#include "contact/detect/broad/tree_walk.h"
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+
+namespace nilas {
+
+namespace {
+
+/// A part may move this far before its box is made anew: so many margins, since a margin is about the way of the
+/// fastest body in one step, but within these shares of its radius. A box lasts some steps and few pairs are listed in
+/// vain.
+constexpr double k_allowed_margins = 4.0;
+constexpr double k_least_allowed_radii = 0.01;
+constexpr double k_most_allowed_radii = 0.05;
+/// Pieces of the tree per thread, and parts that make a piece worth its while.
+constexpr std::size_t k_pieces_per_thread = 16;
+constexpr std::size_t k_parts_per_piece = 32;
+
+bool can_move(const Bodies& bodies, const Part& part) { return bodies.motion[part.body] != Motion::fixed; }
+
+/// Half sizes and centre of the part's box in G.
+struct Box {
+  Vec3 centre, half;
+};
+
+Box box_of(const Bodies& bodies, const Part& part) {
+  Box box;
+  const Mat3& R = bodies.R_GB[part.body];
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 axis = R.row(i).transpose();
+    const double up = extent(part, axis), down = extent(part, -axis);
+    box.half[i] = 0.5 * (up + down);
+    box.centre[i] = bodies.p_GB[part.body][i] + 0.5 * (up - down);
+  }
+  return box;
+}
+
+/// One part's fattened box in the tree, and the pose it was made for.
+struct Leaf : fcl::CollisionObjectd {
+  explicit Leaf(std::shared_ptr<fcl::Boxd> box) : CollisionObject(box), shape(std::move(box)) {}
+
+  int part = 0;
+  bool moving = false;
+  int body = 0;
+  std::shared_ptr<fcl::Boxd> shape;
+  Vec3 p = Vec3::Zero();
+  Mat3 R = Mat3::Zero();
+  double fat = -1;   ///< what was added on every side [m]
+  double reach = 0;  ///< of the part from the body's origin [m]
+
+  /// Bound on the way of any point of the part since the box was made.
+  double way(const Bodies& bodies) const {
+    return (bodies.p_GB[body] - p).norm() + (bodies.R_GB[body] - R).norm() * reach;
+  }
+
+  void fit(const Bodies& bodies, const Part& of, double half_margin) {
+    const double r = of.bounding_radius;
+    const double allowance =
+        std::clamp(2.0 * k_allowed_margins * half_margin, k_least_allowed_radii * r, k_most_allowed_radii * r);
+    const Box box = box_of(bodies, of);
+    p = bodies.p_GB[body];
+    R = bodies.R_GB[body];
+    fat = half_margin + (moving ? allowance : 0.0);
+    const Vec3 half = box.half + Vec3::Constant(fat);
+    shape->aabb_local = fcl::AABBd(-half, half);
+    setTranslation(box.centre);
+    computeAABB();
+  }
+
+  void set_box(const fcl::AABBd& box) {
+    shape->aabb_local = box;
+    setTranslation(Vec3::Zero());
+    computeAABB();
+  }
+};
+
+std::unique_ptr<Leaf> make_leaf(const Bodies& bodies, const Part& part, int index) {
+  auto leaf = std::make_unique<Leaf>(std::make_shared<fcl::Boxd>(1.0, 1.0, 1.0));
+  leaf->part = index;
+  leaf->body = part.body;
+  leaf->reach = part.centre.norm() + part.bounding_radius;
+  leaf->moving = can_move(bodies, part);
+  return leaf;
+}
+
+/// The leaf of an entry of FCL's tree.
+const Leaf* leaf_of(void* entry) { return static_cast<const Leaf*>(static_cast<fcl::CollisionObjectd*>(entry)); }
+
+/// A pair, and which one it is of those that the tree comes upon.
+struct WalkedPair {
+  PartPair pair;
+  int place = 0;
+};
+
+}  // namespace
+
+struct BroadPhase::Tree {
+  fcl::DynamicAABBTreeCollisionManagerd manager;
+  std::vector<std::unique_ptr<Leaf>> leaves;
+  std::vector<int> planes;
+  std::vector<char> refitted;  ///< per leaf, by the last call of refit
+  std::size_t known_parts = 0;
+  std::vector<std::vector<PartPair>> lists;  ///< of the pieces of the tree, and one of the pairs with planes
+  std::vector<WalkedPair> sorted;            ///< all of them
+
+  /// Calls fit(leaf) for each part that is new and no plane.
+  template <class Fit>
+  void add_new_parts(const Bodies& bodies, const std::vector<Part>& parts, const Fit& fit);
+  std::vector<fcl::AABBd> boxes() const;
+  void refit(const Bodies& bodies, const std::vector<Part>& parts, double margin, int threads);
+  void list_tree_pairs(int threads);
+  void list_plane_pairs(const Bodies& bodies, const std::vector<Part>& parts, double margin);
+  void sort_pairs(int bodies, int threads);
+};
+
+template <class Fit>
+void BroadPhase::Tree::add_new_parts(const Bodies& bodies, const std::vector<Part>& parts, const Fit& fit) {
+  std::vector<fcl::CollisionObjectd*> fresh;
+  for (; known_parts < parts.size(); ++known_parts) {
+    const Part& part = parts[known_parts];
+    if (part.kind == PartKind::plane) {
+      planes.push_back(static_cast<int>(known_parts));
+      continue;
+    }
+    auto leaf = make_leaf(bodies, part, static_cast<int>(known_parts));
+    fit(*leaf);
+    fresh.push_back(leaf.get());
+    leaves.push_back(std::move(leaf));
+  }
+  if (fresh.empty()) return;
+  manager.registerObjects(fresh);
+  manager.setup();
+}
+
+/// Of each leaf as the tree has it: FCL leaves a box in the tree as it is when the new one lies within it.
+std::vector<fcl::AABBd> BroadPhase::Tree::boxes() const {
+  if (leaves.empty()) return {};
+  using Node = fcl::detail::NodeBase<fcl::AABBd>;
+  std::vector<const Node*> nodes{manager.getTree().getRoot()};
+  std::map<const void*, const fcl::AABBd*> of_object;
+  while (!nodes.empty()) {
+    const Node* node = nodes.back();
+    nodes.pop_back();
+    if (node->isLeaf())
+      of_object[node->data] = &node->bv;
+    else
+      nodes.insert(nodes.end(), {node->children[0], node->children[1]});
+  }
+  std::vector<fcl::AABBd> boxes;
+  for (const auto& leaf : leaves) boxes.push_back(*of_object.at(leaf.get()));
+  return boxes;
+}
+
+void BroadPhase::Tree::refit(const Bodies& bodies, const std::vector<Part>& parts, double margin, int threads) {
+  refitted.resize(leaves.size());
+  parallel_chunks(static_cast<std::ptrdiff_t>(leaves.size()), k_chunk, threads,
+                  [&](std::ptrdiff_t, std::ptrdiff_t first, std::ptrdiff_t last) {
+                    for (std::ptrdiff_t k = first; k < last; ++k) {
+                      Leaf& leaf = *leaves[k];
+                      leaf.moving = can_move(bodies, parts[leaf.part]);
+                      refitted[k] = leaf.way(bodies) + 0.5 * margin > leaf.fat ? 1 : 0;
+                      if (refitted[k]) leaf.fit(bodies, parts[leaf.part], 0.5 * margin);
+                    }
+                  });
+  std::vector<fcl::CollisionObjectd*> moved;
+  for (std::size_t k = 0; k < leaves.size(); ++k)
+    if (refitted[k]) moved.push_back(leaves[k].get());
+  if (!moved.empty()) manager.update(moved);
+}
+
+/// What DynamicAABBTreeCollisionManager::collide() finds, by several threads.
+void BroadPhase::Tree::list_tree_pairs(int threads) {
+  const std::size_t wanted =
+      threads > 1 ? std::min(k_pieces_per_thread * static_cast<std::size_t>(threads), leaves.size() / k_parts_per_piece)
+                  : 1;
+  const std::vector<NodePair> pieces = cut_into_pieces(manager.getTree().getRoot(), wanted);
+  lists.resize(pieces.size() + 1);
+  parallel_pieces(static_cast<std::ptrdiff_t>(pieces.size()), threads, [&](std::ptrdiff_t k) {
+    std::vector<PartPair> list = std::move(lists[k]);  // alone in its cache lines
+    list.clear();
+    meet_leaves(pieces[k], [&](void* one, void* other) {
+      const Leaf *a = leaf_of(one), *b = leaf_of(other);
+      if (a->body == b->body || (!a->moving && !b->moving)) return;
+      if (b->body < a->body) std::swap(a, b);
+      list.push_back({a->body, b->body, a->part, b->part});
+    });
+    lists[k] = std::move(list);
+  });
+}
+
+void BroadPhase::Tree::list_plane_pairs(const Bodies& bodies, const std::vector<Part>& parts, double margin) {
+  std::vector<PartPair>& list = lists.back();
+  list.clear();
+  for (int plane : planes) {
+    const int host = parts[plane].body;
+    const Vec3 up = bodies.R_GB[host].col(2);
+    const bool plane_moves = can_move(bodies, parts[plane]);
+    for (const auto& leaf : leaves) {
+      if (leaf->body == host || !(leaf->moving || plane_moves)) continue;
+      const Vec3 down = -(bodies.R_GB[leaf->body].transpose() * up);
+      const double gap = up.dot(bodies.p_GB[leaf->body] - bodies.p_GB[host]) - extent(parts[leaf->part], down);
+      if (!(gap < margin)) continue;
+      if (host < leaf->body)
+        list.push_back({host, leaf->body, plane, leaf->part});
+      else
+        list.push_back({leaf->body, host, leaf->part, plane});
+    }
+  }
+}
+
+/// By the first body into buckets, and within those.
+void BroadPhase::Tree::sort_pairs(int bodies, int threads) {
+  std::vector<std::size_t> ends(static_cast<std::size_t>(bodies) + 1, 0);  // of the buckets
+  for (const auto& list : lists)
+    for (const PartPair& pair : list) ++ends[pair.body_a + 1];
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  sorted.resize(ends.back());
+  int place = 0;
+  for (const auto& list : lists)
+    for (const PartPair& pair : list) sorted[ends[pair.body_a]++] = {pair, place++};
+  const auto before = [](const WalkedPair& p, const WalkedPair& q) { return p.pair < q.pair; };
+  parallel_chunks(bodies, k_chunk, threads, [&](std::ptrdiff_t, std::ptrdiff_t first, std::ptrdiff_t last) {
+    for (std::ptrdiff_t b = first; b < last; ++b)
+      std::sort(sorted.data() + (b == 0 ? 0 : ends[b - 1]), sorted.data() + ends[b], before);
+  });
+}
+
+BroadPhase::BroadPhase() : tree_(std::make_unique<Tree>()) {}
+BroadPhase::~BroadPhase() = default;
+BroadPhase::BroadPhase(BroadPhase&&) noexcept = default;
+BroadPhase& BroadPhase::operator=(BroadPhase&&) noexcept = default;
+
+void BroadPhase::list_pairs(const Bodies& bodies, const std::vector<Part>& parts, double margin, int threads,
+                            std::vector<PartPair>& pairs, std::vector<int>& walk) {
+  tree_->refit(bodies, parts, margin, threads);
+  tree_->add_new_parts(bodies, parts, [&](Leaf& leaf) { leaf.fit(bodies, parts[leaf.part], 0.5 * margin); });
+  tree_->list_tree_pairs(threads);
+  tree_->list_plane_pairs(bodies, parts, margin);
+  tree_->sort_pairs(bodies.size(), threads);
+  pairs.resize(tree_->sorted.size());
+  walk.resize(pairs.size());
+  parallel_chunks(static_cast<std::ptrdiff_t>(pairs.size()), k_chunk, threads,
+                  [&](std::ptrdiff_t, std::ptrdiff_t first, std::ptrdiff_t last) {
+                    for (std::ptrdiff_t i = first; i < last; ++i) {
+                      pairs[i] = tree_->sorted[i].pair;
+                      walk[tree_->sorted[i].place] = static_cast<int>(i);
+                    }
+                  });
+}
+
+void BroadPhase::save(StateWriter out) const {
+  std::vector<Vec3> low, high, p;
+  std::vector<Mat3> R;
+  std::vector<double> fat;
+  for (const auto& box : tree_->boxes()) {
+    low.push_back(box.min_);
+    high.push_back(box.max_);
+  }
+  for (const auto& leaf : tree_->leaves) {
+    p.push_back(leaf->p);
+    R.push_back(leaf->R);
+    fat.push_back(leaf->fat);
+  }
+  out.add("low", low);
+  out.add("high", high);
+  out.add("made_at_p", p);
+  out.add("made_at_R", R);
+  out.add("fat", fat);
+}
+
+void BroadPhase::restore(const Bodies& bodies, const std::vector<Part>& parts, const StateReader& in) {
+  NILAS_DEMAND(tree_->known_parts == 0);
+  std::vector<Vec3> low, high, p;
+  std::vector<Mat3> R;
+  std::vector<double> fat;
+  in.get("low", low);
+  if (low.empty()) return;  // saved before the first call
+  const auto bounded =
+      std::count_if(parts.begin(), parts.end(), [](const Part& x) { return x.kind != PartKind::plane; });
+  const auto count = static_cast<std::size_t>(bounded);
+  in.get("low", low, count);
+  in.get("high", high, count);
+  in.get("made_at_p", p, count);
+  in.get("made_at_R", R, count);
+  in.get("fat", fat, count);
+  std::size_t k = 0;
+  tree_->add_new_parts(bodies, parts, [&](Leaf& leaf) {
+    leaf.p = p[k];
+    leaf.R = R[k];
+    leaf.fat = fat[k];
+    leaf.set_box(fcl::AABBd(low[k], high[k]));
+    ++k;
+  });
+}
+
+}  // namespace nilas

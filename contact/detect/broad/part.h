@@ -1,0 +1,94 @@
+#pragma once
+/// Convex parts of bodies, prepared for contact search: the same geometry as core/geometry/shape.h with what a search
+/// asks of it again and again laid out for it.
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "contact/detect/broad/part_cover.h"
+#include "core/base/math.h"
+#include "core/bodies/bodies.h"
+#include "core/geometry/shape.h"
+
+namespace nilas {
+
+enum class PartKind { polytope, cylinder, sphere, plane };
+
+/// Edge of a polytope with the faces on its two sides.
+struct PartEdge {
+  int v0 = 0, v1 = 0;  ///< in an order that a mirrored part shares, but for an edge that is its own image
+  int f0 = 0, f1 = 0;
+  Vec3 along = Vec3::Zero();   ///< from v0 to v1 [m]
+  Vec3 middle = Vec3::Zero();  ///< of the edge, the same bits from either end [m]
+  Vec3 arc = Vec3::Zero();     ///< normal of f1 x normal of f0, across the plane of the edge's normals
+};
+
+/// Lists of numbers, one after the other in memory.
+class NumberLists {
+ public:
+  void add(const std::vector<int>& list) {
+    items_.insert(items_.end(), list.begin(), list.end());
+    start_.push_back(static_cast<int>(items_.size()));
+  }
+  std::span<const int> operator[](int i) const { return {items_.data() + start_[i], items_.data() + start_[i + 1]}; }
+
+ private:
+  std::vector<int> start_{0}, items_;
+};
+
+/// A polytope with one coordinate per column, so that one pass serves all vertices or all faces.
+struct FacetedGeometry {
+  const ConvexPolytope* polytope = nullptr;
+  Eigen::Array<double, Eigen::Dynamic, 3> vertices;
+  Eigen::Array<double, Eigen::Dynamic, 3> normals;
+  Eigen::ArrayXd offsets;
+  std::vector<PartEdge> edges;
+  NumberLists face_vertices;  ///< loops, counter-clockwise from outside
+  NumberLists face_edges;     ///< edge k joins loop vertices k and k + 1
+  NumberLists vertex_faces, vertex_edges;
+  NumberLists smooth_neighbours;    ///< faces across an edge that turn by less than twice the patch angle
+  std::vector<int> start_vertices;  ///< support vertex per cell of directions; empty where all vertices are tried
+  double roughness = 0;             ///< how far vertices stand off the plane of their face or over a neighbour's [m]
+};
+
+/// One convex part of one body. Points and directions are in the body's frame.
+struct Part {
+  int body = -1;  ///< index
+  int index = 0;  ///< of the part within its body
+  PartKind kind = PartKind::polytope;
+  std::unique_ptr<const FacetedGeometry> facets;  ///< polytope only
+  std::shared_ptr<const PartCover> cover;         ///< of parts that touch others of their body; null for the rest
+  double radius = 0;                              ///< sphere, cylinder [m]
+  double half_height = 0;                         ///< cylinder, axis z [m]
+  Vec3 centre = Vec3::Zero();                     ///< a point inside
+  double bounding_radius = 0;                     ///< about `centre`; infinite for a plane [m]
+  double inner_radius = 0;                        ///< of a ball about `centre` inside the part [m]
+};
+
+/// Faces within this angle of the contact normal belong to one patch of surface [rad]: a curved hull's facets turn by a
+/// degree or two each, the faces of a floe by more.
+constexpr double k_patch_angle = 5.0 * k_deg;
+/// A patch grows over gentle edges up to faces that turn by this much [rad]: a floe across a curved bow touches at both
+/// its ends, where the bow faces elsewhere.
+constexpr double k_grown_angle = 25.0 * k_deg;
+
+/// The contact parts of body b, which must keep its shape for as long as the parts live.
+std::vector<Part> make_parts(const Bodies& bodies, int b);
+
+/// Largest n . x over the part, n of any length. Not for planes.
+double extent(const Part& part, const Vec3& n);
+/// A vertex of the polytope where n . x is largest.
+int support_vertex(const FacetedGeometry& facets, const Vec3& n);
+/// All vertices where n . x is within `tolerance` [m] of the largest, in rising order.
+void support_vertices(const FacetedGeometry& facets, const Vec3& n, double tolerance, std::vector<int>& out);
+
+/// Supporting points of a cylinder in direction n: one of a rim, both ends of a side line, or a cap's centre.
+struct CylinderSupport {
+  std::array<Vec3, 2> points;
+  int count = 1;
+};
+/// Heights that differ by less than `tolerance` [m] are equal; n is a unit vector.
+CylinderSupport cylinder_support(const Part& part, const Vec3& n, double tolerance);
+
+}  // namespace nilas

@@ -1,0 +1,34 @@
+#pragma once
+/// Contact points of parts that are pieces of larger bodies, less what lies inside those.
+#include "contact/detect/surface/manifold.h"
+
+namespace nilas {
+
+/// One part of a pair that touches others of its body.
+struct CoveredSide {
+  const PairView& pair;
+  bool of_a;
+
+  const Part& part() const { return of_a ? pair.a : pair.b; }
+  const PartCover& cover() const { return *part().cover; }
+  bool owns(AxisKind kind) const { return kind == (of_a ? AxisKind::face_a : AxisKind::face_b); }
+  /// The point on the part's surface, and the contact's outward normal, in the part's frame.
+  Vec3 place(const ContactPlane& plane, const OverlayPoint& p) const;
+  Vec3 outward(const Vec3& n) const;
+  /// The point of the other part that meets it, in the same frame.
+  Vec3 other_place(const ContactPlane& plane, const OverlayPoint& p) const;
+};
+
+/// Cuts the common areas back to where the side's other parts do not hide them: a corner inside another part is
+/// replaced by the points where the area's outline comes out of it, with the gaps there. Call after face_each_other.
+void cut_covered(const CoveredSide& side, const Axis& axis, FacingSurfaces& facing);
+
+/// Takes out points below the side's own face that lie so deep that another part of its body offers a nearer way out
+/// there; that part has contacts of its own.
+void drop_dominated(const CoveredSide& side, FacingSurfaces& facing);
+
+/// Takes out points made by internal edges and vertices of the side: the body's surface runs on through them, and what
+/// ends its common area with the other body are points of other parts.
+void drop_internal_features(const CoveredSide& side, FacingSurfaces& facing);
+
+}  // namespace nilas

@@ -1,0 +1,18 @@
+#pragma once
+/// The face normal along which two parts are farthest apart, or overlap least.
+#include <vector>
+
+#include "contact/detect/broad/pair_view.h"
+
+namespace nilas {
+
+/// Exact over all face normals of both polytopes (a cylinder or sphere has none); s is -infinity when there are none.
+/// Stops at the first axis with s > `enough` [m]. Some face is known to separate by at least `least` [m], so that those
+/// bounded below it are not tried.
+/// `room`: storage.
+Axis best_face_axis(const PairView& pair, double enough, std::vector<Axis>& room,
+                    double least = -std::numeric_limits<double>::infinity());
+/// The axis of one face: of A for kind face_a, of B for face_b.
+Axis face_axis(const PairView& pair, AxisKind kind, int face);
+
+}  // namespace nilas

@@ -1,0 +1,89 @@
+/// Which pairs of parts the tree of boxes gives, whoever walks it.
+#include "contact/detect/broad/broad_phase.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "core/base/state.h"
+#include "tests/contact/detect/bodies_of_tests.h"
+
+namespace nilas {
+namespace {
+
+/// Floes beside and over each other, every seventh fixed.
+Bodies bodies_in_a_square(int count, double side) {
+  RandomStream random(11, "square");
+  Bodies bodies;
+  for (int b = 0; b < count; ++b)
+    add_body(bodies, floe_shape(random_outline(random, 0.5), 0.1),
+             Vec3(random.uniform(0, side), random.uniform(0, side), random.uniform(-0.1, 0.1)),
+             random_tilt(random, 0.1), b % 7 == 3 ? Motion::fixed : Motion::free);
+  return bodies;
+}
+
+std::vector<Part> parts_of(const Bodies& bodies) {
+  std::vector<Part> parts;
+  for (int b = 0; b < bodies.size(); ++b)
+    for (Part& part : make_parts(bodies, b)) parts.push_back(std::move(part));
+  return parts;
+}
+
+/// Every two boxes of the tree compared with each other.
+std::vector<PartPair> overlaps(const Bodies& bodies, const BroadPhase& broad, std::size_t count) {
+  State state;
+  broad.save(StateWriter(state));
+  std::vector<Vec3> low, high;
+  StateReader(state).get("low", low, count);
+  StateReader(state).get("high", high, count);
+  std::vector<PartPair> pairs;
+  for (int a = 0; a < bodies.size(); ++a)
+    for (int b = a + 1; b < bodies.size(); ++b)
+      if ((low[a].array() <= high[b].array()).all() && (low[b].array() <= high[a].array()).all() &&
+          (bodies.is_free(a) || bodies.is_free(b)))
+        pairs.push_back({a, b, a, b});
+  return pairs;
+}
+
+/// The pairs; each is met once on the walk.
+std::vector<PartPair> candidates(BroadPhase& broad, const Bodies& bodies, const std::vector<Part>& parts, int threads) {
+  std::vector<PartPair> pairs;
+  std::vector<int> walk;
+  broad.list_pairs(bodies, parts, 0.01, threads, pairs, walk);
+  std::sort(walk.begin(), walk.end());
+  std::vector<int> places(pairs.size());
+  std::iota(places.begin(), places.end(), 0);
+  EXPECT_EQ(walk, places);
+  return pairs;
+}
+
+TEST(BroadPhase, GivesAllOverlapsOfItsBoxesForAnyNumberOfThreads) {
+  for (const int count : {1, 2, 40, 700}) {
+    Bodies bodies = bodies_in_a_square(count, 0.8 * std::sqrt(count));
+    const std::vector<Part> parts = parts_of(bodies);
+    BroadPhase one, two, five;
+    std::size_t found = 0;
+    for (int step = 0; step < 12; ++step) {
+      for (int b = 0; b < count; ++b)
+        if (bodies.is_free(b))
+          bodies.set_pose(b, bodies.p_GB[b] + 0.02 * Vec3(std::cos(b), std::sin(b), 0.1 * std::sin(b)), bodies.q_GB[b]);
+      const std::vector<PartPair> pairs = candidates(one, bodies, parts, 1);
+      EXPECT_EQ(candidates(two, bodies, parts, 2), pairs);
+      EXPECT_EQ(candidates(five, bodies, parts, 5), pairs);
+      EXPECT_EQ(overlaps(bodies, one, parts.size()), pairs);
+      found += pairs.size();
+    }
+    EXPECT_GE(found, static_cast<std::size_t>(count > 2 ? count : 0)) << count;
+  }
+}
+
+TEST(BroadPhase, NoBodies) {
+  for (const int threads : {1, 2}) {
+    BroadPhase broad;
+    EXPECT_TRUE(candidates(broad, Bodies(), {}, threads).empty());
+  }
+}
+
+}  // namespace
+}  // namespace nilas

@@ -1,0 +1,50 @@
+/// The library's direction, asked for in the pair's own scale.
+#include "contact/detect/search/fcl_query.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/contact/detect/bodies_of_tests.h"
+
+namespace nilas {
+namespace {
+
+/// A box with its top at z = 0 and another thing `gap` above it, all `scale` large and far from the origin.
+struct Stack {
+  Bodies bodies;
+  std::vector<Part> parts;
+
+  Stack(const Shape& upper, double reach, double scale, double gap) {
+    const Vec3 origin(1e3, -2e3, 5e2);
+    add_body(bodies, box_shape(scale * Vec3(3, 3, 1)), origin - Vec3(0, 0, 0.5 * scale));
+    add_body(bodies, upper, origin + Vec3(0.1 * scale, 0.2 * scale, reach + gap));
+    for (int b : {0, 1})
+      for (Part& part : make_parts(bodies, b)) parts.push_back(std::move(part));
+  }
+  PairView pair() const { return view_pair(parts[0], parts[1], pose_of_b_in_a(bodies, 0, 1), 1); }
+};
+
+TEST(FclQuery, FindsTheDirectionAtAnyScaleApartAndOverlapping) {
+  for (double scale : {1e-4, 1e-2, 1.0, 1e3})
+    for (double gap : {0.01 * scale, -0.01 * scale})
+      for (const bool cylinder : {false, true}) {
+        const Shape upper = cylinder ? cylinder_shape(0.5 * scale, scale) : box_shape(scale * Vec3(1, 1, 1));
+        const Stack stack(upper, 0.5 * scale, scale, gap);
+        FclShapes fcl;
+        const auto direction = fcl.direction(stack.pair(), gap > 0);
+        ASSERT_TRUE(direction) << scale << " " << gap;
+        EXPECT_NEAR((*direction - Vec3::UnitZ()).norm(), 0, 1e-4) << scale << " " << gap << " " << cylinder;
+      }
+}
+
+TEST(FclQuery, AWrongGuessOfOverlapIsPutRight) {
+  const Stack stack(box_shape({1, 1, 1}), 0.5, 1, 0.01);
+  FclShapes fcl;
+  const auto direction = fcl.direction(stack.pair(), false);
+  ASSERT_TRUE(direction);
+  EXPECT_NEAR((*direction - Vec3::UnitZ()).norm(), 0, 1e-6);
+}
+
+}  // namespace
+}  // namespace nilas
