@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "fracture/splitting_table.h"
-#include "fracture/weakest_sections.h"
+#include "fracture/bend/weakest_sections.h"
+#include "fracture/split/splitting_table.h"
 
 namespace nilas {
 

@@ -4,15 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "fracture/crack_lines.h"
-#include "fracture/crack_path.h"
-#include "fracture/edge_contact.h"
-#include "fracture/edge_load.h"
-#include "fracture/ice_columns.h"
-#include "fracture/local_ice.h"
-#include "fracture/plate.h"
-#include "fracture/splitting_lefm.h"
-#include "fracture/wedge.h"
+#include "fracture/bend/edge_contact.h"
+#include "fracture/bend/edge_load.h"
+#include "fracture/bend/plate.h"
+#include "fracture/bend/wedge.h"
+#include "fracture/crush/ice_columns.h"
+#include "fracture/cut/crack_lines.h"
+#include "fracture/cut/crack_path.h"
+#include "fracture/cut/local_ice.h"
+#include "fracture/split/splitting_lefm.h"
 
 namespace nilas {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// The motion of free rigid bodies: velocities without contact, and the poses that velocities lead to.
+#include "contact/step_motion.h"
 #include "core/bodies/bodies.h"
-#include "core/sim/step_motion.h"
 
 namespace nilas {
 

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "core/scene/scene.h"
-#include "core/sim/breaking.h"
-#include "fracture/cut_floe.h"
+#include "fracture/cut/cut_floe.h"
+#include "fracture/model/breaking.h"
 
 namespace nilas {
 

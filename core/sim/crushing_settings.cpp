@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
-#include "core/sim/crushing_surface.h"
+#include "fracture/model/crushing_surface.h"
 
 namespace nilas {
 

@@ -4,7 +4,7 @@
 
 #include "core/bodies/bodies.h"
 #include "core/scene/scene.h"
-#include "core/sim/crushing.h"
+#include "fracture/model/crushing.h"
 
 namespace nilas {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "contact/step_motion.h"
 #include "core/base/state.h"
-#include "core/sim/step_motion.h"
 #include "core/sim/step_record.h"
 
 namespace nilas {

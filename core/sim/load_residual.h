@@ -1,7 +1,7 @@
 #pragma once
 /// What the residuals of a step's contacts amount to, as loads on the vessel. Theory: docs/theory/load-error.md.
 #include "contact/measure/impulse_residual.h"
-#include "core/sim/step_motion.h"
+#include "contact/step_motion.h"
 #include "core/sim/step_record.h"
 
 namespace nilas {

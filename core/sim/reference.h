@@ -6,11 +6,11 @@
 #include <optional>
 #include <vector>
 
+#include "contact/step_motion.h"
 #include "core/numerics/event_ode.h"
 #include "core/sim/contact_model.h"
 #include "core/sim/reference_contacts.h"
 #include "core/sim/reference_state.h"
-#include "core/sim/step_motion.h"
 #include "core/sim/step_record.h"
 #include "core/sim/world.h"
 

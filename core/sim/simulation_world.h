@@ -5,16 +5,16 @@
 
 #include "contact/assemble.h"
 #include "contact/detect/detector.h"
-#include "core/sim/breaking.h"
-#include "core/sim/broken_contacts.h"
 #include "core/sim/contact_model.h"
-#include "core/sim/crushing.h"
 #include "core/sim/ledger.h"
 #include "core/sim/reference.h"
 #include "core/sim/simulation.h"
 #include "core/sim/stopwatch.h"
 #include "core/sim/warm_start.h"
 #include "core/sim/world.h"
+#include "fracture/model/breaking.h"
+#include "fracture/model/broken_contacts.h"
+#include "fracture/model/crushing.h"
 
 namespace nilas {
 

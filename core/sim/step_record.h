@@ -8,11 +8,11 @@
 
 #include "contact/detect/detector_counts.h"
 #include "contact/measure/measure.h"
+#include "contact/solved_problem.h"
 #include "core/base/error.h"
 #include "core/base/math.h"
-#include "core/sim/fracture_event.h"
-#include "core/sim/solved_problem.h"
 #include "core/vessel/model/vessel_model.h"
+#include "fracture/model/fracture_event.h"
 
 namespace nilas {
 

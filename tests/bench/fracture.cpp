@@ -2,9 +2,9 @@
 #include <chrono>
 #include <cstdio>
 
-#include "fracture/edge_load.h"
-#include "fracture/splitting_lefm.h"
-#include "fracture/wedge.h"
+#include "fracture/bend/edge_load.h"
+#include "fracture/bend/wedge.h"
+#include "fracture/split/splitting_lefm.h"
 
 namespace {
 

@@ -17,7 +17,7 @@
 #include "core/output/plot.h"
 #include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
-#include "fracture/resistance.h"
+#include "fracture/bend/resistance.h"
 #include "tests/bench/twins.h"
 
 namespace {

@@ -1,5 +1,5 @@
-/// Makes fracture/splitting_table.h: H(A/L, W/L) of a rectangular floe with an edge crack that two opposed forces at
-/// its mouth open. Build with the preset bench; run: bench_split_table > table (ten minutes). With an argument
+/// Makes fracture/split/splitting_table.h: H(A/L, W/L) of a rectangular floe with an edge crack that two opposed forces
+/// at its mouth open. Build with the preset bench; run: bench_split_table > table (ten minutes). With an argument
 /// (bench_split_table check) it prints values between the table's points instead, and for the square floe how they move
 /// with order and grading of the elements.
 ///
@@ -204,7 +204,7 @@ class Floe {
   Vec u_;
 };
 
-/// As fracture/splitting_table.h says.
+/// As fracture/split/splitting_table.h says.
 constexpr int k_cracks = 32, k_widths = 20;
 constexpr double k_longest = 0.9, k_widest = 8;
 

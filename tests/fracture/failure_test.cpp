@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/geometry/mass_properties.h"
-#include "fracture/cut_outline.h"
+#include "fracture/cut/cut_outline.h"
 
 namespace nilas {
 namespace {

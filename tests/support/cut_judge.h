@@ -7,9 +7,9 @@
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/orientation.h"
 #include "core/geometry/polygon.h"
-#include "fracture/cut_floe.h"
-#include "fracture/cut_outline.h"
-#include "fracture/snap_lines.h"
+#include "fracture/cut/cut_floe.h"
+#include "fracture/cut/cut_outline.h"
+#include "fracture/cut/snap_lines.h"
 #include "tests/support/cut_cases.h"
 
 namespace nilas::test {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <string>
 
+#include "contact/step_motion.h"
 #include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
-#include "core/sim/step_motion.h"
 #include "tests/support/scratch_folder.h"
 
 namespace {

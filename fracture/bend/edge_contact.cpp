@@ -1,0 +1,106 @@
+#include "fracture/bend/edge_contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/error.h"
+#include "fracture/cut/crack_lines.h"
+
+namespace nilas {
+
+namespace {
+
+using Group = std::vector<PointLoad>;
+
+/// A load that leans less is vertical: its direction in the plane is chance [-].
+constexpr double k_least_level = 0.05;
+/// Points of less force than this share of the strongest count for nothing [-].
+constexpr double k_least_force = 1e-12;
+
+/// The strongest load that is in no group yet, with all others within `link` of it.
+std::vector<Group> linked(const std::vector<PointLoad>& loads, double link) {
+  double strongest_force = 0;
+  for (const PointLoad& load : loads) strongest_force = std::max(strongest_force, load.force.norm());
+  std::vector<std::size_t> order;
+  for (std::size_t k = 0; k < loads.size(); ++k)
+    if (loads[k].force.norm() > k_least_force * strongest_force) order.push_back(k);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t k) {
+    return loads[i].force.squaredNorm() > loads[k].force.squaredNorm();
+  });
+  std::vector<Group> groups;
+  while (!order.empty()) {
+    const PointLoad& strongest = loads[order.front()];
+    Group group;
+    std::erase_if(order, [&](std::size_t k) {
+      if ((loads[k].x - strongest.x).head<2>().norm() > link) return false;
+      group.push_back(loads[k]);
+      return true;
+    });
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+/// Length of an even load along a direction.
+double extent(const Group& group, const Vec2& along, double whole) {
+  const bool of_areas = std::all_of(group.begin(), group.end(), [](const PointLoad& p) { return p.of_area; });
+  double low = std::numeric_limits<double>::infinity(), high = -low, mean = 0, square = 0;
+  for (const PointLoad& p : group) {
+    const double s = along.dot(p.x.head<2>());
+    low = std::min(low, s);
+    high = std::max(high, s);
+    mean += p.force.norm() / whole * s;
+  }
+  if (!of_areas) return high - low;
+  for (const PointLoad& p : group) square += p.force.norm() / whole * std::pow(along.dot(p.x.head<2>()) - mean, 2);
+  return std::sqrt(12 * square);
+}
+
+/// Where the load came in: against its direction to the edge, or, of a vertical one, to the nearest edge.
+void find_edge(const std::vector<Vec2>& outline, const Vec2& middle, double whole, EdgeContact& contact) {
+  const EdgePlace nearest = nearest_edge_place(outline, middle);
+  contact.edge_point = nearest.point;
+  contact.inward = nearest.inward;
+  const Vec2 level = contact.force.head<2>();
+  contact.pushes_in = level.norm() > k_least_level * whole;
+  if (contact.pushes_in) {
+    contact.inward = level.normalized();
+    const std::vector<Chord> ahead = chords(outline, middle, std::atan2(level.y(), level.x()));
+    if (!ahead.empty()) contact.edge_point = ahead.front().start;
+  }
+  contact.from_edge = (middle - contact.edge_point).norm();
+}
+
+EdgeContact contact_of(const std::vector<Vec2>& outline, const Group& group) {
+  EdgeContact contact;
+  double whole = 0;
+  Vec2 middle = Vec2::Zero();
+  for (const PointLoad& p : group) {
+    const double amount = p.force.norm();
+    whole += amount;
+    middle += amount * p.x.head<2>();
+    contact.force += p.force;
+    contact.speed += amount * p.speed;
+  }
+  contact.speed /= whole;
+  find_edge(outline, middle / whole, whole, contact);
+  const Vec2 along(-contact.inward.y(), contact.inward.x());
+  contact.width = extent(group, along, whole);
+  contact.depth = extent(group, contact.inward, whole);
+  if (contact.pushes_in)
+    for (const PointLoad& p : group) contact.opening += 0.5 * std::abs(along.dot(p.force.head<2>()));
+  return contact;
+}
+
+}  // namespace
+
+std::vector<EdgeContact> edge_contacts(const std::vector<Vec2>& outline, const std::vector<PointLoad>& loads,
+                                       double link) {
+  NILAS_DEMAND(outline.size() >= 3 && link >= 0);
+  std::vector<EdgeContact> contacts;
+  for (const Group& group : linked(loads, link)) contacts.push_back(contact_of(outline, group));
+  return contacts;
+}
+
+}  // namespace nilas

@@ -1,0 +1,177 @@
+#include "fracture/cut/crack_lines.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/geometry/mass_properties.h"
+#include "tests/support/cut_judge.h"
+
+namespace {
+
+using namespace nilas;
+using namespace nilas::test;
+
+const Outline k_square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+/// Limbs of 1 m and 2 m breadth, opening towards +x.
+const Outline k_u_shape{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 2}, {3, 2}, {3, 4}, {0, 4}};
+
+TEST(Chords, AreAllPartsInsideAheadOfThePoint) {
+  const std::vector<Chord> up = chords(k_u_shape, {2, 0}, k_pi / 2);
+  ASSERT_EQ(up.size(), 2u);
+  EXPECT_NEAR((up[0].start - Vec2(2, 0)).norm() + (up[0].end - Vec2(2, 1)).norm(), 0, 1e-15);
+  EXPECT_NEAR((up[1].start - Vec2(2, 2)).norm() + (up[1].end - Vec2(2, 4)).norm(), 0, 1e-15);
+  EXPECT_TRUE(chords(k_u_shape, {2, 0}, -k_pi / 2).empty()) << "away from the ice";
+  EXPECT_EQ(chords(k_u_shape, {2, 3}, k_pi / 2).size(), 1u) << "the limb behind does not count";
+  EXPECT_TRUE(chords(k_square, {2, 0}, k_pi / 2).empty()) << "misses";
+}
+
+TEST(Chords, BeginAtTheEdgeWhenThePointIsInsideOrOutside) {
+  for (const double y : {-0.2, 0.0, 1e-16, 0.2}) {
+    const std::vector<Chord> found = chords(k_square, {0.3, y}, k_pi / 2);
+    ASSERT_EQ(found.size(), 1u) << y;
+    EXPECT_NEAR((found[0].start - Vec2(0.3, 0)).norm(), 0, 1e-15);
+    EXPECT_NEAR(found[0].length(), 1, 1e-15);
+  }
+}
+
+TEST(Chords, ThroughVerticesStayPaired) {
+  const std::vector<Chord> diagonal = chords(k_square, {0, 0}, k_pi / 4);
+  ASSERT_EQ(diagonal.size(), 1u);
+  EXPECT_NEAR(diagonal[0].length(), std::sqrt(2), 1e-14);
+}
+
+TEST(Chords, TheShortestIsTheCandidate) {
+  const auto chord = shortest_chord(k_u_shape, {2, 4}, -k_pi / 2);
+  ASSERT_TRUE(chord.has_value());
+  EXPECT_NEAR(chord->length(), 1, 1e-15) << "the limb of 1 m, behind that of 2 m";
+  EXPECT_FALSE(shortest_chord(k_square, {0, 2}, 0).has_value());
+}
+
+TEST(Chords, CutTheFloeThatTheyCross) {
+  RandomStream random(11, "chords");
+  for (int i = 0; i < 300; ++i) {
+    const Outline outline = sound_outline(any_shape, 1, Vec2::Zero(), random);
+    const Vec2 point = on_edge(outline, random);
+    const auto chord = shortest_chord(outline, point, random.uniform(0, 2 * k_pi));
+    if (!chord || chord->length() < 1e-6) continue;
+    const CutResult cut = cut_outline(outline, {{chord->start, chord->end}});
+    ASSERT_EQ(cut.pieces.size(), 2u) << i;
+    EXPECT_NEAR(cut.crack_length, chord->length(), 1e-13);
+  }
+}
+
+TEST(NearestEdgePoint, IsTheFootOrACorner) {
+  EXPECT_EQ(nearest_edge_place(k_square, {0.3, 0.1}).point, Vec2(0.3, 0));
+  EXPECT_EQ(nearest_edge_place(k_square, {2, 3}).point, Vec2(1, 1));
+}
+
+TEST(Split, ComparesTheChordWithTheBendingRadius) {
+  SplitRule rule;
+  const auto verdict = [&](double radius) {
+    rule.bending_radius = radius;
+    return split_along(k_square, {0.3, 0}, k_pi / 2, rule).verdict;
+  };
+  EXPECT_EQ(verdict(1.01), SplitVerdict::below_bending);
+  EXPECT_EQ(verdict(0.99), SplitVerdict::splits);
+  EXPECT_EQ(verdict(0.41), SplitVerdict::splits);
+  EXPECT_EQ(verdict(0.39), SplitVerdict::above_reach);  // 2.5 x 0.39 < 1
+  EXPECT_EQ(split_along(k_square, {0.3, 0}, -k_pi / 2, rule).verdict, SplitVerdict::no_chord);
+}
+
+TEST(Split, RefusesSmallAndNarrowPieces) {
+  SplitRule rule;
+  rule.bending_radius = 0.9;
+  EXPECT_EQ(split_along(k_square, {1e-4, 0}, k_pi / 2, rule).verdict, SplitVerdict::too_small);
+  EXPECT_EQ(split_along(k_square, {0.12, 0}, k_pi / 2, rule).verdict, SplitVerdict::too_narrow);  // 1 : 0.12
+  EXPECT_EQ(split_along(k_square, {0.13, 0}, k_pi / 2, rule).verdict, SplitVerdict::splits);
+  EXPECT_NEAR(split_along(k_square, {0.12, 0}, k_pi / 2, rule).chord.length(), 1, 1e-15);
+}
+
+WedgeFan three_wedges(double tolerance) { return {{0.5, 0}, k_pi / 2, 3, k_pi / 3, 0.4, tolerance}; }
+
+TEST(WedgeCracks, BreakStraightChordedWedgesFromAnEdge) {
+  const auto cracks = wedge_cracks(three_wedges(1));
+  ASSERT_EQ(cracks.size(), 5u);
+  const CutResult cut = cut_outline(k_square, cracks);
+  ASSERT_EQ(cut.pieces.size(), 4u);
+  const double wedge = 0.5 * 0.4 * 0.4 * std::sin(k_pi / 3);
+  int wedges = 0;
+  for (const CutPiece& piece : cut.pieces) wedges += std::abs(polygon_moments(piece.outline).area - wedge) < 1e-15;
+  EXPECT_EQ(wedges, 3);
+  // two radial cracks inside, the outer two lie along the edge
+  EXPECT_NEAR(cut.crack_length, 2 * 0.4 + 3 * 0.4, 1e-14);
+}
+
+TEST(WedgeCracks, KeepToTheArcWithinTheTolerance) {
+  for (const double tolerance : {1e-2, 1e-4}) {
+    const auto arc = wedge_cracks(three_wedges(tolerance)).back();
+    double worst = 0;
+    for (std::size_t i = 1; i < arc.size(); ++i)
+      worst = std::max(worst, 0.4 - (0.5 * (arc[i - 1] + arc[i]) - Vec2(0.5, 0)).norm());
+    EXPECT_LE(worst, tolerance);
+    EXPECT_GT(worst, tolerance / 8) << "no finer than asked for, but for whole numbers of chords";
+    const CutResult cut = cut_outline(k_square, wedge_cracks(three_wedges(tolerance)));
+    ASSERT_EQ(cut.pieces.size(), 4u);
+    double broken = 0;
+    for (const CutPiece& piece : cut.pieces)
+      if (const double area = polygon_moments(piece.outline).area; area < 0.2) broken += area;
+    // every chord leaves a segment of at most 2/3 chord times sagitta; the arc is 0.4 pi long
+    EXPECT_NEAR(broken, 0.5 * k_pi * 0.16, 2.0 / 3 * 0.4 * k_pi * tolerance);
+  }
+}
+
+TEST(WedgeCracks, AreClippedByAFloeSmallerThanTheirRadius) {
+  WedgeFan fan = three_wedges(0.01);
+  fan.radius = 5;
+  const CutResult cut = cut_outline(k_square, wedge_cracks(fan));
+  ASSERT_EQ(cut.pieces.size(), 3u) << "radial cracks only";
+  EXPECT_LE(area_error(k_square, cut.pieces), 1e-15);
+}
+
+TEST(WedgeCracks, SpanTheIceAtAnEdgeAndAtCorners) {
+  const WedgeFan edge = fan_across(k_square, {0.4, -0.1}, 1.0, 0.2, 0.01);
+  EXPECT_EQ(edge.apex, Vec2(0.4, 0));
+  EXPECT_EQ(edge.wedges, 3);
+  EXPECT_NEAR(edge.wedge_angle, k_pi / 3, 1e-15);
+  EXPECT_NEAR(edge.direction, k_pi / 2, 1e-15);
+  const WedgeFan corner = fan_across(k_square, {-1, -1}, 1.0, 0.2, 0.01);
+  EXPECT_EQ(corner.wedges, 2);
+  EXPECT_NEAR(corner.wedge_angle, k_pi / 4, 1e-15);
+  EXPECT_NEAR(corner.direction, k_pi / 4, 1e-15);
+  const WedgeFan reflex = fan_across(k_u_shape, {1.1, 1}, 1.0, 0.2, 0.01);
+  EXPECT_NEAR(reflex.wedges * reflex.wedge_angle, k_pi, 1e-15);
+  const WedgeFan notch = fan_across({{-1, -1}, {1, -1}, {1, 1}, {0, 0}, {-1, 1}}, {0, -0.1}, 1.0, 0.2, 0.01);
+  EXPECT_NEAR(notch.wedges * notch.wedge_angle, 1.5 * k_pi, 1e-14);
+}
+
+TEST(WedgeCracks, ThatTouchTheEdgeAtTheirTipOnlyAreRefused) {
+  const WedgeFan narrow{{0.5, 0}, k_pi / 2, 1, 1.0, 0.4, 0.01};
+  EXPECT_EQ(cut_outline(k_square, wedge_cracks(narrow)).status, CutStatus::pinched);
+}
+
+TEST(WedgeCracks, BreakFromARandomEdgePoint) {
+  RandomStream random(13, "wedges");
+  int pieces = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Outline outline = sound_outline(any_shape, 1, Vec2::Zero(), random);
+    const Vec2 near = at_angle(random.uniform(0.5, 2), random.uniform(0, 2 * k_pi));
+    const WedgeFan fan = fan_across(outline, near, random.uniform(0.3, 2), random.uniform(0.02, 0.5), 0.01);
+    const CutResult cut = cut_outline(outline, wedge_cracks(fan));
+    ASSERT_FALSE(cut.pieces.empty()) << i << cut.message;
+    EXPECT_LE(area_error(outline, cut.pieces), 1e-12 * polygon_moments(outline).area);
+    pieces += static_cast<int>(cut.pieces.size());
+  }
+  EXPECT_GT(pieces, 600);
+}
+
+TEST(WedgeCracks, DemandAFanThatMakesSense) {
+  WedgeFan none = three_wedges(0.1), round = none, exact = none;
+  none.wedges = 0;
+  round.wedges = 6;
+  exact.arc_tolerance = 0;
+  for (const WedgeFan& fan : {none, round, exact}) EXPECT_THROW(wedge_cracks(fan), ContractError);
+}
+
+}  // namespace
