@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "core/sim/world.h"
+#include "core/sim/world/world.h"
 
 namespace nilas {
 

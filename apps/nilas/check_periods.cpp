@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/sim/natural_periods.h"
+#include "core/sim/build/natural_periods.h"
 
 namespace nilas {
 

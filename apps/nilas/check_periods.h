@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "core/sim/world.h"
+#include "core/sim/world/world.h"
 
 namespace nilas {
 

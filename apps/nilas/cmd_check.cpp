@@ -11,8 +11,8 @@
 #include "contact/detect/detector.h"
 #include "core/output/console.h"
 #include "core/output/phase_progress.h"
-#include "core/sim/step_modules.h"
-#include "core/sim/world.h"
+#include "core/sim/build/step_modules.h"
+#include "core/sim/world/world.h"
 
 namespace nilas {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "apps/nilas/field_report.h"
-#include "core/sim/world.h"
+#include "core/sim/world/world.h"
 
 namespace nilas {
 

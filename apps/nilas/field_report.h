@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/field/distribution_statistics.h"
-#include "core/sim/world.h"
+#include "core/sim/world/world.h"
 
 namespace nilas {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/bodies/bodies.h"
-#include "core/sim/step_record.h"
+#include "core/sim/account/step_record.h"
 
 namespace nilas {
 

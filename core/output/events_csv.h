@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/output/output_file.h"
-#include "core/sim/step_record.h"
+#include "core/sim/account/step_record.h"
 
 namespace nilas {
 

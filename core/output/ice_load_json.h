@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/output/ice_load.h"
-#include "core/sim/step_record.h"
+#include "core/sim/account/step_record.h"
 
 namespace nilas {
 

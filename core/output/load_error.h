@@ -9,7 +9,7 @@
 #include "core/output/load_window.h"
 #include "core/output/twin_statistics.h"
 #include "core/output/vessel_channels.h"
-#include "core/sim/step_record.h"
+#include "core/sim/account/step_record.h"
 
 namespace nilas {
 

@@ -7,7 +7,7 @@
 
 #include "core/output/csv_row.h"
 #include "core/output/output_file.h"
-#include "core/sim/step_record.h"
+#include "core/sim/account/step_record.h"
 
 namespace nilas {
 

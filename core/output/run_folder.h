@@ -14,8 +14,8 @@
 #include "core/output/trajectory.h"
 #include "core/output/vessel_csv.h"
 #include "core/scene/scene.h"
+#include "core/sim/account/step_record.h"
 #include "core/sim/checkpoint.h"
-#include "core/sim/step_record.h"
 
 namespace nilas {
 

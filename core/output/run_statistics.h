@@ -10,7 +10,7 @@
 #include "core/output/reaction_balance.h"
 #include "core/output/slowdown.h"
 #include "core/output/vessel_channels.h"
-#include "core/sim/step_record.h"
+#include "core/sim/account/step_record.h"
 
 namespace nilas {
 
@@ -24,8 +24,8 @@ struct Worst {
 
 /// How often something that a run relies on fell short; each is 0 in a healthy run.
 struct Shortfalls {
-  long unconverged_steps = 0;    ///< the solver ended above its tolerance
-  long uncorrected_steps = 0;    ///< the split impulse ended above its tolerance
+  long unconverged_steps = 0;  ///< the solver ended above its tolerance
+  long uncorrected_steps = 0;  ///< the split impulse ended above its tolerance
 };
 
 class RunStatistics {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/base/state.h"
-#include "core/sim/step_record.h"
+#include "core/sim/account/step_record.h"
 
 namespace nilas {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/output/run_statistics.h"
-#include "core/sim/step_record.h"
+#include "core/sim/account/step_record.h"
 
 namespace nilas {
 

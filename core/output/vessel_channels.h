@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/sim/step_record.h"
+#include "core/sim/account/step_record.h"
 
 namespace nilas {
 

@@ -4,9 +4,9 @@
 #include <map>
 
 #include "contact/problem/islands.h"
-#include "core/sim/course.h"
+#include "core/sim/account/stopwatch.h"
 #include "core/sim/simulation_world.h"
-#include "core/sim/stopwatch.h"
+#include "core/sim/world/course.h"
 
 namespace nilas {
 

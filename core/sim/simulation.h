@@ -7,7 +7,7 @@
 #include "core/base/state.h"
 #include "core/bodies/bodies.h"
 #include "core/scene/scene.h"
-#include "core/sim/step_record.h"
+#include "core/sim/account/step_record.h"
 
 namespace nilas {
 

@@ -7,8 +7,8 @@
 #include "core/base/error.h"
 #include "core/base/hash.h"
 #include "core/base/order_free_sum.h"
-#include "core/sim/load_axes.h"
-#include "core/sim/load_residual.h"
+#include "core/sim/account/load_residual.h"
+#include "core/sim/build/load_axes.h"
 #include "core/sim/simulation_world.h"
 
 namespace nilas {

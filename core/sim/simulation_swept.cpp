@@ -7,8 +7,8 @@
 
 #include "contact/detect/broad/contact_key.h"
 #include "core/bodies/free_rotation.h"
-#include "core/sim/advance.h"
 #include "core/sim/simulation_world.h"
+#include "core/sim/step/advance.h"
 
 namespace nilas {
 

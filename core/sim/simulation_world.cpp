@@ -6,10 +6,10 @@
 
 #include "contact/detect/broad/reach.h"
 #include "core/base/error.h"
-#include "core/sim/advance.h"
-#include "core/sim/breaking_settings.h"
-#include "core/sim/crushing_settings.h"
-#include "core/sim/step_modules.h"
+#include "core/sim/build/breaking_settings.h"
+#include "core/sim/build/crushing_settings.h"
+#include "core/sim/build/step_modules.h"
+#include "core/sim/step/advance.h"
 
 namespace nilas {
 

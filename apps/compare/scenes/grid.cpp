@@ -7,8 +7,8 @@
 
 #include "contact/registry.h"
 #include "core/base/error.h"
-#include "core/sim/contact_model.h"
-#include "core/sim/reference.h"
+#include "core/sim/reference/reference.h"
+#include "core/sim/world/contact_model.h"
 
 namespace nilas {
 

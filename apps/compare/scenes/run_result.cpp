@@ -10,7 +10,7 @@
 #include "apps/compare/scenes/csv_columns.h"
 #include "apps/compare/statistics.h"
 #include "core/base/error.h"
-#include "core/sim/step_record.h"
+#include "core/sim/account/step_record.h"
 
 namespace nilas {
 

@@ -8,7 +8,7 @@
 #include "apps/compare/scenes/study_outputs.h"
 #include "contact/measure/measure.h"
 #include "core/output/csv_row.h"
-#include "core/sim/step_record.h"
+#include "core/sim/account/step_record.h"
 
 namespace nilas {
 

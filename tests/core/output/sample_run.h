@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/bodies/bodies.h"
-#include "core/sim/step_record.h"
+#include "core/sim/account/step_record.h"
 #include "tests/support/scratch_folder.h"
 
 namespace nilas::test {

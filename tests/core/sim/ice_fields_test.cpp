@@ -5,7 +5,7 @@
 #include "core/geometry/mass_properties.h"
 #include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
-#include "core/sim/world.h"
+#include "core/sim/world/world.h"
 #include "tests/support/scratch_folder.h"
 
 namespace {

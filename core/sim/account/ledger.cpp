@@ -1,0 +1,260 @@
+#include "core/sim/account/ledger.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nilas {
+
+namespace {
+
+bool moves(const Bodies& bodies, int b) { return bodies.motion[static_cast<std::size_t>(b)] != Motion::fixed; }
+
+double spin_energy(const Mat3& inertia, const Vec3& w) { return 0.5 * w.dot(inertia * w); }
+
+/// I w at the attitude where the contacts were found, in G.
+Vec3 spin_momentum(const Bodies& bodies, const StepMotion& motion, std::size_t b, const Vec3& w) {
+  const Mat3& R = motion.R[b];
+  return R * (bodies.inertia_B[b] * (R.transpose() * w));
+}
+
+/// Impulse of loads over the step times the mean of the velocities before and after.
+double work(const Bodies& bodies, const StepMotion& motion, const std::vector<Wrench>& loads) {
+  double sum = 0;
+  for (int k = 0; k < bodies.size(); ++k) {
+    if (!moves(bodies, k)) continue;
+    const auto b = static_cast<std::size_t>(k);
+    sum += loads[b].force.dot(motion.before.v[b] + motion.after.v[b]) +
+           loads[b].torque.dot(motion.before.w[b] + motion.after.w[b]);
+  }
+  return 0.5 * motion.h * sum;
+}
+
+}  // namespace
+
+EnergyAccount::EnergyAccount(const std::vector<std::string>& work_names, double kinetic, double potential)
+    : start_(kinetic + potential), put_in_(std::abs(kinetic)), potential_before_(potential) {
+  ledger_.works.assign(work_names.size(), 0);
+  const auto place = [&](const char* name) {
+    return static_cast<std::size_t>(std::find(work_names.begin(), work_names.end(), name) - work_names.begin());
+  };
+  carriage_ = place("carriage");
+  joints_ = place("joints");
+  ledger_.kinetic = kinetic;
+  ledger_.potential = potential;
+}
+
+void EnergyAccount::book_work(std::size_t k, double work) {
+  ledger_.works[k] += work;
+  put_in_ += std::abs(work);
+}
+
+/// In a motion; what they do to the kinetic energy is no error of the integrator.
+void EnergyAccount::book_works(const JointAccount::Motion& works) {
+  ledger_.integrator += works.carriage + works.springs;
+  if (works.carriage != 0) book_work(carriage_, works.carriage);
+  if (works.springs != 0) book_work(joints_, works.springs);
+}
+
+void EnergyAccount::motion_before_impulses(double kinetic, const JointAccount::Motion& works) {
+  ledger_.integrator -= kinetic - ledger_.kinetic;
+  book_works(works);
+}
+
+void EnergyAccount::velocity_step(const Bodies& bodies, const StepMotion& motion, const StepLoads& loads,
+                                  const VesselAccount& vessel) {
+  conservative_work_ = work(bodies, motion, *loads.gravity);
+  for (const auto* wrenches : loads.conservative) conservative_work_ += work(bodies, motion, *wrenches);
+  for (std::size_t k = 0; k < loads.working.size(); ++k) book_work(k, work(bodies, motion, *loads.working[k]));
+  if (vessel.joints != nullptr) {
+    if (vessel.joints->carriage_work != 0) book_work(carriage_, vessel.joints->carriage_work);
+    book_work(joints_, vessel.joints->spring_work);
+  }
+  if (vessel.on_carriage) {
+    const auto b = static_cast<std::size_t>(vessel.index);
+    book_work(carriage_, 0.5 * motion.h *
+                             (vessel.carriage.force.dot(motion.before.v[b] + motion.after.v[b]) +
+                              vessel.carriage.torque.dot(motion.before.w[b] + motion.after.w[b])));
+  }
+  for (std::size_t i = 0; i < motion.points.size(); ++i) {
+    const Vec3 mean = 0.5 * (relative_velocity(motion, motion.before, i) + relative_velocity(motion, motion.after, i));
+    const double normal = motion.normal_impulses[i].dot(mean);
+    // half of what the speed asked for adds to u_N: the other half is the mean with a velocity before that had none
+    const double asked = 0.5 * motion.speed_asked[i] * motion.normal_impulses[i].dot(motion.points[i].n);
+    (motion.points[i].crushes() ? ledger_.crushing : ledger_.impact) -= normal - asked;
+    ledger_.stabilisation -= asked;
+    ledger_.friction -= motion.impulses[i].dot(mean) - normal;
+    if (motion.couples.empty()) continue;
+    const auto a = static_cast<std::size_t>(motion.points[i].a), b = static_cast<std::size_t>(motion.points[i].b);
+    ledger_.friction -=
+        0.5 * motion.couples[i].dot(motion.before.w[b] + motion.after.w[b] - motion.before.w[a] - motion.after.w[a]);
+  }
+  kinetic_after_velocity_ = 0;
+  for (int k = 0; k < bodies.size(); ++k) {
+    if (!moves(bodies, k)) continue;
+    const auto b = static_cast<std::size_t>(k);
+    kinetic_after_velocity_ += 0.5 * bodies.mass[b] * motion.after.v[b].squaredNorm();
+    // On a carriage the momenta balance between the two attitudes, so the spin energy takes the mixed form.
+    if (k == vessel.index && vessel.on_carriage)
+      kinetic_after_velocity_ +=
+          spin_energy(vessel.inertia_after, motion.after.w[b]) +
+          0.5 * motion.after.w[b].dot((vessel.inertia_after - vessel.inertia_before) * motion.before.w[b]);
+    else
+      kinetic_after_velocity_ += 0.5 * motion.after.w[b].dot(spin_momentum(bodies, motion, b, motion.after.w[b]));
+  }
+}
+
+void EnergyAccount::position_step(double kinetic, double potential, const Velocities& pseudo, const StepMotion& motion,
+                                  const StepLoads& loads, const JointAccount::Motion& works) {
+  double along_pseudo = 0;
+  if (!pseudo.v.empty()) {
+    const auto add = [&](const std::vector<Wrench>& wrenches) {
+      for (std::size_t b = 0; b < wrenches.size(); ++b)
+        along_pseudo += motion.h * (wrenches[b].force.dot(pseudo.v[b]) + wrenches[b].torque.dot(pseudo.w[b]));
+    };
+    add(*loads.gravity);
+    for (const auto* wrenches : loads.conservative) add(*wrenches);
+  }
+  ledger_.stabilisation += along_pseudo;
+  ledger_.integrator -=
+      (kinetic - kinetic_after_velocity_) + (potential - potential_before_) + conservative_work_ + along_pseudo;
+  book_works(works);
+  settle_energies(kinetic, potential);
+}
+
+void EnergyAccount::whole_step(double kinetic, double potential, const std::vector<double>& works, double friction,
+                               double impact) {
+  for (std::size_t k = 0; k < works.size(); ++k) {
+    ledger_.works[k] += works[k];
+    put_in_ += std::abs(works[k]);
+  }
+  ledger_.friction += friction;
+  ledger_.impact += impact;
+  settle_energies(kinetic, potential);
+}
+
+double EnergyAccount::breaking(double kinetic, double potential) {
+  const double lost = (ledger_.kinetic - kinetic) + (ledger_.potential - potential);
+  ledger_.fracture += lost;
+  settle_energies(kinetic, potential);
+  return lost;
+}
+
+void EnergyAccount::settle_energies(double kinetic, double potential) {
+  ledger_.kinetic = kinetic;
+  ledger_.potential = potential;
+  potential_before_ = potential;
+  double works = 0;
+  for (const double w : ledger_.works) works += w;
+  ledger_.imbalance = ledger_.kinetic + ledger_.potential + ledger_.friction + ledger_.impact + ledger_.stabilisation +
+                      ledger_.fracture + ledger_.crushing + ledger_.integrator - works - start_;
+}
+
+void EnergyAccount::save(StateWriter out) const {
+  out.add("kinetic", ledger_.kinetic);
+  out.add("potential", ledger_.potential);
+  out.add("works", ledger_.works);
+  out.add("friction", ledger_.friction);
+  out.add("impact", ledger_.impact);
+  out.add("stabilisation", ledger_.stabilisation);
+  out.add("fracture", ledger_.fracture);
+  out.add("crushing", ledger_.crushing);
+  out.add("integrator", ledger_.integrator);
+  out.add("imbalance", ledger_.imbalance);
+  out.add("start", start_);
+  out.add("put_in", put_in_);
+  out.add("kinetic_after_velocity", kinetic_after_velocity_);
+  out.add("conservative_work", conservative_work_);
+  out.add("potential_before", potential_before_);
+}
+
+void EnergyAccount::restore(const StateReader& in) {
+  in.get("kinetic", ledger_.kinetic);
+  in.get("potential", ledger_.potential);
+  in.get("works", ledger_.works, ledger_.works.size());
+  in.get("friction", ledger_.friction);
+  in.get("impact", ledger_.impact);
+  in.get("stabilisation", ledger_.stabilisation);
+  in.get("fracture", ledger_.fracture);
+  in.get("crushing", ledger_.crushing);
+  in.get("integrator", ledger_.integrator);
+  in.get("imbalance", ledger_.imbalance);
+  in.get("start", start_);
+  in.get("put_in", put_in_);
+  in.get("kinetic_after_velocity", kinetic_after_velocity_);
+  in.get("conservative_work", conservative_work_);
+  in.get("potential_before", potential_before_);
+}
+
+double kinetic_energy(const Bodies& bodies) {
+  double sum = 0;
+  for (int k = 0; k < bodies.size(); ++k) {
+    if (!moves(bodies, k)) continue;
+    const auto b = static_cast<std::size_t>(k);
+    // I_G = R I_B R^T, so the spin energy is that of the angular velocity in body axes.
+    const Vec3 w_B = bodies.R_GB[b].transpose() * bodies.w_GB[b];
+    sum += 0.5 * bodies.mass[b] * bodies.v_GB[b].squaredNorm() + spin_energy(bodies.inertia_B[b], w_B);
+  }
+  return sum;
+}
+
+double weight_energy(const Bodies& bodies, const Vec3& gravity) {
+  double sum = 0;
+  for (int k = 0; k < bodies.size(); ++k)
+    if (moves(bodies, k))
+      sum -= bodies.mass[static_cast<std::size_t>(k)] * gravity.dot(bodies.p_GB[static_cast<std::size_t>(k)]);
+  return sum;
+}
+
+MomentumBalance& MomentumBalance::operator+=(const MomentumBalance& other) {
+  linear += other.linear;
+  linear_scale += other.linear_scale;
+  angular += other.angular;
+  angular_scale += other.angular_scale;
+  return *this;
+}
+
+MomentumBalance momentum_balance(const Bodies& bodies, const StepMotion& motion, const StepLoads& loads,
+                                 const VesselAccount& vessel) {
+  Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();
+  MomentumBalance balance;
+  const auto add = [&](const Vec3& point, const Vec3& impulse, const Vec3& couple, double sign) {
+    linear += sign * impulse;
+    const Vec3 moment = point.cross(impulse) + couple;
+    angular += sign * moment;
+    balance.linear_scale += impulse.norm();
+    balance.angular_scale += moment.norm();
+  };
+  for (int k = 0; k < bodies.size(); ++k) {
+    if (!moves(bodies, k)) continue;
+    const auto b = static_cast<std::size_t>(k);
+    Vec3 spin = spin_momentum(bodies, motion, b, motion.after.w[b] - motion.before.w[b]);
+    if (k == vessel.index && vessel.on_carriage)
+      spin = vessel.inertia_after * motion.after.w[b] - vessel.inertia_before * motion.before.w[b];
+    add(motion.p[b], bodies.mass[b] * (motion.after.v[b] - motion.before.v[b]), spin, 1);
+    // each source apart: weight and buoyancy that cancel are still the scale that rounding is measured by
+    const auto add_loads = [&](const std::vector<Wrench>& wrenches) {
+      add(motion.p[b], motion.h * wrenches[b].force, motion.h * wrenches[b].torque, -1);
+    };
+    add_loads(*loads.gravity);
+    for (const auto* wrenches : loads.conservative) add_loads(*wrenches);
+    for (const auto* wrenches : loads.working) add_loads(*wrenches);
+    if (k == vessel.index && vessel.on_carriage)
+      add(motion.p[b], motion.h * vessel.carriage.force, motion.h * vessel.carriage.torque, -1);
+    const int of_vessel = k - vessel.index;
+    if (vessel.joints == nullptr || of_vessel < 0 || of_vessel >= static_cast<int>(vessel.joints->held.size()))
+      continue;
+    const Wrench& held = vessel.joints->held[static_cast<std::size_t>(of_vessel)];
+    add(motion.p[b], motion.h * held.force, motion.h * held.torque, -1);
+  }
+  for (std::size_t i = 0; i < motion.points.size(); ++i) {
+    const ContactPoint& c = motion.points[i];
+    const Vec3 couple = motion.couples.empty() ? Vec3(Vec3::Zero()) : motion.couples[i];
+    if (moves(bodies, c.b)) add(c.p, motion.impulses[i], couple, -1);
+    if (moves(bodies, c.a)) add(c.p, -motion.impulses[i], -couple, -1);
+  }
+  balance.linear = linear.norm();
+  balance.angular = angular.norm();
+  return balance;
+}
+
+}  // namespace nilas

@@ -1,0 +1,84 @@
+#include "core/sim/build/body_geometry.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/hull/hull.h"
+
+namespace nilas {
+
+namespace {
+
+struct BodyGeometry {
+  Shape shape;
+  MassProperties unit;  ///< of density 1 kg/m^3, com in the element's frame
+};
+
+/// Hull meshes are moved to where their centre of mass is.
+BodyGeometry mesh_geometry(const SolidScene& solid) {
+  BodyGeometry g;
+  Hull hull = read_hull(solid.mesh);
+  g.unit = mesh_properties(hull.fluid, 1.0);
+  if (solid.cog) {
+    const Vec3 arm = g.unit.com - *solid.cog;
+    g.unit.inertia += g.unit.mass * (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose());
+    g.unit.com = *solid.cog;
+  }
+  double size = 0;
+  for (auto& p : hull.fluid.vertices) size = std::max(size, (p -= g.unit.com).norm());
+  std::vector<ConvexPolytope> parts;
+  for (auto& part : hull.parts) {
+    for (auto& p : part.vertices) p -= g.unit.com;
+    constexpr double k_float_rounding = 1e-5;  // of the size: STL files hold float32 coordinates
+    parts.push_back(make_polytope(part, k_float_rounding * size));
+  }
+  g.shape = mesh_shape(hull.fluid, std::move(parts));
+  return g;
+}
+
+BodyGeometry geometry(const SolidScene& solid) {
+  BodyGeometry g;
+  if (solid.shape == "sphere") {
+    g.shape = sphere_shape(solid.radius);
+    g.unit = sphere_properties(solid.radius, 4.0 / 3.0 * k_pi * solid.radius * solid.radius * solid.radius);
+  } else if (solid.shape == "cylinder") {
+    g.shape = cylinder_shape(solid.radius, solid.height);
+    g.unit = cylinder_properties(solid.radius, solid.height, k_pi * solid.radius * solid.radius * solid.height);
+  } else if (solid.shape == "plane") {
+    g.shape = plane_shape();
+    g.unit.mass = 1;
+    g.unit.inertia = Mat3::Identity();
+  } else if (solid.shape == "mesh") {
+    g = mesh_geometry(solid);
+  } else {
+    g.shape = box_shape(solid.size);
+    g.unit = box_properties(solid.size, solid.size.prod());
+  }
+  return g;
+}
+
+}  // namespace
+
+Solid build_solid(const SolidScene& scene, const std::string& place) {
+  BodyGeometry g = geometry(scene);
+  if (scene.mass && scene.density) throw InputError(place + ": takes mass or density, not both");
+  constexpr double k_default_density = 1000;  // [kg/m^3]
+  Solid solid;
+  solid.mass = g.unit;
+  solid.mass.mass = scene.mass.value_or(scene.density.value_or(k_default_density) * g.unit.mass);
+  solid.mass.inertia = g.unit.inertia * (solid.mass.mass / g.unit.mass);
+  if (scene.inertia) {
+    const Vec6& i = *scene.inertia;
+    solid.mass.inertia << i[0], i[3], i[4], i[3], i[1], i[5], i[4], i[5], i[2];
+  }
+  solid.shape = std::make_shared<const Shape>(std::move(g.shape));
+  return solid;
+}
+
+Quat attitude_of(const Vec3& yaw_pitch_roll_deg) {
+  return Quat(Eigen::AngleAxisd(yaw_pitch_roll_deg[0] * k_deg, Vec3::UnitZ()) *
+              Eigen::AngleAxisd(yaw_pitch_roll_deg[1] * k_deg, Vec3::UnitY()) *
+              Eigen::AngleAxisd(yaw_pitch_roll_deg[2] * k_deg, Vec3::UnitX()));
+}
+
+}  // namespace nilas

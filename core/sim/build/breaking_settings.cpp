@@ -1,0 +1,59 @@
+#include "core/sim/build/breaking_settings.h"
+
+#include "core/base/error.h"
+
+namespace nilas {
+
+static FailureSettings failure_settings(const Scene& scene) {
+  NILAS_DEMAND(scene.fracture && scene.water && scene.ice);
+  const FractureScene& fracture = *scene.fracture;
+  FailureSettings settings;
+  settings.youngs_modulus = scene.ice->youngs_modulus;
+  settings.poisson = scene.ice->poisson;
+  settings.water_density = scene.water->density;
+  settings.gravity = scene.gravity.norm();
+  settings.min_area = fracture.min_area;
+  settings.max_aspect = fracture.max_aspect;
+  if (fracture.bending) {
+    settings.bending = true;
+    settings.wedge_angle = fracture.bending->wedge_angle_deg * k_deg;
+    settings.speed.slope = fracture.bending->speed_slope;
+  }
+  if (fracture.splitting) {
+    const bool geometric = fracture.splitting->model == "seed-geometric";
+    settings.splitting = geometric ? SplittingModel::seed_geometric : SplittingModel::lefm;
+    settings.multiplier = fracture.splitting->multiplier;
+  }
+  if (fracture.cracks) {
+    settings.curved = fracture.cracks->path == "curved";
+    settings.segment = fracture.cracks->segment_thicknesses;
+  }
+  return settings;
+}
+
+BreakingSettings breaking_settings(const Scene& scene) {
+  BreakingSettings settings{failure_settings(scene), {}};
+  if (const auto& damage = scene.fracture->damage) settings.damage = DamageRule{damage->exponent, damage->endurance};
+  return settings;
+}
+
+PieceLimits piece_limits(const Scene& scene) {
+  NILAS_DEMAND(scene.fracture.has_value());
+  PieceLimits limits;
+  limits.min_area = scene.fracture->min_area;
+  limits.small = scene.fracture->small_pieces == "refuse" ? SmallPieces::refuse : SmallPieces::brash;
+  return limits;
+}
+
+std::string breaking_description(const Scene& scene) {
+  NILAS_DEMAND(scene.fracture.has_value());
+  std::string text;
+  if (scene.fracture->bending) text = "<fracture><bending>: " + scene.fracture->bending->model;
+  if (scene.fracture->splitting)
+    text += (text.empty() ? "" : "; ") + ("<fracture><splitting>: " + scene.fracture->splitting->model);
+  if (scene.fracture->cracks) text += "; <fracture><cracks>: " + scene.fracture->cracks->path;
+  if (scene.fracture->damage) text += "; <fracture><damage>";
+  return text;
+}
+
+}  // namespace nilas

@@ -1,0 +1,310 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/field/field.h"
+#include "core/field/keep_out.h"
+#include "core/geometry/orientation.h"
+#include "core/geometry/polygon.h"
+#include "core/sim/world/world.h"
+
+namespace nilas {
+
+namespace {
+
+/// Ice keeps this many thicknesses away from the hull's outline at the start.
+constexpr double k_hull_margin_thicknesses = 0.5;
+
+/// Outline of the hull at and below height z, in G: what the ice must leave free. Empty when the hull stays above z.
+std::vector<Vec2> hull_outline(const Bodies& bodies, int vessel, double z) {
+  const auto v = static_cast<std::size_t>(vessel);
+  std::vector<Vec2> points;
+  for (const auto& part : bodies.shape[v]->parts) {
+    std::vector<Vec3> corners;
+    for (const auto& x : part.vertices) corners.push_back(bodies.p_GB[v] + bodies.R_GB[v] * x);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      if (corners[i].z() <= z) points.push_back(corners[i].head<2>());
+      for (const int j : part.vertex_neighbours[i]) {
+        const Vec3& a = corners[i];
+        const Vec3& b = corners[static_cast<std::size_t>(j)];
+        if (a.z() < z && b.z() > z) points.push_back((a + (z - a.z()) / (b.z() - a.z()) * (b - a)).head<2>());
+      }
+    }
+  }
+  return points.size() < 3 ? std::vector<Vec2>{} : convex_hull(points);
+}
+
+/// Whether a convex counter-clockwise outline holds all points, as the hull does those of what hangs below it.
+bool lies_within(const std::vector<Vec2>& points, const std::vector<Vec2>& outline) {
+  return std::all_of(points.begin(), points.end(), [&](const Vec2& p) {
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const Vec2 &a = outline[i], &b = outline[(i + 1) % outline.size()];
+      if ((b - a).x() * (p - a).y() - (b - a).y() * (p - a).x() < 0) return false;
+    }
+    return true;
+  });
+}
+
+/// Height of the mid-plane of a floe that floats flat; the still-water plane z = 0 where the scene has no water.
+double floating_mid_plane(const WorldParts& parts, bool buoyant, double thickness, double density) {
+  if (!parts.water || !buoyant) return parts.water ? parts.water->level : 0;
+  return parts.water->level + thickness * (0.5 - density / parts.water->density);
+}
+
+class IceBuilder {
+ public:
+  IceBuilder(const Scene& scene, int threads, WorldParts& parts, WarningCounts& warnings)
+      : scene_(scene), ice_(*scene.ice), threads_(threads), parts_(parts), warnings_(warnings) {}
+
+  void build() {
+    for (std::size_t k = 0; k < ice_.fields.size(); ++k) plan_field(ice_.fields[k], k);
+    if (!ice_.floes.empty()) plan_single_floes();
+    if (!ice_.vary.empty()) vary();
+    for (auto& planned : parts_.ice)
+      for (auto& floe : planned.floes) add_floe(floe, planned);
+    parts_.info.ice_thickness = ice_.thickness;
+    parts_.info.modules.emplace_back("ice", "<ice>: " + std::to_string(parts_.info.floes) + " floes");
+    for (const VaryScene& one : ice_.vary) parts_.info.modules.emplace_back("vary " + one.property, reason(one));
+    if (scene_.fracture) name_breakable();
+  }
+
+ private:
+  /// Bodies are numbered from 1 over all of the scene.
+  void plan_single_floes() {
+    int number = 0;
+    for (const auto& planned : parts_.ice) number += static_cast<int>(planned.floes.size());
+    PlannedIce singles;
+    singles.name = "single floes";
+    for (const auto& floe : ice_.floes) singles.floes.push_back(single(floe, ++number));
+    parts_.ice.push_back(std::move(singles));
+  }
+
+  PlannedFloe single(const FloeScene& floe, int number) const {
+    PlannedFloe planned;
+    planned.floe.outline = floe.outline;
+    if (!is_simple(floe.outline))
+      throw InputError(scene_.file.string() + ":" + std::to_string(floe.line) +
+                       ": <floe>: the outline crosses or touches itself, or lists a point twice");
+    if (is_clockwise(floe.outline)) std::reverse(planned.floe.outline.begin(), planned.floe.outline.end());
+    planned.name = floe.name.empty() ? "floe " + std::to_string(number) : floe.name;
+    planned.fixed = floe.fixed;
+    planned.breakable = floe.breakable;
+    planned.velocity = floe.velocity;
+    planned.z = floe.z;
+    planned.means = means_of(floe.thickness);
+    return planned;
+  }
+
+  /// The properties of floes that neither state nor vary them.
+  FloeValues means_of(const std::optional<double>& thickness) const {
+    FloeValues means{};
+    if (const auto& fracture = scene_.fracture) {
+      means[static_cast<std::size_t>(FloeProperty::flexural_strength)] = fracture->flexural_strength;
+      means[static_cast<std::size_t>(FloeProperty::compressive_strength)] = fracture->compressive_strength;
+      means[static_cast<std::size_t>(FloeProperty::fracture_toughness)] = fracture->fracture_toughness;
+    }
+    means[static_cast<std::size_t>(FloeProperty::thickness)] = thickness.value_or(ice_.thickness);
+    means[static_cast<std::size_t>(FloeProperty::density)] = ice_.density;
+    for (const VaryScene& one : ice_.vary)
+      if (one.mean > 0) means[static_cast<std::size_t>(floe_property(one.property))] = one.mean;
+    return means;
+  }
+
+  void plan_field(const FieldScene& field, std::size_t index) {
+    const auto start = std::chrono::steady_clock::now();
+    PlannedIce planned;
+    planned.name = "field " + std::to_string(index + 1);
+    planned.field = field;
+    FieldResult result = generate(field, index, planned);
+    planned.concentration = result.concentration;
+    planned.worst_overlap = result.worst_overlap;
+    planned.left_out = result.left_out;
+    planned.weak_lines = std::move(result.weak_lines);
+    for (FieldFloe& floe : result.floes) {
+      const bool stays = floe.fixed;
+      planned.floes.push_back({std::move(floe),
+                               planned.name + " floe " + std::to_string(planned.floes.size() + 1),
+                               field.fixed || stays,
+                               field.breakable,
+                               stays ? Vec3::Zero() : field.velocity,
+                               field.z,
+                               means_of(field.thickness),
+                               {}});
+    }
+    planned.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (!field.fixed && result.concentration > 0) parts_.info.concentration = result.concentration;
+    if (result.left_out > 0)
+      warnings_.warn("ice left out", "<field> " + std::to_string(index + 1) + ": " + std::to_string(result.left_out) +
+                                         " floes left out because they met the hull");
+    parts_.ice.push_back(std::move(planned));
+  }
+
+  void vary() {
+    const FloeVariation variation = floe_variation(scene_);
+    for (auto& planned : parts_.ice)
+      parallel_for(static_cast<std::ptrdiff_t>(planned.floes.size()), threads_, [&](std::ptrdiff_t i) {
+        PlannedFloe& one = planned.floes[static_cast<std::size_t>(i)];
+        one.texture = variation.draw(one.floe, one.name, one.means);
+      });
+  }
+
+  /// For the list of what was built.
+  static std::string reason(const VaryScene& vary) {
+    return fmt::format("<ice><vary>: {}, cov {:g}, {}", vary.distribution, vary.cov,
+                       vary.correlation_length > 0 ? fmt::format("within floes over {:g} m", vary.correlation_length)
+                                                   : std::string("one value per floe"));
+  }
+
+  FieldResult generate(const FieldScene& field, std::size_t index, PlannedIce& planned) const {
+    const double thickness = field.thickness.value_or(ice_.thickness);
+    std::vector<std::vector<Vec2>> keep_out;
+    const double top = mid_plane(thickness, ice_.density) + field.z + 0.5 * thickness;
+    for (int body = parts_.vessel_index; parts_.is_of_vessel(body); ++body) {
+      auto outline = hull_outline(parts_.bodies, body, top);
+      const auto covers = [&](const std::vector<Vec2>& other) { return lies_within(outline, other); };
+      if (!outline.empty() && std::none_of(keep_out.begin(), keep_out.end(), covers))
+        keep_out.push_back(std::move(outline));
+    }
+    const double margin = k_hull_margin_thicknesses * thickness;
+    planned.hull = keep_out;
+    planned.keep_out = grown_outlines(keep_out, margin);
+    const Vec2 low(field.region[0], field.region[1]), high(field.region[2], field.region[3]);
+    if (field.kind == "file") return read_field(field.file);
+    if (field.kind == "grid")
+      return grid_field(
+          {low, high, field.rows, field.columns, field.gap, field.shear_deg * k_deg, field.stagger, keep_out, margin});
+    if (field.kind == "level") return level_field({low, high, keep_out, margin, aft()});
+    PackedSpec spec = broken_ice(field, index);
+    spec.low = low;
+    spec.high = high;
+    spec.keep_out = std::move(keep_out);
+    spec.keep_out_margin = margin;
+    if (field.bond) return frozen_field(spec, aft(), *field.bond);
+    planned.packed = spec;
+    if (field.kind == "voronoi") return voronoi_field(spec);
+    if (field.kind == "channel")
+      return channel_field({spec, field.channel_width.value_or(0.5 * (high.y() - low.y())), aft()});
+    return pack_field(spec);
+  }
+
+  /// Where the vessel came from, in plan: -x of its own frame.
+  Vec2 aft() const {
+    const int v = parts_.vessel_index;
+    return v < 0 ? Vec2(-Vec2::UnitX()) : Vec2(-parts_.bodies.R_GB[static_cast<std::size_t>(v)].col(0).head<2>());
+  }
+
+  PackedSpec broken_ice(const FieldScene& field, std::size_t index) const {
+    PackedSpec spec;
+    spec.concentration = field.concentration;
+    spec.overlap_tolerance = field.overlap_tolerance;
+    spec.distribution = distribution(field.size.distribution);
+    spec.mean = field.size.mean;
+    spec.sd = field.size.sd;
+    spec.min = field.size.min;
+    spec.max = field.size.max;
+    spec.exponent = field.size.exponent;
+    spec.shape = field.shape.library.empty() ? shape(field.shape.kind) : FloeShape::library;
+    if (spec.shape == FloeShape::library) spec.library = read_outlines(field.shape.library);
+    spec.vertices_min = field.shape.vertices_min;
+    spec.vertices_max = field.shape.vertices_max;
+    spec.aspect = field.shape.aspect;
+    spec.shear = field.shear_deg * k_deg;
+    spec.seed = scene_.seed + index;
+    return spec;
+  }
+
+  static SizeDistribution distribution(const std::string& name) {
+    if (name == "fixed") return SizeDistribution::fixed;
+    if (name == "uniform") return SizeDistribution::uniform;
+    if (name == "as-library") return SizeDistribution::as_library;
+    return name == "power-law" ? SizeDistribution::power_law : SizeDistribution::lognormal;
+  }
+
+  static FloeShape shape(const std::string& name) {
+    if (name == "rectangle") return FloeShape::rectangle;
+    if (name == "square") return FloeShape::square;
+    if (name == "parallelogram") return FloeShape::parallelogram;
+    return name == "disc" ? FloeShape::disc : FloeShape::polygon;
+  }
+
+  bool is_buoyant() const { return scene_.hydro && scene_.hydro->buoyancy; }
+  double mid_plane(double thickness, double density) const {
+    return floating_mid_plane(parts_, is_buoyant(), thickness, density);
+  }
+
+  void add_floe(PlannedFloe& planned, const PlannedIce& group) {
+    FieldFloe& floe = planned.floe;
+    for (const FloeProperty property : {FloeProperty::thickness, FloeProperty::density})
+      if (value_of(floe, property) <= 0) value_of(floe, property) = planned.means[static_cast<std::size_t>(property)];
+    const Vec2 centre = polygon_moments(floe.outline).centroid;
+    std::vector<Vec2> about_centre = floe.outline;
+    for (auto& x : about_centre) x -= centre;
+    const MassProperties mass = prism_properties(about_centre, floe.thickness, floe.density);
+    BodySpec spec;
+    spec.name = planned.name;
+    spec.kind = BodyKind::floe;
+    spec.motion = planned.fixed ? Motion::fixed : Motion::free;
+    spec.material = "ice";
+    spec.shape = std::make_shared<const Shape>(prism_shape(about_centre, floe.thickness));
+    spec.mass = mass.mass;
+    spec.inertia_B = mass.inertia;
+    spec.pose.p = {centre.x(), centre.y(), mid_plane(floe.thickness, floe.density) + planned.z};
+    if (!planned.fixed) spec.v = planned.velocity;
+    const int body = parts_.bodies.add(spec);
+    if (scene_.fracture) {
+      add_strengths(planned, body);
+      add_weak_lines(group, centre, about_centre, body);
+    }
+    ++parts_.info.floes;
+    if (!planned.fixed) parts_.info.ice_mass += mass.mass;
+  }
+
+  void add_strengths(const PlannedFloe& planned, int body) {
+    const auto strength = [&](FloeProperty property) {
+      FloeStrength of_floe{value_of(planned.floe, property), {}};
+      if (of_floe.mean <= 0) of_floe.mean = planned.means[static_cast<std::size_t>(property)];
+      for (const TexturedProperty& one : planned.texture)
+        if (one.property == property)
+          of_floe.at_xy = [texture = one.texture](double x, double y) { return texture.at(x, y); };
+      return of_floe;
+    };
+    if (!parts_.ice_properties) parts_.ice_properties.emplace();
+    IceProperties& ice = *parts_.ice_properties;
+    ice.resize(parts_.bodies.id.size());
+    const auto b = static_cast<std::size_t>(body);
+    ice.breakable[b] = planned.breakable ? 1 : 0;
+    ice.flexural_strength[b] = strength(FloeProperty::flexural_strength);
+    ice.compressive_strength[b] = strength(FloeProperty::compressive_strength);
+    ice.fracture_toughness[b] = strength(FloeProperty::fracture_toughness);
+  }
+
+  void add_weak_lines(const PlannedIce& group, const Vec2& centre, const std::vector<Vec2>& outline, int body) {
+    std::vector<WeakLine> lines = group.weak_lines;
+    for (const WeakLineScene& line : ice_.weak_lines) lines.push_back({line.points, line.strength});
+    parts_.ice_properties->weak_lines[static_cast<std::size_t>(body)] = lines_near(lines, centre, outline);
+  }
+
+  void name_breakable() {
+    long breakable = 0;
+    for (const auto& planned : parts_.ice)
+      breakable += std::count_if(planned.floes.begin(), planned.floes.end(), [](const auto& f) { return f.breakable; });
+    parts_.info.modules.emplace_back("fracture", fmt::format("<fracture>: {} breakable floes", breakable));
+  }
+
+  const Scene& scene_;
+  const IceScene& ice_;
+  int threads_;
+  WorldParts& parts_;
+  WarningCounts& warnings_;
+};
+
+}  // namespace
+
+void build_ice(const Scene& scene, int threads, WorldParts& parts, WarningCounts& warnings) {
+  IceBuilder(scene, threads, parts, warnings).build();
+}
+
+}  // namespace nilas

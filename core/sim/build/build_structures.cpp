@@ -1,0 +1,64 @@
+#include "core/base/error.h"
+#include "core/sim/build/body_geometry.h"
+#include "core/sim/world/world.h"
+
+namespace nilas {
+
+namespace {
+
+void add_wall(Bodies& bodies, const std::string& name, const Vec3& size, const Vec3& centre) {
+  BodySpec spec;
+  spec.name = name;
+  spec.kind = BodyKind::wall;
+  spec.motion = Motion::fixed;
+  spec.material = "wall";
+  spec.shape = std::make_shared<const Shape>(box_shape(size));
+  spec.mass = 1;
+  spec.pose.p = centre;
+  bodies.add(spec);
+}
+
+/// Walls reach as far above still water as the tank is deep below it, so that no piece leaves over them.
+void add_tank(const TankScene& tank, double level, Bodies& bodies) {
+  const double t = tank.wall_thickness, height = 2 * tank.depth, length = tank.length + 2 * t;
+  const double y = 0.5 * (tank.width + t);
+  add_wall(bodies, "wall port", {length, t, height}, {0.5 * tank.length, y, level});
+  add_wall(bodies, "wall starboard", {length, t, height}, {0.5 * tank.length, -y, level});
+  add_wall(bodies, "wall start", {t, tank.width, height}, {-0.5 * t, 0, level});
+  add_wall(bodies, "wall end", {t, tank.width, height}, {tank.length + 0.5 * t, 0, level});
+  if (tank.floor)
+    add_wall(bodies, "floor", {length, tank.width + 2 * t, t}, {0.5 * tank.length, 0, level - tank.depth - 0.5 * t});
+}
+
+void add_body(const BodyScene& body, const std::string& file, Bodies& bodies) {
+  const std::string place = file + ":" + std::to_string(body.line) + ": <body name='" + body.name + "'>";
+  if (body.shape == "plane" && !body.fixed) throw InputError(place + ": a plane must be fixed=\"true\"");
+  const Solid solid = build_solid(body, place);
+  BodySpec spec;
+  spec.name = body.name;
+  spec.kind = BodyKind::rigid;
+  spec.motion = body.fixed ? Motion::fixed : Motion::free;
+  spec.material = body.material;
+  spec.shape = solid.shape;
+  spec.mass = solid.mass.mass;
+  spec.inertia_B = solid.mass.inertia;
+  spec.pose.q = attitude_of(body.rotation_deg);
+  spec.pose.p = body.position + spec.pose.q * solid.mass.com;
+  if (!body.fixed) {
+    spec.v = body.velocity;
+    spec.w = body.angular_velocity;
+  }
+  bodies.add(spec);
+}
+
+}  // namespace
+
+void build_structures(const Scene& scene, WorldParts& parts) {
+  if (scene.tank) {
+    add_tank(*scene.tank, parts.water ? parts.water->level : 0, parts.bodies);
+    parts.info.modules.emplace_back("tank", "<tank>");
+  }
+  for (const auto& body : scene.bodies) add_body(body, scene.file.string(), parts.bodies);
+}
+
+}  // namespace nilas

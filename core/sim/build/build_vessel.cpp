@@ -1,0 +1,281 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/hull/hull.h"
+#include "core/sim/build/body_geometry.h"
+#include "core/sim/build/vessel_rest.h"
+#include "core/sim/world/world.h"
+#include "core/vessel/tree/rods.h"
+#include "hydro/equilibrium.h"
+#include "hydro/wetted.h"
+
+namespace nilas {
+
+namespace {
+
+/// Layout of the default cells: transverse and vertical cells stand this share of the hull's length from the joint.
+constexpr double k_cell_arm_share = 0.25;
+/// Parts of a hull folder are float32 coordinates: convex only within this share of the hull's size.
+constexpr double k_part_tolerance = 1e-5;
+
+Mat3 tensor(const Vec6& entries) {
+  Mat3 m;
+  m << entries[0], entries[3], entries[4], entries[3], entries[1], entries[5], entries[4], entries[5], entries[2];
+  return m;
+}
+
+Hull load_hull(const VesselScene& vessel) {
+  if (!vessel.generate) return read_hull(vessel.hull);
+  return generate_hull(hull_form(vessel.generate->kind, vessel.generate->parameters));
+}
+
+double lowest(const TriangleMesh& mesh) {
+  double z = mesh.vertices.front().z();
+  for (const auto& p : mesh.vertices) z = std::min(z, p.z());
+  return z;
+}
+
+[[noreturn]] void refuse(const Scene& scene, const std::string& message) {
+  throw InputError(scene.file.string() + ": <vessel name='" + scene.vessel->name + "'>: " + message);
+}
+
+double height_of(const TriangleMesh& mesh) {
+  const auto [bottom, top] = std::minmax_element(mesh.vertices.begin(), mesh.vertices.end(),
+                                                 [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); });
+  return top->z() - bottom->z();
+}
+
+/// Mass, centre and inertia in V: as given, else of uniform density; the mass from the draught or the given height
+/// where not given.
+MassProperties vessel_mass(const Scene& scene, const TriangleMesh& fluid, const Mat3& R, const WorldParts& parts) {
+  const VesselScene& vessel = *scene.vessel;
+  const MassScene& given = vessel.mass;
+  if (given.value && given.draught) refuse(scene, "<mass> takes value or draught, not both");
+  const auto displaced = [&](double z) {
+    return parts.water->density * submerged_mesh(fluid, R, {0, 0, z}, parts.water->level).volume;
+  };
+  double mass = given.value.value_or(0);
+  if (!given.value) {
+    if (!parts.water) refuse(scene, "without <water> the vessel needs <mass value=...>");
+    if (given.draught && !(*given.draught < height_of(fluid)))
+      refuse(scene, fmt::format("draught {:g} m: the hull is only {:g} m high", *given.draught, height_of(fluid)));
+    if (given.draught)
+      mass = displaced(parts.water->level - *given.draught - lowest(fluid));
+    else if (vessel.position_has_z)
+      mass = displaced(vessel.position.z());
+    else
+      refuse(scene, "give <mass value=...>, <mass draught=...> or a position with three numbers");
+    if (!(mass > 0)) refuse(scene, "the hull displaces no water at the given height, so it has no mass");
+  }
+  MassProperties properties = mesh_properties(fluid, 1.0);
+  properties.inertia *= mass / properties.mass;
+  properties.mass = mass;
+  if (given.cog) properties.com = *given.cog;
+  if (given.inertia) properties.inertia = tensor(*given.inertia);
+  return properties;
+}
+
+/// Height of V's origin: as given, by the draught, or at floating equilibrium.
+double vessel_height(const Scene& scene, const TriangleMesh& fluid, const Mat3& R, double mass,
+                     const WorldParts& parts) {
+  const VesselScene& vessel = *scene.vessel;
+  if (vessel.position_has_z) return vessel.position.z();
+  if (!parts.water) refuse(scene, "without <water> the position needs three numbers");
+  if (vessel.mass.draught) return parts.water->level - *vessel.mass.draught - lowest(fluid);
+  return floating_height(fluid, R, mass, *parts.water);
+}
+
+CarriageModel carriage_model(const Scene& scene, const VesselModel& model, double length) {
+  const CarriageScene& given = *scene.vessel->carriage;
+  CarriageModel carriage;
+  carriage.joint_V = given.joint.value_or(model.mass.com);
+  const Vec3 start = model.pose_V.p + model.pose_V.q * carriage.joint_V;
+  const double yaw = scene.vessel->heading_deg * k_deg;
+  const RampShape shape = given.ramp_shape == "smooth" ? RampShape::smooth : RampShape::linear;
+  carriage.motion = given.path.empty() ? CarriageMotion::straight(start, yaw, given.speed, given.heading_deg * k_deg,
+                                                                  given.ramp, scene.time.start, shape)
+                                       : CarriageMotion::path(start, yaw, given.path);
+  carriage.free = given.free;
+  carriage.stiffness = given.balance.stiffness;
+  carriage.damping = given.balance.damping;
+  if (given.balance.kind == "six-cells") {
+    carriage.balance = BalanceKind::six_cells;
+    carriage.cells =
+        given.balance.layout.empty() ? default_cells(k_cell_arm_share * length) : read_cells(given.balance.layout);
+  } else {
+    carriage.balance = given.balance.kind == "prismatic" ? BalanceKind::prismatic : BalanceKind::rigid;
+  }
+  return carriage;
+}
+
+/// Hull geometry about the centre of mass, as the body arrays want it.
+std::shared_ptr<const Shape> hull_shape(const Hull& hull, const Vec3& com) {
+  const auto shifted = [&](TriangleMesh mesh) {
+    for (auto& p : mesh.vertices) p -= com;
+    return mesh;
+  };
+  double size = 0;
+  for (const auto& p : hull.fluid.vertices) size = std::max(size, (p - com).norm());
+  std::vector<ConvexPolytope> parts;
+  for (const auto& part : hull.parts) parts.push_back(make_polytope(shifted(part), k_part_tolerance * size));
+  return std::make_shared<const Shape>(mesh_shape(shifted(hull.fluid), std::move(parts)));
+}
+
+double length_of(const TriangleMesh& mesh) {
+  double low = mesh.vertices.front().x(), high = low;
+  for (const auto& p : mesh.vertices) {
+    low = std::min(low, p.x());
+    high = std::max(high, p.x());
+  }
+  return high - low;
+}
+
+JointKind joint_kind(const std::string& name) {
+  if (name == "slider") return JointKind::slider;
+  if (name == "ball") return JointKind::ball;
+  if (name == "free") return JointKind::free;
+  return name == "weld" ? JointKind::weld : JointKind::hinge;
+}
+
+/// Adds a part to the model; its shape to `solids`.
+void add_part(const Scene& scene, const PartScene& given, VesselModel& model, std::vector<Solid>& solids) {
+  const std::string place =
+      scene.file.string() + ":" + std::to_string(given.line) + ": <part name='" + given.name + "'>";
+  solids.push_back(build_solid(given, place));
+  const MassProperties& mass = solids.back().mass;
+  PartModel part;
+  part.mass = mass.mass;
+  part.inertia_B = mass.inertia;
+  part.in_V.q = attitude_of(given.rotation_deg);
+  part.in_V.p = given.position + part.in_V.q * mass.com;
+  const auto& all = scene.vessel->parts;
+  const auto to = std::find_if(all.begin(), all.end(), [&](const PartScene& other) { return other.name == given.to; });
+  part.to = to == all.end() ? -1 : static_cast<int>(to - all.begin());
+  part.joint = joint_kind(given.joint);
+  part.point_V = given.at.value_or(given.position);
+  part.axis_V = given.axis.normalized();
+  part.stiffness = given.stiffness;
+  part.damping = given.damping;
+  const bool slides = part.joint == JointKind::slider;
+  part.rest = slides ? given.rest_travel : given.rest_angle_deg * k_deg;
+  part.coordinate = slides ? given.travel : given.angle_deg * k_deg;
+  part.rate = slides ? given.speed : given.rate_deg * k_deg;
+  model.parts.push_back(part);
+}
+
+void add_rods(const Scene& scene, VesselModel& model, RunInfo& info) {
+  const auto& all = scene.vessel->parts;
+  for (const RodScene& given : scene.vessel->rods) {
+    const auto on = std::find_if(all.begin(), all.end(), [&](const PartScene& part) { return part.name == given.on; });
+    const int part = on == all.end() ? -1 : static_cast<int>(on - all.begin());
+    model.rods.push_back({given.name, part, given.at, given.to, given.length});
+    info.rods.push_back(given.name);
+    info.modules.emplace_back("rod " + given.name, "<rod>");
+  }
+  if (model.rods.empty()) return;
+  if (const auto fault = rod_fault(model, scene.time.start)) {
+    const RodScene& rod = scene.vessel->rods[static_cast<std::size_t>(fault->rod)];
+    const std::string line = rod.line > 0 ? std::to_string(rod.line) + ":" : "";  // none of an added element
+    throw InputError(scene.file.string() + ":" + line + " <rod name='" + rod.name + "'>: " + fault->message);
+  }
+}
+
+/// A part stands still where the hull is fixed and every joint between them a weld.
+bool stands_still(const VesselModel& model, std::size_t part) {
+  if (!model.fixed || model.parts[part].joint != JointKind::weld) return false;
+  return model.parts[part].to < 0 || stands_still(model, static_cast<std::size_t>(model.parts[part].to));
+}
+
+std::vector<BodySpec> part_bodies(const Scene& scene, const VesselModel& model, const std::vector<Solid>& solids,
+                                  const VesselSystem& vessel) {
+  std::vector<BodySpec> specs;
+  for (std::size_t k = 0; k < model.parts.size(); ++k) {
+    const PartScene& given = scene.vessel->parts[k];
+    BodySpec spec;
+    spec.name = given.name;
+    spec.kind = BodyKind::vessel;
+    spec.motion = stands_still(model, k) ? Motion::fixed : Motion::articulated;
+    spec.material = given.material;
+    spec.shape = solids[k].shape;
+    spec.mass = model.parts[k].mass;
+    spec.inertia_B = model.parts[k].inertia_B;
+    spec.pose = vessel.parts()[k].state.pose;
+    specs.push_back(spec);
+  }
+  return specs;
+}
+
+void start_as(const VesselState& state, BodySpec& spec) {
+  spec.pose = state.pose;
+  spec.v = state.v;
+  spec.w = state.w;
+}
+
+void add_part_bodies(const Scene& scene, const VesselModel& model, const std::vector<BodySpec>& specs, int hull,
+                     WorldParts& parts) {
+  parts.num_parts = static_cast<int>(model.parts.size());
+  for (std::size_t k = 0; k < model.parts.size(); ++k) {
+    const PartScene& given = scene.vessel->parts[k];
+    const PartModel& part = model.parts[k];
+    const int body = parts.bodies.add(specs[k]);
+    if (part.joint != JointKind::free) parts.joined.emplace_back(hull + 1 + part.to, body);
+    parts.info.parts.push_back({given.name, part.joint});
+    parts.info.modules.emplace_back("part " + given.name, "<part joint=\"" + given.joint + "\">");
+  }
+  std::sort(parts.joined.begin(), parts.joined.end());
+}
+
+}  // namespace
+
+int build_vessel(const Scene& scene, WorldParts& parts) {
+  const VesselScene& vessel = *scene.vessel;
+  const Hull hull = load_hull(vessel);
+  VesselModel model;
+  model.pose_V.q = Quat(Eigen::AngleAxisd(vessel.heading_deg * k_deg, Vec3::UnitZ()));
+  const Mat3 R = model.pose_V.q.toRotationMatrix();
+  model.mass = vessel_mass(scene, hull.fluid, R, parts);
+  model.pose_V.p = {vessel.position.x(), vessel.position.y(),
+                    vessel_height(scene, hull.fluid, R, model.mass.mass, parts)};
+  model.v = vessel.velocity;
+  model.w = vessel.angular_velocity;
+  model.fixed = vessel.fixed;
+  model.gyroscopic = scene.contact.gyroscopic;
+  if (scene.contact.integrator == "moreau") model.theta = scene.contact.theta;
+  if (vessel.carriage) model.carriage = carriage_model(scene, model, length_of(hull.fluid));
+  std::vector<Solid> solids;
+  for (const PartScene& part : vessel.parts) add_part(scene, part, model, solids);
+  add_rods(scene, model, parts.info);
+  parts.carriage = model.carriage;
+  parts.vessel_model = model;
+  parts.vessel.emplace(model, scene.time.start);
+
+  BodySpec spec;
+  spec.name = vessel.name;
+  spec.kind = BodyKind::vessel;
+  spec.motion = vessel.fixed ? Motion::fixed : Motion::articulated;
+  spec.material = "hull";
+  spec.shape = hull_shape(hull, model.mass.com);
+  spec.mass = model.mass.mass;
+  spec.inertia_B = model.mass.inertia;
+  spec.pose = parts.vessel->state().pose;
+  std::vector<BodySpec> specs{spec};
+  for (const BodySpec& part : part_bodies(scene, model, solids, *parts.vessel)) specs.push_back(part);
+  settle_vessel(scene, specs, parts);
+  start_as(parts.vessel->state(), specs.front());
+  for (std::size_t k = 0; k < model.parts.size(); ++k) start_as(parts.vessel->parts()[k].state, specs[k + 1]);
+
+  RunInfo& info = parts.info;
+  info.has_vessel = true;
+  info.has_carriage = vessel.carriage.has_value();
+  info.has_cells = info.has_carriage && model.carriage->balance == BalanceKind::six_cells;
+  info.vessel_mass = model.mass;
+  for (const auto& name : parts.vessel->built()) info.modules.emplace_back(name, "<vessel>");
+  const int index = parts.bodies.add(specs.front());
+  add_part_bodies(scene, model, {specs.begin() + 1, specs.end()}, index, parts);
+  return index;
+}
+
+}  // namespace nilas

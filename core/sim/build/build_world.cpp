@@ -1,0 +1,144 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "contact/detect/detector.h"
+#include "contact/registry.h"
+#include "core/base/error.h"
+#include "core/base/random.h"
+#include "core/sim/build/implausible.h"
+#include "core/sim/build/load_axes.h"
+#include "core/sim/build/vessel_doubts.h"
+#include "core/sim/reference/reference.h"
+#include "core/sim/world/contact_model.h"
+#include "core/sim/world/course.h"
+#include "core/sim/world/world.h"
+#include "hydro/modules.h"
+
+namespace nilas {
+
+static void build_modules(const Scene& scene, int threads, WorldParts& parts) {
+  if (!scene.hydro) return;
+  const HydroScene& hydro = *scene.hydro;
+  auto add = [&](std::unique_ptr<ForceModule> module, const std::string& why) {
+    parts.info.modules.emplace_back(module->name(), why);
+    if (!module->conservative()) parts.info.work_names.push_back(module->name());
+    parts.modules.push_back(std::move(module));
+  };
+  if (hydro.buoyancy) add(make_buoyancy(*parts.water, threads), "<hydro><buoyancy>");
+  // a solver that keeps mirrored scenes mirrored is of no use where their loads differ by rounding
+  const bool order_free = find_solver(scene.contact.solver).order_free;
+  if (hydro.drag)
+    add(make_drag(*parts.water, {hydro.drag->form, hydro.drag->skin}, threads, order_free),
+        order_free ? "<hydro><drag>, order-free for the solver" : "<hydro><drag>");
+  if (hydro.virtual_drag)
+    add(make_virtual_drag(hydro.virtual_drag->coefficient, hydro.virtual_drag->velocity), "<hydro><virtual_drag>");
+  parts.info.has_hydro = hydro.buoyancy || hydro.drag;
+}
+
+static void build_water(const Scene& scene, WorldParts& parts) {
+  const bool needs_water = scene.hydro && (scene.hydro->buoyancy || scene.hydro->drag);
+  if (needs_water && !scene.water)
+    throw InputError(scene.file.string() + ": <hydro> asks for buoyancy or drag, but the scene has no <water>");
+  if (!scene.water) return;
+  Water water;
+  water.density = scene.water->density;
+  water.level = scene.water->level;
+  if (scene.water->current) water.current = scene.water->current->velocity;
+  if (needs_water && (scene.gravity.x() != 0 || scene.gravity.y() != 0 || scene.gravity.z() > 0))
+    throw InputError(scene.file.string() + ": <gravity>: with <hydro>, gravity must point along -Z");
+  water.gravity = scene.gravity.norm();
+  parts.water = water;
+}
+
+static void build_friction(const Scene& scene, WorldParts& parts) {
+  for (const auto& f : scene.contact.friction)
+    parts.friction.add(f.material_a, f.material_b, {f.static_, f.kinetic, f.restitution, f.rolling, f.spinning});
+}
+
+static void list_absent(const Scene& scene, RunInfo& info) {
+  const auto absent = [&](bool present, const char* name) {
+    if (!present) info.not_built.emplace_back(name);
+  };
+  absent(scene.vessel.has_value(), "vessel");
+  absent(scene.vessel && scene.vessel->carriage, "carriage");
+  absent(scene.ice.has_value(), "ice");
+  absent(scene.hydro && scene.hydro->buoyancy, "buoyancy");
+  absent(scene.hydro && scene.hydro->drag, "drag");
+  absent(scene.hydro && scene.hydro->virtual_drag, "virtual_drag");
+  absent(scene.tank.has_value(), "tank");
+  absent(scene.fracture.has_value(), "fracture");
+}
+
+/// Bodies that a user places and that must be free at the start; others may stand in each other.
+constexpr std::array k_judged{BodyKind::floe, BodyKind::vessel};
+
+void refuse_overlaps(const Scene& scene, const WorldParts& parts) {
+  const Bodies& bodies = parts.bodies;
+  const auto kind = [&](int b) { return bodies.kind[static_cast<std::size_t>(b)]; };
+  double tolerance = FieldScene{}.overlap_tolerance;
+  if (scene.ice)
+    for (const auto& field : scene.ice->fields) tolerance = std::max(tolerance, field.overlap_tolerance);
+  ContactDetector detector;
+  const auto joined = [&](int a, int b) { return parts.are_joined(a, b); };
+  for (const auto& c : detector.detect(bodies, 0, joined)) {
+    const bool judged =
+        std::any_of(k_judged.begin(), k_judged.end(), [&](BodyKind k) { return kind(c.a) == k || kind(c.b) == k; });
+    if (!judged) continue;
+    const auto reach = [&](int b) { return bodies.shape[static_cast<std::size_t>(b)]->bounding_radius; };
+    const double allowed = tolerance * std::min(reach(c.a), reach(c.b));
+    if (-c.gap <= allowed) continue;
+    const auto& names = bodies.name;
+    throw InputError(fmt::format(
+        "{}: '{}' and '{}' overlap by {:g} m at the start, along the shortest way apart; allowed is {:.3g} m, "
+        "{:g} times the smaller radius (the largest overlap_tolerance of the scene's fields)",
+        scene.file.string(), names[static_cast<std::size_t>(c.a)], names[static_cast<std::size_t>(c.b)], -c.gap,
+        allowed, tolerance));
+  }
+}
+
+/// A twin starts next to nothing aside: in a chaotic scene it soon goes a way of its own.
+void set_aside(std::uint64_t twin, Bodies& bodies) {
+  constexpr double k_aside = 1e-12;  // [m]
+  RandomStream stream(twin, "twin");
+  for (int b = 0; b < bodies.size(); ++b) {
+    const auto i = static_cast<std::size_t>(b);
+    if (bodies.kind[i] != BodyKind::floe && !(bodies.kind[i] == BodyKind::rigid && bodies.is_free(b))) continue;
+    const double x = stream.uniform(-k_aside, k_aside), y = stream.uniform(-k_aside, k_aside);
+    bodies.set_pose(b, bodies.p_GB[i] + Vec3(x, y, 0), bodies.q_GB[i]);
+  }
+}
+
+WorldParts build_world(const Scene& scene, int threads, WarningCounts& warnings) {
+  demand_contact_choices(scene);
+  WorldParts parts;
+  parts.info.scene_name = scene.name;
+  if (scene.contact.integrator == "reference") demand_reference(scene);
+  build_water(scene, parts);
+  build_friction(scene, parts);
+  if (scene.vessel) parts.vessel_index = build_vessel(scene, parts);
+  if (scene.ice) build_ice(scene, threads, parts, warnings);
+  build_structures(scene, parts);
+  if (scene.twin != 0) set_aside(scene.twin, parts.bodies);
+  if (parts.ice_properties) parts.ice_properties->resize(parts.bodies.id.size());
+  build_modules(scene, threads, parts);
+  if (parts.info.has_carriage) parts.info.work_names.emplace_back("carriage");
+  if (parts.is_jointed()) parts.info.work_names.emplace_back("joints");
+  parts.info.bodies = parts.bodies.size();
+  list_absent(scene, parts.info);
+  try {
+    refuse_overlaps(scene, parts);
+  } catch (const InputError& overlap) {
+    // a hull that lies wrong is often why
+    std::string message = overlap.what();
+    for (const std::string& doubt : vessel_doubts(scene, parts)) message += "\n" + doubt;
+    throw InputError(message);
+  }
+  describe_loads(scene, parts);
+  describe_course(scene, parts);
+  note_implausible(scene, parts);
+  return parts;
+}
+
+}  // namespace nilas

@@ -1,0 +1,62 @@
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/sim/world/ice_plan.h"
+
+namespace nilas {
+
+namespace {
+
+/// No floe's thickness, density or strength is below this share of the mean: a distribution's tail towards 0 is none of
+/// ice.
+constexpr double k_least_share = 0.05;
+/// Ice that floats is lighter than the water, by this at least.
+constexpr double k_greatest_density = 0.999;
+
+SpreadKind spread_kind(const std::string& name) {
+  if (name == "lognormal") return SpreadKind::lognormal;
+  if (name == "uniform") return SpreadKind::uniform;
+  return name == "weibull" ? SpreadKind::weibull : SpreadKind::normal;
+}
+
+/// Greatest share of the mean [-].
+double highest_share(const VaryScene& vary, const Scene& scene, double water_density) {
+  if (vary.property != name_of(FloeProperty::density) || water_density <= 0)
+    return std::numeric_limits<double>::infinity();
+  const double allowed = k_greatest_density * water_density;
+  if (scene.ice->density >= allowed)
+    throw InputError(
+        fmt::format("{}:{}: <ice><vary>: density varies about {:g} kg/m^3; allowed: below {:g}, {:g} of "
+                    "the water's, where there is buoyancy",
+                    scene.file.string(), vary.line, scene.ice->density, allowed, k_greatest_density));
+  return allowed / scene.ice->density;
+}
+
+PropertySpread spread_of(const VaryScene& vary, const Scene& scene, double water_density) {
+  const CutDistribution distribution(spread_kind(vary.distribution), vary.cov, k_least_share,
+                                     highest_share(vary, scene, water_density));
+  return {floe_property(vary.property), distribution, vary.correlation_length};
+}
+
+}  // namespace
+
+FloeVariation floe_variation(const Scene& scene) {
+  const bool floats = scene.water && scene.hydro && scene.hydro->buoyancy;
+  const double water_density = floats ? scene.water->density : 0;
+  const auto& vary = scene.ice->vary;
+  std::vector<PropertySpread> spreads;
+  const auto n = static_cast<Eigen::Index>(vary.size());
+  MatX correlation = MatX::Identity(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const VaryScene& one = vary[static_cast<std::size_t>(i)];
+    spreads.push_back(spread_of(one, scene, water_density));
+    for (const auto& [partner, value] : one.correlations)
+      for (Eigen::Index j = 0; j < n; ++j)
+        if (vary[static_cast<std::size_t>(j)].property == partner) correlation(i, j) = correlation(j, i) = value;
+  }
+  return FloeVariation(std::move(spreads), correlation, scene.seed);
+}
+
+}  // namespace nilas

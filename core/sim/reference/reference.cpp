@@ -1,0 +1,435 @@
+#include "core/sim/reference/reference.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/registry.h"
+#include "core/base/error.h"
+#include "core/numerics/event_ode.h"
+
+namespace nilas {
+
+namespace {
+
+/// Local error per step: of motion without closed contacts the least that CVODE takes, less a margin; the forces of
+/// closed contacts are known to about 1e-10 alone, and steps would shrink to nothing for their sake.
+constexpr double k_relative_in_flight = 1e-15, k_relative_in_contact = 1e-13;
+/// Slower approach is inelastic and ends a series of bounces: far above what a fall through the rounding of gaps gives.
+constexpr double k_inelastic_speed = 2e-5;  // [m/s]
+/// Points as close as this belong to one impact [m].
+constexpr double k_touch = 2e-9;
+/// An unloaded point of a body that rests on others may sink by this before it bears [m].
+constexpr double k_unloaded_slack = 1e-12;
+constexpr int k_events_to_trust = 5, k_most_events = 200;  ///< at one instant
+
+std::unique_ptr<ContactSolver> acceleration_solver(const ContactScene& contact, int threads) {
+  SolverSettings settings;
+  constexpr double k_tolerance = 1e-10;  // [m/s^2]
+  settings.tolerance = k_tolerance;
+  settings.max_iterations = std::max(contact.max_iterations, SolverSettings{}.max_iterations);
+  settings.threads = threads;
+  return find_solver(contact.solver).make(settings);
+}
+
+double rest_speed(double tolerance) {
+  constexpr double k_least = 2e-6;  // [m/s] ten times what a fall through the rounding of gaps gives
+  return std::max(k_least, 3 * tolerance);
+}
+
+/// Of a gap between points at p.
+double gap_rounding(const Vec3& p) {
+  constexpr double k_share = 3e-16;
+  return k_share * (1 + p.norm());
+}
+
+/// What began and ended between two decisions.
+void note_changes(double t, const std::vector<SustainedContact>& before, const std::vector<SustainedContact>& after,
+                  std::vector<ContactEvent>& events) {
+  const auto in = [](const std::vector<SustainedContact>& list, std::uint64_t key) {
+    return std::find_if(list.begin(), list.end(), [&](const SustainedContact& c) { return c.key == key; });
+  };
+  for (const auto& contact : after) {
+    const auto old = in(before, contact.key);
+    if (old == before.end())
+      events.push_back({t, ContactEventKind::rest, contact.a, contact.b, 0});
+    else if (old->grip != contact.grip)
+      events.push_back({t, contact.grip == Grip::sticks ? ContactEventKind::stick : ContactEventKind::slip, contact.a,
+                        contact.b, 0});
+  }
+  for (const auto& contact : before)
+    if (in(after, contact.key) == after.end())
+      events.push_back({t, ContactEventKind::release, contact.a, contact.b, 0});
+}
+
+std::optional<ReferenceVessel> moving_vessel(const WorldParts& parts) {
+  if (!parts.vessel || parts.vessel->fixed()) return std::nullopt;
+  return std::optional<ReferenceVessel>(std::in_place, *parts.vessel_model, parts.vessel_index, parts.vessel->time(),
+                                        parts.vessel->coordinates());
+}
+
+double moment_of(const Vec3& p, const Wrench& load) { return (p.cross(load.force) + load.torque).norm(); }
+
+}  // namespace
+
+void demand_reference(const Scene& scene) {
+  const auto refuse = [&](const std::string& found, const std::string& allowed) {
+    throw InputError(scene.file.string() + ": <contact integrator>: 'reference' does not take " + found +
+                     "; allowed: " + allowed);
+  };
+  const ContactScene& contact = scene.contact;
+  if (contact.law != "coulomb" && contact.law != "frictionless")
+    refuse("law '" + contact.law + "'", "coulomb, frictionless");
+  if (scene.fracture) refuse("<fracture>", "ice that cannot break");
+  if (!contact.gyroscopic) refuse("gyroscopic=\"false\"", "true");
+  if (scene.output.checkpoint_every > 0)
+    refuse("checkpoints, since what CVODE remembers cannot be saved", "no checkpoint_every");
+  for (const auto& body : scene.bodies)
+    if (!body.fixed && body.shape == "cylinder")
+      refuse("the free cylinder '" + body.name + "'", "free spheres, boxes, meshes and floes; fixed cylinders");
+  if (scene.vessel)
+    for (const auto& part : scene.vessel->parts)
+      if (part.shape == "cylinder")
+        refuse("the cylinder '" + part.name + "' as a part of the vessel", "spheres, boxes and meshes");
+  for (const auto& pair : contact.friction)
+    if (pair.rolling > 0 || pair.spinning > 0)
+      refuse("rolling or spinning friction", "static, kinetic and restitution in <friction>");
+}
+
+ReferenceIntegrator::ReferenceIntegrator(const Scene& scene, int threads, WorldParts& parts, ContactModel& model)
+    : parts_(parts),
+      model_(model),
+      gravity_(scene.gravity),
+      vessel_(moving_vessel(parts)),
+      no_vessel_loads_(parts.num_parts, vessel_ && vessel_->is_towed()),
+      state_(parts.bodies, parts.info.work_names.size(), vessel_ ? &*vessel_ : nullptr,
+             parts.vessel ? &no_vessel_loads_ : nullptr),
+      contacts_(parts.friction, acceleration_solver(scene.contact, threads), scene.contact.law == "frictionless",
+                rest_speed(scene.contact.tolerance), vessel_ ? &*vessel_ : nullptr,
+                [&parts](int a, int b) { return parts.are_joined(a, b); }),
+      module_loads_(parts.modules.size(), Wrenches(parts.bodies.id.size())),
+      impact_settings_(model.assembly),
+      rest_speed_(rest_speed(scene.contact.tolerance)) {
+  impact_settings_.h = 1;  // no part of the way is left: points are closed
+  impact_settings_.restitution_threshold = k_inelastic_speed;
+  impact_settings_.stabilisation = {};
+  const auto points = contacts_.detect(parts.bodies);
+  const auto closed = std::count_if(points.begin(), points.end(), [](const auto& c) { return c.gap <= k_touch; });
+  if (closed > k_most_reference_contacts)
+    throw InputError(
+        fmt::format("{}: <contact integrator>: 'reference' does not take {} contacts at once, as the "
+                    "scene begins with; allowed: {}",
+                    scene.file.string(), closed, k_most_reference_contacts));
+}
+
+bool ReferenceIntegrator::moves(int body) const {
+  return parts_.bodies.is_free(body) || (vessel_ && vessel_->holds(body));
+}
+
+/// Force or impulse of a contact on the vessel and its parts.
+void ReferenceIntegrator::add_to_vessel(const ContactPoint& c, const Vec3& on_b, ReferenceVesselLoads& sum) const {
+  const auto about = [&](int body, const Vec3& force) -> Wrench {
+    return {force, (c.p - parts_.bodies.p_GB[static_cast<std::size_t>(body)]).cross(force)};
+  };
+  for (const auto& [body, sign] : {std::pair(c.a, -1.0), std::pair(c.b, 1.0)})
+    if (parts_.is_of_vessel(body) && body != parts_.vessel_index)
+      sum.on_parts[static_cast<std::size_t>(body - parts_.vessel_index - 1)] += about(body, sign * on_b);
+  const bool is_b = parts_.is_of_vessel(c.b);
+  if (parts_.is_of_vessel(c.a) == is_b) return;
+  const Vec3 force = (is_b ? 1 : -1) * on_b;
+  sum.contact += about(parts_.vessel_index, force);
+  if (parts_.bodies.kind[static_cast<std::size_t>(is_b ? c.a : c.b)] == BodyKind::floe) sum.ice += force;
+}
+
+double ReferenceIntegrator::approach(const ContactPoint& point) const {
+  return point.n.dot(parts_.bodies.velocity_at(point.b, point.p) - parts_.bodies.velocity_at(point.a, point.p));
+}
+
+Wrenches ReferenceIntegrator::free_loads(double t) {
+  const Bodies& bodies = parts_.bodies;
+  Wrenches loads(bodies.id.size());
+  for (std::size_t b = 0; b < loads.size(); ++b) loads[b].force = bodies.mass[b] * gravity_;
+  for (std::size_t k = 0; k < module_loads_.size(); ++k) {
+    std::fill(module_loads_[k].begin(), module_loads_[k].end(), Wrench{});
+    parts_.modules[k]->add_forces(bodies, t, module_loads_[k]);
+    for (std::size_t b = 0; b < loads.size(); ++b) loads[b] += module_loads_[k][b];
+  }
+  return loads;
+}
+
+ReferenceLoads ReferenceIntegrator::loads(double t) {
+  Bodies& bodies = parts_.bodies;
+  ReferenceLoads out(bodies.id.size(), parts_.info.work_names.size(), no_vessel_loads_);
+  out.total = free_loads(t);
+  for (int k = 0; k < bodies.size(); ++k) {
+    const auto b = static_cast<std::size_t>(k);
+    if (parts_.is_of_vessel(k))
+      for (const Wrenches& module : module_loads_) {
+        const Vec3 arm = bodies.p_GB[b] - bodies.p_GB[static_cast<std::size_t>(parts_.vessel_index)];
+        out.vessel.hydro += {module[b].force, module[b].torque + arm.cross(module[b].force)};
+      }
+    if (!moves(k)) continue;
+    const auto weigh = [&](const Wrench& load) {
+      out.force_sum += load.force.norm();
+      out.moment_sum += moment_of(bodies.p_GB[b], load);
+    };
+    weigh({bodies.mass[b] * gravity_, Vec3::Zero()});
+    std::size_t work = 0;
+    for (std::size_t m = 0; m < module_loads_.size(); ++m) {
+      const Wrench& load = module_loads_[m][b];
+      weigh(load);
+      if (parts_.modules[m]->conservative()) continue;
+      out.powers[work++] += load.force.dot(bodies.v_GB[b]) + load.torque.dot(bodies.w_GB[b]);
+    }
+  }
+  if (parts_.num_parts > 0) out.powers.back() += vessel_->joint_power();
+  sustained_ = contacts_.forces(bodies, out.total);
+  contacts_.add(sustained_, bodies, out.total);
+  out.friction_power = sustained_.friction_power;
+  for (std::size_t i = 0; i < sustained_.at.size(); ++i) {
+    out.force_sum += sustained_.force[i].norm();
+    out.moment_sum += sustained_.at[i].point.p.norm() * sustained_.force[i].norm();
+    if (sustained_.at[i].found)
+      add_to_vessel(sustained_.at[i].point, sustained_.at[i].frame * sustained_.force[i], out.vessel);
+  }
+  if (out.vessel.carriage) {
+    const auto hull = static_cast<std::size_t>(parts_.vessel_index);
+    out.vessel.carriage = vessel_->carriage_loads(out.total);
+    const Wrench& held = out.vessel.carriage->about_com;
+    out.powers[carriage_work()] += held.force.dot(bodies.v_GB[hull]) + held.torque.dot(bodies.w_GB[hull]);
+    out.force_sum += held.force.norm();
+    out.moment_sum += moment_of(bodies.p_GB[hull], held);
+  }
+  return out;
+}
+
+/// First the open points' gaps above the levels where they close, then two per sustained contact.
+void ReferenceIntegrator::watch(double t, VecX& g) {
+  loads(t);
+  contacts_.watch(sustained_, g.tail(g.size() - 1));
+  g[0] = k_reference_margin;
+  for (const auto& point : contacts_.detect(parts_.bodies)) {
+    const auto& list = contacts_.list();
+    if (std::any_of(list.begin(), list.end(), [&](const SustainedContact& c) { return c.key == point.key; })) continue;
+    const auto level = level_.find(point.key);
+    g[0] = std::min(g[0], point.gap - (level == level_.end() ? 0 : level->second));
+  }
+}
+
+void ReferenceIntegrator::begin_smooth_motion(double t0, double longest_step) {
+  EventOde ode;
+  // events are found to a share of the time since the last one, not of the time of day
+  ode.derivative = [this, t0](double since, const VecX& y, VecX& dy) {
+    state_.unpack(t0 + since, y, parts_.bodies);
+    state_.derivative(parts_.bodies, y, loads(t0 + since), dy);
+  };
+  ode.num_events = 1 + 2 * static_cast<int>(contacts_.list().size());
+  ode.events = [this, t0](double since, const VecX& y, VecX& g) {
+    state_.unpack(t0 + since, y, parts_.bodies);
+    watch(t0 + since, g);
+  };
+  OdeSettings settings;
+  settings.relative = contacts_.list().empty() ? k_relative_in_flight : k_relative_in_contact;
+  settings.absolute = state_.absolute_tolerances(parts_.bodies, settings.relative);
+  settings.longest_step = longest_step;
+  accounted_ = state_.pack(parts_.bodies);
+  smooth_.emplace(std::move(ode), settings, 0, accounted_);
+  smooth_start_ = t0;
+}
+
+/// Impulses by the scene's own contact problem, law, restitution and solver; nothing moves meanwhile.
+void ReferenceIntegrator::impact(double t, std::vector<ContactPoint> points, ReferenceStep& step) {
+  Bodies& bodies = parts_.bodies;
+  const auto hardest = std::min_element(points.begin(), points.end(),
+                                        [this](const auto& p, const auto& q) { return approach(p) < approach(q); });
+  step.events.push_back({t, ContactEventKind::impact, hardest->a, hardest->b, -approach(*hardest)});
+  for (auto& point : points) point.gap = 0;
+  std::vector<ArticulatedBlock> vessel;
+  if (vessel_) vessel.push_back(vessel_->velocity_block());
+  AssembledContacts contacts =
+      assemble(bodies, Wrenches(bodies.id.size()), points, parts_.friction, impact_settings_, vessel);
+  const ContactSolution solution = model_.solve(contacts.problem, {});
+  const Residuals residuals = measure(contacts.problem, solution.r, solution.v);
+  if (residuals.law_map_m_s >= step.residuals.law_map_m_s) step.residuals = residuals;
+  step.iterations += solution.iterations;
+  if (worse(step.status, solution.status) != step.status) step.message = solution.message;
+  step.status = worse(step.status, solution.status);
+
+  const Velocities before{bodies.v_GB, bodies.w_GB};
+  for (std::size_t b = 0; b < bodies.id.size(); ++b) {
+    const int block = contacts.block_of_body[b];
+    if (block < 0) continue;
+    const int first = contacts.problem.block_offset[static_cast<std::size_t>(block)];
+    if (vessel_ && vessel_->holds(static_cast<int>(b))) {
+      vessel_->set_speeds(solution.v.segment(first, vessel_->speeds().size()), bodies);
+      continue;
+    }
+    bodies.v_GB[b] = solution.v.segment<3>(first);
+    bodies.w_GB[b] = solution.v.segment<3>(first + 3);
+  }
+  ContactImpulses impulses{std::move(points), {}};
+  for (std::size_t i = 0; i < impulses.points.size(); ++i)
+    impulses.impulses.emplace_back(contacts.C[i] * solution.r.segment<3>(3 * static_cast<Eigen::Index>(i)));
+  book(impulses, before, step.account);
+  step.impact = {};
+  step.impact.problem = std::move(contacts.problem);
+  step.impact.solution = solution;
+  step.impact.points = std::move(impulses.points);
+  step.impact.impulses = std::move(impulses.impulses);
+}
+
+/// Losses and momenta of impulses that changed the velocities from `before` to what they are.
+void ReferenceIntegrator::book(const ContactImpulses& impulses, const Velocities& before,
+                               ReferenceAccount& account) const {
+  const Bodies& bodies = parts_.bodies;
+  ReferenceVesselLoads on_vessel = no_vessel_loads_;
+  for (std::size_t i = 0; i < impulses.points.size(); ++i) {
+    const ContactPoint& c = impulses.points[i];
+    const auto sum_at = [&](int body) -> Vec3 {
+      const auto b = static_cast<std::size_t>(body);
+      return bodies.v_GB[b] + before.v[b] + (bodies.w_GB[b] + before.w[b]).cross(c.p - bodies.p_GB[b]);
+    };
+    const Vec3 mean = 0.5 * (sum_at(c.b) - sum_at(c.a)), impulse = impulses.impulses[i];
+    const double normal = c.n.dot(impulse) * c.n.dot(mean);
+    account.impact -= normal;
+    account.friction -= impulse.dot(mean) - normal;
+    add_to_vessel(c, impulse, account.vessel);
+    add_to_vessel(c, impulse, on_vessel);
+    const auto counts = [&](int body) {
+      return bodies.is_free(body) || (accounts_for_vessel() && vessel_->holds(body)) ? 1 : 0;
+    };
+    const double on_free = counts(c.b) - counts(c.a);
+    account.impulse += on_free * impulse;
+    account.angular_impulse += on_free * c.p.cross(impulse);
+    account.impulse_scale += impulse.norm();
+    account.angular_scale += c.p.cross(impulse).norm();
+  }
+  if (on_vessel.carriage) book_carriage(on_vessel.contact, before, account);
+}
+
+/// Among the works: before that of the joints, which come last.
+std::size_t ReferenceIntegrator::carriage_work() const {
+  return parts_.info.work_names.size() - (parts_.num_parts > 0 ? 2 : 1);
+}
+
+/// The carriage's impulse is what the vessel's momenta lack against that of its contacts, about the hull's centre of
+/// mass.
+void ReferenceIntegrator::book_carriage(const Wrench& contact, const Velocities& before,
+                                        ReferenceAccount& account) const {
+  const Bodies& bodies = parts_.bodies;
+  const auto hull = static_cast<std::size_t>(parts_.vessel_index);
+  Wrench held{-contact.force, -contact.torque};
+  for (int k = parts_.vessel_index; vessel_->holds(k); ++k) {
+    const auto b = static_cast<std::size_t>(k);
+    const Vec3 gained = bodies.mass[b] * (bodies.v_GB[b] - before.v[b]);
+    held += {gained,
+             (bodies.p_GB[b] - bodies.p_GB[hull]).cross(gained) + bodies.inertia_G(k) * (bodies.w_GB[b] - before.w[b])};
+  }
+  const CarriageLoads impulse = vessel_->carriage_impulse(held);
+  CarriageLoads& sum = *account.vessel.carriage;
+  sum.about_com += impulse.about_com;
+  sum.about_joint += impulse.about_joint;
+  for (std::size_t i = 0; i < sum.cells.size(); ++i) sum.cells[i] += impulse.cells[i];
+  account.works[carriage_work()] +=
+      0.5 * (held.force.dot(bodies.v_GB[hull] + before.v[hull]) + held.torque.dot(bodies.w_GB[hull] + before.w[hull]));
+  account.impulse += held.force;
+  account.angular_impulse += bodies.p_GB[hull].cross(held.force) + held.torque;
+  account.impulse_scale += held.force.norm();
+  account.angular_scale += moment_of(bodies.p_GB[hull], held);
+}
+
+/// Where the carriage's motion has a kink at t: goes on beyond it.
+bool ReferenceIntegrator::enter_stretch(double t, ReferenceStep& step) {
+  if (!vessel_ || t < vessel_->stretch_end()) return false;
+  const Velocities before{parts_.bodies.v_GB, parts_.bodies.w_GB};
+  vessel_->enter_next_stretch(parts_.bodies);
+  book({}, before, step.account);
+  return true;
+}
+
+/// Open points close where their gap falls through zero, or through a little less where rounding or a bounce that is
+/// just over leaves them at zero.
+void ReferenceIntegrator::set_levels(const std::vector<ContactPoint>& points) {
+  level_.clear();
+  for (const auto& point : points) {
+    const double rounding = gap_rounding(point.p);
+    if (point.gap >= rounding) continue;
+    level_[point.key] = point.gap - (std::abs(approach(point)) <= rest_speed_ ? k_unloaded_slack : rounding);
+  }
+}
+
+/// A bounce shorter than the integrator's first step may pass unseen.
+bool ReferenceIntegrator::sunk() {
+  const auto points = contacts_.detect(parts_.bodies);
+  return std::any_of(points.begin(), points.end(),
+                     [this](const ContactPoint& c) { return c.gap < -k_touch && approach(c) < -rest_speed_; });
+}
+
+void ReferenceIntegrator::count_standstill(double t) {
+  constexpr double k_instant = 1e-12;
+  standstill_ = std::abs(t - last_event_) <= k_instant * (1 + std::abs(t)) ? standstill_ + 1 : 0;
+  last_event_ = t;
+  if (standstill_ > k_most_events)
+    throw SimulationError(
+        fmt::format("at {:g} s integrator 'reference' finds more than {} events at one instant", t, k_most_events));
+}
+
+/// After an event: impulses where points close, then which contacts stay closed, and how.
+void ReferenceIntegrator::settle(double t, ReferenceStep& step) {
+  count_standstill(t);
+  Bodies& bodies = parts_.bodies;
+  const auto points = contacts_.detect(bodies);
+  std::vector<ContactPoint> closed, resting;
+  for (const auto& point : points)
+    if (point.gap <= k_touch) closed.push_back(point);
+  const bool hit =
+      std::any_of(closed.begin(), closed.end(), [this](const ContactPoint& c) { return approach(c) < -rest_speed_; });
+  if (hit) impact(t, closed, step);
+  for (const auto& point : closed)
+    if (std::abs(approach(point)) <= rest_speed_) resting.push_back(point);
+  const auto before = contacts_.list();
+  contacts_.decide(bodies, free_loads(t), resting, t);
+  if (standstill_ >= k_events_to_trust) contacts_.trust_states();
+  const Velocities creeping{bodies.v_GB, bodies.w_GB};
+  book(contacts_.stop_creep(bodies), creeping, step.account);
+  set_levels(points);
+  note_changes(t, before, contacts_.list(), step.events);
+  smooth_.reset();
+  settled_ = true;
+}
+
+std::vector<PartState> ReferenceIntegrator::parts_now(double t) { return vessel_->parts(loads(t).total); }
+
+OdeStop ReferenceIntegrator::follow(double t1, VecX& y) {
+  try {
+    return smooth_->follow(t1 - smooth_start_, y);
+  } catch (const SimulationError& error) {
+    throw SimulationError(fmt::format("between the event at {:.9g} s and {:g} s: {}", smooth_start_, t1, error.what()));
+  }
+}
+
+ReferenceStep ReferenceIntegrator::advance(double t0, double t1) {
+  ReferenceStep step;
+  step.account.works.assign(parts_.info.work_names.size(), 0);
+  step.account.vessel = no_vessel_loads_;
+  if (!settled_ || contacts_.trusted() || sunk()) settle(t0, step);
+  for (double t = t0; t < t1;) {
+    if (!smooth_) begin_smooth_motion(t, t1 - t0);
+    VecX y;
+    const double end = vessel_ ? std::min(t1, vessel_->stretch_end()) : t1;
+    const OdeStop stop = follow(end, y);
+    const bool reached = stop.events.empty();
+    t = reached ? end : smooth_start_ + stop.t;
+    state_.unpack(t, y, parts_.bodies);
+    if (vessel_) vessel_->demand_regular(t);
+    state_.add_account(y - accounted_, step.account);
+    accounted_ = y;
+    if (enter_stretch(t, step) || !reached) settle(t, step);
+  }
+  step.contacts = static_cast<int>(contacts_.list().size());
+  return step;
+}
+
+}  // namespace nilas

@@ -1,0 +1,86 @@
+#pragma once
+/// Reference motion of free rigid bodies: smooth stretches by an integrator of high order, cut at the instants where
+/// contacts close, open, stick or slip. Method and limits: docs/theory/dynamics.md.
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "contact/step_motion.h"
+#include "core/numerics/event_ode.h"
+#include "core/sim/account/step_record.h"
+#include "core/sim/reference/reference_contacts.h"
+#include "core/sim/reference/reference_state.h"
+#include "core/sim/world/contact_model.h"
+#include "core/sim/world/world.h"
+
+namespace nilas {
+
+/// What happened within one output step.
+struct ReferenceStep {
+  ReferenceAccount account;
+  std::vector<ContactEvent> events;
+  int contacts = 0;  ///< that stay closed at the end
+  int iterations = 0;
+  SolveStatus status = SolveStatus::converged;  ///< the worst of all impacts
+  std::string message;
+  Residuals residuals;   ///< of the impact with the largest law_map_m_s
+  SolvedProblem impact;  ///< the last one
+};
+
+/// Throws InputError naming what integrator="reference" does not take and what it does.
+void demand_reference(const Scene& scene);
+
+class ReferenceIntegrator {
+ public:
+  /// Moves the bodies of `parts`; impacts by `model`. Throws InputError where too many contacts are closed.
+  ReferenceIntegrator(const Scene& scene, int threads, WorldParts& parts, ContactModel& model);
+
+  /// From t0 to t1 [s]. Throws SimulationError where the motion cannot be followed.
+  ReferenceStep advance(double t0, double t1);
+  /// Hull and parts as they are, joint loads of this instant `t` [s]; where a vessel moves.
+  std::vector<PartState> parts_now(double t);
+  /// Whether a vessel moves that is free or towed: its momenta are in the account.
+  bool accounts_for_vessel() const { return vessel_ && vessel_->has_known_loads(); }
+  bool has_vessel() const { return vessel_.has_value(); }
+
+ private:
+  Wrenches free_loads(double t);
+  ReferenceLoads loads(double t);
+  void watch(double t, VecX& g);
+  void begin_smooth_motion(double t0, double longest_step);
+  OdeStop follow(double t1, VecX& y);
+  void settle(double t, ReferenceStep& step);
+  bool enter_stretch(double t, ReferenceStep& step);
+  void impact(double t, std::vector<ContactPoint> points, ReferenceStep& step);
+  void book(const ContactImpulses& impulses, const Velocities& before, ReferenceAccount& account) const;
+  void book_carriage(const Wrench& contact, const Velocities& before, ReferenceAccount& account) const;
+  std::size_t carriage_work() const;
+  void add_to_vessel(const ContactPoint& c, const Vec3& on_b, ReferenceVesselLoads& sum) const;
+  bool moves(int body) const;
+  void set_levels(const std::vector<ContactPoint>& points);
+  double approach(const ContactPoint& point) const;
+  bool sunk();
+  void count_standstill(double t);
+
+  WorldParts& parts_;
+  ContactModel& model_;
+  Vec3 gravity_;
+  std::optional<ReferenceVessel> vessel_;
+  ReferenceVesselLoads no_vessel_loads_;
+  ReferenceState state_;
+  SustainedContacts contacts_;
+  SustainedForces sustained_;           ///< of the last call to loads()
+  std::vector<Wrenches> module_loads_;  ///< of the last call to free_loads()
+  AssemblySettings impact_settings_;
+  double rest_speed_;                      ///< slower normal speeds are rest [m/s]
+  std::map<std::uint64_t, double> level_;  ///< gap at which an open point closes, where it is not zero [m]
+  std::optional<OdeSolution> smooth_;      ///< of the motion since the last event
+  double smooth_start_ = 0;                ///< [s]
+  VecX accounted_;                         ///< its state when the account was last read
+  bool settled_ = false;
+  double last_event_ = 0;
+  int standstill_ = 0;  ///< events in a row at one instant
+};
+
+}  // namespace nilas

@@ -1,0 +1,435 @@
+#include "core/sim/reference/reference_contacts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/assemble.h"
+#include "contact/law/contact_frame.h"
+#include "contact/measure/measure.h"
+#include "core/base/error.h"
+#include "core/bodies/free_rotation.h"
+
+namespace nilas {
+
+namespace {
+
+/// Rounding lets closed contacts drift; their gap and speed are drawn back with this rate [1/s].
+constexpr double k_drift_rate = 10;
+/// Poses move by this share of a radius, or turn by as many radians, to see how contacts move: the error of the
+/// difference, its square, is then like that of rounding.
+constexpr double k_probe = 1e-5;
+/// Slip back from rest by more than rounding ends a state that began at rest [m/s].
+constexpr double k_slip_slack = 1e-11;
+
+bool moves(const Bodies& bodies, int k) { return bodies.motion[static_cast<std::size_t>(k)] != Motion::fixed; }
+
+double probe_time(const Bodies& bodies) {
+  double rate = 0;
+  for (int k = 0; k < bodies.size(); ++k) {
+    if (!moves(bodies, k)) continue;
+    const auto b = static_cast<std::size_t>(k);
+    rate = std::max({rate, bodies.w_GB[b].norm(), bodies.v_GB[b].norm() / bodies.shape[b]->bounding_radius});
+  }
+  return rate > 0 ? k_probe / rate : 0;
+}
+
+const ContactPoint* find(const std::vector<ContactPoint>& points, std::uint64_t key) {
+  for (const auto& point : points)
+    if (point.key == key) return &point;
+  return nullptr;
+}
+
+Vec3 relative_velocity(const Bodies& bodies, const ContactPoint& c) {
+  return bodies.velocity_at(c.b, c.p) - bodies.velocity_at(c.a, c.p);
+}
+
+/// Puts the poses back that a probe moves.
+class KeptPoses {
+ public:
+  explicit KeptPoses(Bodies& bodies) : bodies_(bodies), p_(bodies.p_GB), q_(bodies.q_GB), R_(bodies.R_GB) {}
+  ~KeptPoses() { restore(); }
+  KeptPoses(const KeptPoses&) = delete;
+  KeptPoses& operator=(const KeptPoses&) = delete;
+  void restore() {
+    bodies_.p_GB = p_;
+    bodies_.q_GB = q_;
+    bodies_.R_GB = R_;
+  }
+
+ private:
+  Bodies& bodies_;
+  std::vector<Vec3> p_;
+  std::vector<Quat> q_;
+  std::vector<Mat3> R_;
+};
+
+/// Moves all bodies with the velocities that they have.
+void go_on(Bodies& bodies, double time) {
+  for (int k = 0; k < bodies.size(); ++k) {
+    if (!moves(bodies, k)) continue;
+    const auto b = static_cast<std::size_t>(k);
+    bodies.set_pose(k, bodies.p_GB[b] + time * bodies.v_GB[b], exponential(time * bodies.w_GB[b]) * bodies.q_GB[b]);
+  }
+}
+
+/// Twist rates (v', w') of the bodies that move under loads alone, zero for the others.
+std::vector<Vec6> free_accelerations(const Bodies& bodies, const Wrenches& loads, const ReferenceVessel* vessel) {
+  std::vector<Vec6> rates(loads.size(), Vec6::Zero());
+  for (int k = 0; k < bodies.size(); ++k) {
+    if (!bodies.is_free(k)) continue;
+    const auto b = static_cast<std::size_t>(k);
+    const Vec3& w = bodies.w_GB[b];
+    rates[b].head<3>() = loads[b].force / bodies.mass[b];
+    rates[b].tail<3>() = bodies.inertia_inverse_G(k) * (loads[b].torque - w.cross(bodies.inertia_G(k) * w));
+  }
+  if (vessel == nullptr) return rates;
+  const VecX accelerations = vessel->accelerations(loads);
+  for (int k = vessel->hull(); vessel->holds(k); ++k)
+    if (moves(bodies, k)) rates[static_cast<std::size_t>(k)] = vessel->twist_rate(k, accelerations);
+  return rates;
+}
+
+/// One row of relative acceleration, or one direction of force, at a contact: what it is for both bodies.
+struct Direction {
+  std::size_t a = 0, b = 0;
+  Vec6 on_a, on_b;
+  VecX on_vessel;  ///< in its speeds; empty where neither is of it
+};
+
+Direction direction(const Bodies& bodies, const ContactPoint& c, const Vec3& d, const ReferenceVessel* vessel) {
+  Direction out;
+  out.a = static_cast<std::size_t>(c.a);
+  out.b = static_cast<std::size_t>(c.b);
+  out.on_a << -d, -(c.p - bodies.p_GB[out.a]).cross(d);
+  out.on_b << d, (c.p - bodies.p_GB[out.b]).cross(d);
+  if (vessel == nullptr || !(vessel->holds(c.a) || vessel->holds(c.b))) return out;
+  out.on_vessel = VecX::Zero(vessel->speeds().size());
+  if (vessel->holds(c.a)) out.on_vessel += vessel->generalised(c.a, out.on_a);
+  if (vessel->holds(c.b)) out.on_vessel += vessel->generalised(c.b, out.on_b);
+  return out;
+}
+
+Vec6 response(const Bodies& bodies, std::size_t b, const Vec6& load) {
+  const int k = static_cast<int>(b);
+  Vec6 out = Vec6::Zero();
+  if (!bodies.is_free(k)) return out;
+  out << load.head<3>() / bodies.mass[b], bodies.inertia_inverse_G(k) * load.tail<3>();
+  return out;
+}
+
+/// What forces along `columns` do to the accelerations along `rows`.
+MatX delassus(const Bodies& bodies, const std::vector<Direction>& rows, const std::vector<Direction>& columns,
+              const ReferenceVessel* vessel) {
+  const auto size = static_cast<Eigen::Index>(rows.size());
+  MatX W = MatX::Zero(size, size);
+  for (Eigen::Index j = 0; j < size; ++j) {
+    const Direction& column = columns[static_cast<std::size_t>(j)];
+    const Vec6 at_a = response(bodies, column.a, column.on_a), at_b = response(bodies, column.b, column.on_b);
+    const VecX of_vessel = column.on_vessel.size() > 0 ? vessel->response(column.on_vessel) : VecX();
+    for (Eigen::Index i = 0; i < size; ++i) {
+      const Direction& row = rows[static_cast<std::size_t>(i)];
+      if (row.a == column.a) W(i, j) += row.on_a.dot(at_a);
+      if (row.a == column.b) W(i, j) += row.on_a.dot(at_b);
+      if (row.b == column.a) W(i, j) += row.on_b.dot(at_a);
+      if (row.b == column.b) W(i, j) += row.on_b.dot(at_b);
+      if (row.on_vessel.size() > 0 && of_vessel.size() > 0) W(i, j) += row.on_vessel.dot(of_vessel);
+    }
+  }
+  return W;
+}
+
+/// The smallest solution: contacts may be more than the bodies' freedoms.
+VecX smallest_solution(const MatX& W, const VecX& needed) {
+  Eigen::CompleteOrthogonalDecomposition<MatX> decomposition(W.rows(), W.cols());
+  constexpr double k_rank = 1e-10;
+  decomposition.setThreshold(k_rank);
+  decomposition.compute(W);
+  return decomposition.solve(needed);
+}
+
+/// A contact that the law found bearing `force`: slipping where it slips already or friction is at its limit.
+SustainedContact bearing(const ContactPoint& point, const Vec3& force, const Mat3& frame, const Vec3& slip,
+                         const FrictionPair& pair) {
+  SustainedContact contact;
+  contact.key = point.key;
+  contact.point = point;
+  contact.a = point.a;
+  contact.b = point.b;
+  contact.mu_static = pair.mu_static;
+  contact.mu_kinetic = pair.mu_kinetic;
+  contact.force = force;
+  constexpr double k_limit = 1 - 1e-8;
+  const double tangential = force.tail<2>().norm();
+  if (!slip.isZero(0))
+    contact.slip_axis = slip;
+  else if (tangential < k_limit * pair.mu_static * force[0])
+    contact.grip = Grip::sticks;
+  else
+    contact.slip_axis = tangential > 0 ? Vec3(frame.rightCols<2>() * force.tail<2>() / -tangential) : frame.col(1);
+  return contact;
+}
+
+/// Along the slip; along slip_axis where there is none yet, and on beyond a stop as if it went on.
+Vec3 slip_direction(const SustainedContact& contact, const ContactKinematics& at) {
+  const Vec3 n = at.frame.col(0);
+  const Vec3 slip = at.velocity - n.dot(at.velocity) * n;
+  constexpr double k_least_slip = 1e-12;  // [m/s] below it a direction is rounding
+  const double speed = slip.norm();
+  if (speed < k_least_slip) return contact.slip_axis;
+  return (slip.dot(contact.slip_axis) < 0 ? -1 : 1) / speed * slip;
+}
+
+}  // namespace
+
+SustainedContacts::SustainedContacts(FrictionTable& friction, std::unique_ptr<ContactSolver> solver, bool frictionless,
+                                     double rest_speed, ReferenceVessel* vessel, PairFilter joined)
+    : friction_(friction),
+      solver_(std::move(solver)),
+      frictionless_(frictionless),
+      rest_speed_(rest_speed),
+      vessel_(vessel),
+      joined_(std::move(joined)) {}
+
+std::vector<std::uint64_t> SustainedContacts::keys() const {
+  std::vector<std::uint64_t> keys;
+  for (const auto& contact : list_) keys.push_back(contact.key);
+  return keys;
+}
+
+std::vector<ContactKinematics> SustainedContacts::kinematics(Bodies& bodies, const std::vector<std::uint64_t>& keys) {
+  std::vector<ContactKinematics> out(keys.size());
+  const auto now = detect(bodies);
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const ContactPoint* const point = find(now, keys[i]);
+    if (point == nullptr) continue;
+    out[i].found = true;
+    out[i].point = *point;
+    out[i].frame = contact_frame(point->n, bodies.R_GB[static_cast<std::size_t>(point->a)], 0);
+    out[i].velocity = relative_velocity(bodies, *point);
+    const Vec3 u = out[i].frame.transpose() * out[i].velocity;
+    out[i].bias = 2 * k_drift_rate * u;
+    out[i].bias[0] += k_drift_rate * k_drift_rate * point->gap;
+  }
+  const double probe = probe_time(bodies);
+  if (probe == 0) return out;
+  KeptPoses kept(bodies);
+  go_on(bodies, probe);
+  const auto later = detect(bodies);
+  std::vector<Vec3> later_velocity;
+  for (const auto& point : later) later_velocity.push_back(relative_velocity(bodies, point));
+  kept.restore();
+  go_on(bodies, -probe);
+  const auto earlier = detect(bodies);
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const ContactPoint *const after = find(later, keys[i]), *const before = find(earlier, keys[i]);
+    if (!out[i].found || after == nullptr || before == nullptr) continue;
+    const Vec3 rate =
+        (later_velocity[static_cast<std::size_t>(after - later.data())] - relative_velocity(bodies, *before)) /
+        (2 * probe);
+    out[i].bias += out[i].frame.transpose() * rate;
+    out[i].bias[0] += (after->n - before->n).dot(out[i].velocity) / (2 * probe);
+  }
+  return out;
+}
+
+/// M a = f + H r, u = H^T a + b. What slips already is given its direction: a part of u far above what accelerations
+/// add.
+AccelerationProblem SustainedContacts::pose(Bodies& bodies, const Wrenches& loads,
+                                            const std::vector<ContactPoint>& points) {
+  AssemblySettings settings;
+  settings.h = 1;  // the problem's impulses over one second are forces, its speeds accelerations
+  settings.law = frictionless_ ? Law::frictionless : Law::coulomb;
+  settings.restitution_threshold = std::numeric_limits<double>::infinity();
+  std::vector<ArticulatedBlock> vessel;
+  if (vessel_ != nullptr) vessel.push_back(vessel_->block(vessel_->accelerations(loads)));
+  AccelerationProblem out{assemble(bodies, loads, points, friction_, settings, vessel), {}, 0};
+  ContactProblem& problem = out.contacts.problem;
+  const auto rates = free_accelerations(bodies, loads, vessel_);
+  for (std::size_t b = 0; b < rates.size(); ++b) {
+    const int block = out.contacts.block_of_body[b];
+    if (block >= 0 && bodies.is_free(static_cast<int>(b)))
+      problem.f.segment<6>(problem.block_offset[static_cast<std::size_t>(block)]) = problem.mass(block) * rates[b];
+  }
+  std::vector<std::uint64_t> keys;
+  for (const auto& point : points) keys.push_back(point.key);
+  const auto at = kinematics(bodies, keys);
+  for (std::size_t i = 0; i < at.size(); ++i) problem.w.segment<3>(3 * static_cast<Eigen::Index>(i)) = at[i].bias;
+  if (vessel_ != nullptr)
+    for (std::size_t i = 0; i < at.size(); ++i)
+      problem.w.segment<3>(3 * static_cast<Eigen::Index>(i)) += vessel_bias(bodies, points[i], out.contacts.C[i]);
+  const VecX free = velocities(problem, VecX::Zero(problem.w.size()));
+  out.scale = contact_velocities(problem, free).lpNorm<Eigen::Infinity>();
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    const Vec3 n = at[i].frame.col(0);
+    out.slip.emplace_back(at[i].velocity - n.dot(at[i].velocity) * n);
+    const double speed = out.slip[i].norm();
+    if (speed <= rest_speed_) {
+      out.slip[i].setZero();
+      problem.mu[i] = problem.mu_static[i];
+      continue;
+    }
+    out.slip[i] /= speed;
+    constexpr double k_far_above = 1e6;
+    problem.w.segment<3>(3 * static_cast<Eigen::Index>(i)) +=
+        k_far_above * out.scale * (out.contacts.C[i].transpose() * out.slip[i]);
+  }
+  return out;
+}
+
+/// Relative acceleration along the frame C that the vessel's turning joints give where its speeds do not change.
+Vec3 SustainedContacts::vessel_bias(const Bodies& bodies, const ContactPoint& c, const Mat3& C) const {
+  Vec3 sum = Vec3::Zero();
+  for (const auto& [body, sign] : {std::pair(c.a, -1.0), std::pair(c.b, 1.0)}) {
+    if (!vessel_->holds(body) || !moves(bodies, body)) continue;
+    const Vec6 bias = vessel_->bias(body);
+    sum += sign * (bias.head<3>() + bias.tail<3>().cross(c.p - bodies.p_GB[static_cast<std::size_t>(body)]));
+  }
+  return C.transpose() * sum;
+}
+
+void SustainedContacts::decide(Bodies& bodies, const Wrenches& loads, const std::vector<ContactPoint>& points,
+                               double t) {
+  list_.clear();
+  trusted_ = false;
+  if (points.empty()) return;
+  if (static_cast<int>(points.size()) > k_most_reference_contacts)
+    throw SimulationError(fmt::format(
+        "at {:g} s {} contacts are closed at once; integrator 'reference' takes {}: use moreau or semi-implicit-euler",
+        t, points.size(), k_most_reference_contacts));
+  const AccelerationProblem posed = pose(bodies, loads, points);
+  constexpr double k_least_acceleration = 1e-10;  // [m/s^2] below it nothing is pressed together
+  if (!(posed.scale > k_least_acceleration)) return;
+  const ContactProblem& problem = posed.contacts.problem;
+  const ContactSolution solution = solver_->solve(problem, {});
+  const double residual = measure(problem, solution.r, solution.v).law_map_m_s;
+  constexpr double k_accepted = 1e-6;  // of the largest acceleration
+  if (!(residual <= k_accepted * posed.scale))
+    throw SimulationError(fmt::format(
+        "at {:g} s the forces of the closed contacts were not found ({}, residual {:.3g} m/s^2): the law may have no "
+        "answer without an impulse (Painleve), or the solver is not apt",
+        t, to_string(solution.status), residual));
+  const auto W = delassus_diagonal(problem);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec3 r = solution.r.segment<3>(3 * static_cast<Eigen::Index>(i));
+    constexpr double k_least_share = 1e-9;  // of the largest acceleration
+    if (r[0] * W[i](0, 0) > k_least_share * posed.scale + k_least_acceleration)
+      list_.push_back(bearing(points[i], r, posed.contacts.C[i], posed.slip[i], friction_of(bodies, points[i])));
+  }
+}
+
+FrictionPair SustainedContacts::friction_of(const Bodies& bodies, const ContactPoint& point) {
+  if (frictionless_) return {};
+  return friction_.find(bodies.material[static_cast<std::size_t>(point.a)],
+                        bodies.material[static_cast<std::size_t>(point.b)]);
+}
+
+SustainedForces SustainedContacts::forces(Bodies& bodies, const Wrenches& loads) {
+  SustainedForces out;
+  if (list_.empty()) return out;
+  out.at = kinematics(bodies, keys());
+  out.force.assign(list_.size(), Vec3::Zero());
+  std::vector<Direction> rows, columns;
+  std::vector<std::pair<std::size_t, Eigen::Index>> place;  // of an unknown: contact and component
+  std::vector<double> bias, start;
+  std::vector<Vec3> friction(list_.size(), Vec3::Zero());  // per newton of normal force
+  for (std::size_t i = 0; i < list_.size(); ++i) {
+    const ContactKinematics& at = out.at[i];
+    if (!at.found) continue;
+    const bool sticks = list_[i].grip == Grip::sticks;
+    if (!sticks) friction[i] = -list_[i].mu_kinetic * slip_direction(list_[i], at);
+    for (Eigen::Index k = 0; k < (sticks ? 3 : 1); ++k) {
+      rows.push_back(direction(bodies, at.point, at.frame.col(k), vessel_));
+      columns.push_back(k == 0 ? direction(bodies, at.point, at.frame.col(0) + friction[i], vessel_) : rows.back());
+      place.emplace_back(i, k);
+      bias.push_back(at.bias[k]);
+      start.push_back(list_[i].force[k]);
+    }
+  }
+  const auto size = static_cast<Eigen::Index>(rows.size());
+  if (size == 0) return out;
+  const auto rates = free_accelerations(bodies, loads, vessel_);
+  VecX needed(size), r(size);
+  for (Eigen::Index j = 0; j < size; ++j) {
+    const Direction& row = rows[static_cast<std::size_t>(j)];
+    needed[j] = -(row.on_a.dot(rates[row.a]) + row.on_b.dot(rates[row.b]) + bias[static_cast<std::size_t>(j)]);
+    r[j] = start[static_cast<std::size_t>(j)];
+  }
+  // of all distributions the one nearest to what the law gave
+  const MatX W = delassus(bodies, rows, columns, vessel_);
+  r += smallest_solution(W, needed - W * r);
+  for (Eigen::Index j = 0; j < size; ++j) {
+    const auto& [i, k] = place[static_cast<std::size_t>(j)];
+    if (k == 0)
+      out.force[i] = out.at[i].frame.transpose() * (r[j] * (out.at[i].frame.col(0) + friction[i]));
+    else
+      out.force[i][k] = r[j];
+    if (k == 0) out.friction_power -= r[j] * friction[i].dot(out.at[i].velocity);
+  }
+  return out;
+}
+
+ContactImpulses SustainedContacts::stop_creep(Bodies& bodies) const {
+  ContactImpulses out;
+  std::vector<Direction> rows;
+  std::vector<double> speeds;
+  std::vector<Vec3> axes;
+  for (const auto& contact : list_) {
+    const Mat3 frame = contact_frame(contact.point.n, bodies.R_GB[static_cast<std::size_t>(contact.a)], 0);
+    for (Eigen::Index k = 0; k < (contact.grip == Grip::sticks ? 3 : 1); ++k) {
+      rows.push_back(direction(bodies, contact.point, frame.col(k), vessel_));
+      speeds.push_back(-frame.col(k).dot(relative_velocity(bodies, contact.point)));
+      axes.emplace_back(frame.col(k));
+      out.points.push_back(contact.point);
+    }
+  }
+  if (rows.empty()) return out;
+  const VecX needed = Eigen::Map<const VecX>(speeds.data(), static_cast<Eigen::Index>(speeds.size()));
+  const VecX r = smallest_solution(delassus(bodies, rows, rows, vessel_), needed);
+  VecX of_vessel = vessel_ != nullptr ? VecX::Zero(vessel_->speeds().size()) : VecX();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double impulse = r[static_cast<Eigen::Index>(i)];
+    out.impulses.emplace_back(impulse * axes[i]);
+    const auto change = [&](std::size_t b, const Vec6& load) {
+      const Vec6 twist = response(bodies, b, impulse * load);
+      bodies.v_GB[b] += twist.head<3>();
+      bodies.w_GB[b] += twist.tail<3>();
+    };
+    change(rows[i].a, rows[i].on_a);
+    change(rows[i].b, rows[i].on_b);
+    if (rows[i].on_vessel.size() > 0) of_vessel += impulse * vessel_->response(rows[i].on_vessel);
+  }
+  if (vessel_ != nullptr && !of_vessel.isZero(0)) vessel_->add_to_speeds(of_vessel, bodies);
+  return out;
+}
+
+void SustainedContacts::watch(const SustainedForces& forces, Eigen::Ref<VecX> out) const {
+  for (std::size_t i = 0; i < list_.size(); ++i) {
+    const auto row = 2 * static_cast<Eigen::Index>(i);
+    const SustainedContact& contact = list_[i];
+    const ContactKinematics& at = forces.at[i];
+    const Vec3& force = forces.force[i];
+    out[row] = !at.found ? -1 : trusted_ ? 1 : force[0];
+    out[row + 1] = 1;
+    if (!at.found) continue;
+    if (contact.grip == Grip::sticks)
+      out[row + 1] = trusted_ ? 1 : contact.mu_static * force[0] - force.tail<2>().norm();
+    else if (contact.mu_static > 0)
+      out[row + 1] = at.velocity.dot(contact.slip_axis) + k_slip_slack;
+  }
+}
+
+void SustainedContacts::add(const SustainedForces& forces, const Bodies& bodies, Wrenches& loads) const {
+  for (std::size_t i = 0; i < list_.size(); ++i) {
+    const ContactPoint& c = forces.at[i].point;
+    if (!forces.at[i].found) continue;
+    const Vec3 force = forces.at[i].frame * forces.force[i];
+    const auto a = static_cast<std::size_t>(c.a), b = static_cast<std::size_t>(c.b);
+    loads[a] += Wrench{-force, -(c.p - bodies.p_GB[a]).cross(force)};
+    loads[b] += Wrench{force, (c.p - bodies.p_GB[b]).cross(force)};
+  }
+}
+
+}  // namespace nilas
