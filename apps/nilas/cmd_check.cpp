@@ -9,8 +9,8 @@
 #include "apps/nilas/commands.h"
 #include "apps/nilas/scene_flags.h"
 #include "contact/detect/detector.h"
-#include "core/output/console.h"
-#include "core/output/phase_progress.h"
+#include "core/output/text/console.h"
+#include "core/output/text/phase_progress.h"
 #include "core/sim/build/step_modules.h"
 #include "core/sim/world/world.h"
 

@@ -6,7 +6,7 @@
 #include "apps/nilas/field_report.h"
 #include "apps/nilas/scene_flags.h"
 #include "core/base/error.h"
-#include "core/output/phase_progress.h"
+#include "core/output/text/phase_progress.h"
 #include "core/scene/read/read_scene.h"
 
 namespace nilas {

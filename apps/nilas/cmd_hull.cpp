@@ -7,8 +7,8 @@
 #include "apps/nilas/prepare_hull.h"
 #include "core/base/error.h"
 #include "core/base/file_bytes.h"
-#include "core/output/console.h"
-#include "core/output/phase_progress.h"
+#include "core/output/text/console.h"
+#include "core/output/text/phase_progress.h"
 
 namespace nilas {
 

@@ -6,9 +6,9 @@
 #include "apps/nilas/commands.h"
 #include "apps/report/drawn_run.h"
 #include "core/base/error.h"
-#include "core/output/console.h"
-#include "core/output/phase_progress.h"
-#include "core/output/plot.h"
+#include "core/output/text/console.h"
+#include "core/output/text/phase_progress.h"
+#include "core/output/text/plot.h"
 #include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
 

@@ -17,11 +17,11 @@
 #include "apps/nilas/scene_flags.h"
 #include "apps/nilas/twin_runs.h"
 #include "core/base/error.h"
-#include "core/output/claim_folder.h"
-#include "core/output/closing_account.h"
-#include "core/output/console.h"
-#include "core/output/phase_progress.h"
-#include "core/output/run_folder.h"
+#include "core/output/run/claim_folder.h"
+#include "core/output/run/closing_account.h"
+#include "core/output/run/run_folder.h"
+#include "core/output/text/console.h"
+#include "core/output/text/phase_progress.h"
 #include "core/sim/simulation.h"
 
 namespace nilas {

@@ -11,7 +11,7 @@
 #include "contact/measure/contact_counts.h"
 #include "contact/registry.h"
 #include "core/base/error.h"
-#include "core/output/phase_progress.h"
+#include "core/output/text/phase_progress.h"
 
 namespace nilas {
 

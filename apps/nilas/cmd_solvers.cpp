@@ -3,7 +3,7 @@
 
 #include "apps/nilas/commands.h"
 #include "contact/registry.h"
-#include "core/output/console.h"
+#include "core/output/text/console.h"
 
 namespace nilas {
 

@@ -13,9 +13,9 @@
 #include "apps/verify/table.h"
 #include "apps/verify/verdicts.h"
 #include "core/base/error.h"
-#include "core/output/claim_folder.h"
-#include "core/output/console.h"
-#include "core/output/phase_progress.h"
+#include "core/output/run/claim_folder.h"
+#include "core/output/text/console.h"
+#include "core/output/text/phase_progress.h"
 
 namespace nilas {
 

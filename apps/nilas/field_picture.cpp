@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/output/plot.h"
+#include "core/output/text/plot.h"
 
 namespace nilas {
 

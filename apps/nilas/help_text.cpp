@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/output/console.h"
+#include "core/output/text/console.h"
 
 namespace nilas {
 

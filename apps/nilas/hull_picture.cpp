@@ -10,7 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/geometry/mesh_box.h"
-#include "core/output/plot.h"
+#include "core/output/text/plot.h"
 
 namespace nilas {
 

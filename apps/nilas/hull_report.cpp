@@ -8,7 +8,7 @@
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/mesh_box.h"
 #include "core/hull/hull_attitude.h"
-#include "core/output/console.h"
+#include "core/output/text/console.h"
 #include "hydro/wetted.h"
 
 namespace nilas {

@@ -14,7 +14,7 @@
 #include "apps/nilas/help_text.h"
 #include "apps/nilas/usage_faults.h"
 #include "core/base/error.h"
-#include "core/output/console.h"
+#include "core/output/text/console.h"
 
 namespace {
 

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "core/output/ice_load.h"
-#include "core/output/run_statistics.h"
+#include "core/output/loads/ice_load.h"
+#include "core/output/loads/run_statistics.h"
 #include "core/scene/scene.h"
 
 namespace nilas {

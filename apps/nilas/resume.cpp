@@ -8,7 +8,7 @@
 
 #include "apps/nilas/program_identity.h"
 #include "core/base/error.h"
-#include "core/output/run_folder.h"
+#include "core/output/run/run_folder.h"
 
 namespace nilas {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "apps/nilas/scene_flags.h"
-#include "core/output/run_lock.h"
+#include "core/output/run/run_lock.h"
 #include "core/sim/checkpoint.h"
 
 namespace nilas {

@@ -5,7 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/log.h"
 #include "core/base/parallel.h"
-#include "core/output/load_statistics.h"
+#include "core/output/loads/load_statistics.h"
 
 namespace nilas {
 

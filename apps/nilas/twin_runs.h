@@ -3,9 +3,9 @@
 #include <memory>
 #include <vector>
 
-#include "core/output/load_window.h"
-#include "core/output/twin_statistics.h"
-#include "core/output/vessel_channels.h"
+#include "core/output/loads/load_window.h"
+#include "core/output/loads/twin_statistics.h"
+#include "core/output/tables/vessel_channels.h"
 #include "core/sim/simulation.h"
 
 namespace nilas {

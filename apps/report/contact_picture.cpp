@@ -6,7 +6,7 @@
 
 #include "apps/report/axis_ticks.h"
 #include "apps/report/hull_lines.h"
-#include "core/output/ice_load_text.h"
+#include "core/output/loads/ice_load_text.h"
 
 namespace nilas {
 

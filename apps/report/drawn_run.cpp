@@ -8,8 +8,8 @@
 #include "apps/compare/scenes/csv_columns.h"
 #include "apps/report/floe_outlines.h"
 #include "core/base/error.h"
-#include "core/output/contact_rows.h"
-#include "core/output/ice_load_text.h"
+#include "core/output/loads/ice_load_text.h"
+#include "core/output/tables/contact_rows.h"
 
 namespace nilas {
 

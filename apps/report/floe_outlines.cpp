@@ -9,7 +9,7 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "core/output/vtp_array.h"
+#include "core/output/vtk/vtp_array.h"
 
 namespace nilas {
 

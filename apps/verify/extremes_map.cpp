@@ -6,7 +6,7 @@
 
 #include "apps/verify/extremes.h"
 #include "core/base/error.h"
-#include "core/output/plot.h"
+#include "core/output/text/plot.h"
 
 namespace nilas {
 

@@ -9,8 +9,8 @@
 
 #include "apps/verify/table.h"
 #include "core/base/error.h"
-#include "core/output/html.h"
-#include "core/output/plot.h"
+#include "core/output/text/html.h"
+#include "core/output/text/plot.h"
 
 namespace nilas {
 

@@ -14,7 +14,7 @@
 
 #include "core/base/random.h"
 #include "core/hull/hull.h"
-#include "core/output/plot.h"
+#include "core/output/text/plot.h"
 #include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
 #include "fracture/bend/resistance.h"

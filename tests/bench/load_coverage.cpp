@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "core/output/run_statistics.h"
+#include "core/output/loads/run_statistics.h"
 #include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
 #include "tests/bench/twins.h"

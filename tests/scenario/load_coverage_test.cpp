@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/output/mean_error.h"
-#include "core/output/run_statistics.h"
+#include "core/output/loads/mean_error.h"
+#include "core/output/loads/run_statistics.h"
 #include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
 #include "tests/support/program.h"

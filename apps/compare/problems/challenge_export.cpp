@@ -19,9 +19,9 @@
 #include "contact/fclib/fclib_io.h"
 #include "contact/registry.h"
 #include "core/base/error.h"
-#include "core/output/claim_folder.h"
-#include "core/output/csv_row.h"
-#include "core/output/output_file.h"
+#include "core/output/file/csv_row.h"
+#include "core/output/file/output_file.h"
+#include "core/output/run/claim_folder.h"
 
 namespace nilas {
 

@@ -20,10 +20,10 @@
 #include "apps/compare/problems/problem_study_run.h"
 #include "apps/compare/problems/problem_study_table.h"
 #include "core/base/error.h"
-#include "core/output/claim_folder.h"
-#include "core/output/console.h"
-#include "core/output/output_file.h"
-#include "core/output/plot.h"
+#include "core/output/file/output_file.h"
+#include "core/output/run/claim_folder.h"
+#include "core/output/text/console.h"
+#include "core/output/text/plot.h"
 
 namespace nilas {
 

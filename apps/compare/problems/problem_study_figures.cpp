@@ -8,9 +8,9 @@
 #include <tuple>
 
 #include "contact/registry.h"
-#include "core/output/csv_row.h"
-#include "core/output/output_file.h"
-#include "core/output/plot.h"
+#include "core/output/file/csv_row.h"
+#include "core/output/file/output_file.h"
+#include "core/output/text/plot.h"
 
 namespace nilas {
 

@@ -10,8 +10,8 @@
 #include <sstream>
 
 #include "apps/compare/problems/problem_study_run.h"
-#include "core/output/html.h"
-#include "core/output/output_file.h"
+#include "core/output/file/output_file.h"
+#include "core/output/text/html.h"
 
 namespace nilas {
 

@@ -9,7 +9,7 @@
 
 #include "contact/registry.h"
 #include "core/base/error.h"
-#include "core/output/csv_row.h"
+#include "core/output/file/csv_row.h"
 
 namespace nilas {
 

@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "apps/compare/scenes/csv_columns.h"
-#include "core/output/csv_row.h"
-#include "core/output/output_file.h"
+#include "core/output/file/csv_row.h"
+#include "core/output/file/output_file.h"
 
 namespace nilas {
 

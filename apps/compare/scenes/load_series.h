@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/output/load_statistics.h"
+#include "core/output/loads/load_statistics.h"
 
 namespace nilas {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/output/console.h"
-#include "core/output/ice_load_text.h"
+#include "core/output/loads/ice_load_text.h"
+#include "core/output/text/console.h"
 
 namespace nilas {
 

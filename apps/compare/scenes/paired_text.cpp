@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/output/ice_load_text.h"
+#include "core/output/loads/ice_load_text.h"
 
 namespace nilas {
 

@@ -19,8 +19,8 @@
 #include "apps/compare/scenes/study_folder.h"
 #include "apps/compare/scenes/study_outputs.h"
 #include "core/base/error.h"
-#include "core/output/claim_folder.h"
-#include "core/output/console.h"
+#include "core/output/run/claim_folder.h"
+#include "core/output/text/console.h"
 
 namespace nilas {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/output/output_file.h"
+#include "core/output/file/output_file.h"
 
 namespace nilas {
 

@@ -12,7 +12,7 @@
 
 #include "apps/compare/scenes/plan.h"
 #include "apps/compare/scenes/run_result.h"
-#include "core/output/run_lock.h"
+#include "core/output/run/run_lock.h"
 
 namespace nilas {
 

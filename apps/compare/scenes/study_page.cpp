@@ -7,9 +7,9 @@
 #include "apps/compare/scenes/study_outputs.h"
 #include "apps/compare/scenes/study_pictures.h"
 #include "core/base/error.h"
-#include "core/output/console.h"
-#include "core/output/html.h"
-#include "core/output/output_file.h"
+#include "core/output/file/output_file.h"
+#include "core/output/text/console.h"
+#include "core/output/text/html.h"
 
 namespace nilas {
 

@@ -9,7 +9,7 @@
 #include <map>
 
 #include "apps/compare/scenes/ranking.h"
-#include "core/output/plot.h"
+#include "core/output/text/plot.h"
 
 namespace nilas {
 

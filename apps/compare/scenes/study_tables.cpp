@@ -7,7 +7,7 @@
 #include "apps/compare/scenes/paired_text.h"
 #include "apps/compare/scenes/study_outputs.h"
 #include "contact/measure/measure.h"
-#include "core/output/csv_row.h"
+#include "core/output/file/csv_row.h"
 #include "core/sim/account/step_record.h"
 
 namespace nilas {

@@ -6,8 +6,8 @@
 #include "apps/compare/scenes/paired_text.h"
 #include "apps/compare/scenes/ranking.h"
 #include "apps/compare/scenes/study_outputs.h"
-#include "core/output/console.h"
-#include "core/output/ice_load_text.h"
+#include "core/output/loads/ice_load_text.h"
+#include "core/output/text/console.h"
 
 namespace nilas {
 

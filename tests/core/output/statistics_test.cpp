@@ -5,9 +5,9 @@
 #include <numeric>
 
 #include "core/base/error.h"
-#include "core/output/load_statistics.h"
-#include "core/output/run_statistics.h"
-#include "core/output/summary_json.h"
+#include "core/output/loads/load_statistics.h"
+#include "core/output/loads/run_statistics.h"
+#include "core/output/run/summary_json.h"
 #include "tests/core/output/sample_run.h"
 
 namespace nilas {

@@ -1,0 +1,110 @@
+#include "core/output/file/output_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+#include <utility>
+
+#include "core/base/error.h"
+
+namespace nilas {
+
+namespace {
+
+constexpr mode_t k_file_mode = 0666;  // cut by the user's umask
+
+}  // namespace
+
+OutputFile::OutputFile(std::filesystem::path path, std::string tail, std::optional<std::int64_t> keep)
+    : path_(std::move(path)), tail_(std::move(tail)) {
+  descriptor_ = ::open(path_.c_str(), O_CLOEXEC | (keep ? O_RDWR : O_WRONLY | O_CREAT | O_TRUNC), k_file_mode);
+  if (descriptor_ < 0) fail(errno);
+  if (keep) cut_to(*keep);
+}
+
+OutputFile::~OutputFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+void OutputFile::append(std::string_view piece) {
+  if (!tail_.empty()) buffer_.assign(piece).append(tail_);
+  if (!write_at(body_end_, tail_.empty() ? piece : buffer_)) {
+    const int error_number = errno;
+    cut_back();
+    fail(error_number);
+  }
+  body_end_ += static_cast<off_t>(piece.size());
+}
+
+void OutputFile::sync() const {
+  if (::fdatasync(descriptor_) != 0) fail(errno);
+}
+
+void OutputFile::close() {
+  if (descriptor_ < 0) return;
+  if (::close(std::exchange(descriptor_, -1)) != 0) fail(errno);
+}
+
+bool OutputFile::write_at(off_t offset, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = ::pwrite(descriptor_, text.data(), text.size(), offset);
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    offset += written;
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+void OutputFile::cut_back() {
+  // The old tail's blocks still belong to the file, so writing it again needs no new space. Best effort: the fault that
+  // led here is what the user is told.
+  if (body_end_ > 0) write_at(body_end_, tail_);
+  const off_t end = body_end_ > 0 ? body_end_ + static_cast<off_t>(tail_.size()) : 0;
+  if (::ftruncate(descriptor_, end) != 0) return;
+}
+
+void OutputFile::cut_to(std::int64_t bytes) {
+  const off_t size = ::lseek(descriptor_, 0, SEEK_END);
+  if (size < 0) fail(errno);
+  if (size < bytes)
+    throw InputError(path_.string() + ": holds " + std::to_string(size) + " bytes, less than the " +
+                     std::to_string(bytes) + " that the checkpoint goes on from");
+  char last = '\n';
+  if (bytes > 0 && ::pread(descriptor_, &last, 1, static_cast<off_t>(bytes - 1)) != 1) fail(errno);
+  if (last != '\n')
+    throw InputError(path_.string() + ": has changed: byte " + std::to_string(bytes) +
+                     ", up to which the checkpoint goes on from it, ends no line");
+  body_end_ = bytes;
+  if (!write_at(body_end_, tail_) || ::ftruncate(descriptor_, body_end_ + static_cast<off_t>(tail_.size())) != 0)
+    fail(errno);
+}
+
+void OutputFile::fail(int error_number) const {
+  throw FileError(path_.string() + ": cannot write: " + std::strerror(error_number));
+}
+
+void write_whole(const std::filesystem::path& path, std::string_view text) {
+  std::filesystem::path temporary = path;
+  temporary += ".part";
+  std::error_code error;
+  try {
+    OutputFile file(temporary);
+    file.append(text);
+    file.close();
+  } catch (const FileError&) {
+    std::filesystem::remove(temporary, error);
+    throw;
+  }
+  std::filesystem::rename(temporary, path, error);
+  if (error) {
+    const std::string reason = error.message();
+    std::filesystem::remove(temporary, error);
+    throw FileError(path.string() + ": cannot write: " + reason);
+  }
+}
+
+}  // namespace nilas

@@ -1,0 +1,24 @@
+#include "core/output/loads/ice_load.h"
+
+#include "core/output/loads/mean_error.h"
+
+namespace nilas {
+
+bool IceLoad::impacts_dominate() const {
+  constexpr double k_third = 1.0 / 3.0;
+  constexpr std::size_t k_least_steps = 100;  // 1 % of fewer steps is less than one
+  return rigid && touched && window.steps() >= k_least_steps && in_largest > k_third;
+}
+
+ComponentLoad component_load(const std::vector<double>& series, const LoadWindow& window, double start, double h,
+                             double filter, bool ice_broke) {
+  const std::vector<double> part = window.of(series);
+  ComponentLoad load;
+  load.statistics = load_statistics(part);
+  load.peak = peak_of(part, start + static_cast<double>(window.first) * h, h, filter);
+  const MeanError error = ice_broke ? slow_mean_error(part) : mean_error(part);
+  if (error.freedom > 0) load.half_width = error.half_width();
+  return load;
+}
+
+}  // namespace nilas

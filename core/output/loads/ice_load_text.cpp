@@ -1,0 +1,147 @@
+#include "core/output/loads/ice_load_text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/output/text/console.h"
+
+namespace nilas {
+
+namespace {
+
+constexpr std::size_t k_label_width = 22;
+
+/// A label, and text broken at blanks behind it.
+std::string line(const std::string& label, const std::string& text) {
+  return fmt::format("{:<22}{}\n", label, wrapped(text, k_label_width));
+}
+
+/// Without an exponent, to so many significant digits.
+std::string plain(double x, int digits) {
+  if (x == 0 || !std::isfinite(x)) return fmt::format("{:g}", x);
+  const int decimals = std::max(0, digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(x)))));
+  const double unit = std::pow(10, std::floor(std::log10(std::abs(x))) - digits + 1);
+  return fmt::format("{:.{}f}", std::round(x / unit) * unit, decimals);
+}
+
+/// "16.9 N +- 2.1 N", both in the unit of the larger.
+std::string with_error(double mean, const std::optional<double>& half_width, bool at_least = false) {
+  constexpr int k_error_digits = 2;
+  const ForceUnit unit = force_unit(std::max(std::abs(mean), half_width.value_or(0)));
+  const std::string value = fmt::format("{:.4g} {}", mean / unit.size, unit.name);
+  return value + (half_width ? (at_least ? " +- at least " : " +- ") + plain(*half_width / unit.size, k_error_digits) +
+                                   " " + unit.name
+                             : " (+- not known)");
+}
+
+std::string window_text(const IceLoad& load) {
+  return fmt::format("{:g} s to {:g} s, {}", load.window.from, load.window.to, load.window.reason);
+}
+
+std::string peak_lines(const IceLoad& load) {
+  const Peak &along = load.along.peak, &across = load.across.peak;
+  std::string text = line(
+      "  filtered peak", fmt::format("{} along at {:.5g} s, {} across: means over {:.2g} s", force_text(along.filtered),
+                                     along.filtered_time, force_text(across.filtered), load.filter));
+  text +=
+      line("  raw peak",
+           fmt::format("{} in one step, at {:g} s; the impact around it lasts {:.2g} s and has an impulse of {:.3g} "
+                       "N s. {}",
+                       force_text(along.raw), along.raw_time, along.event_to - along.event_from, along.event_impulse,
+                       raw_peak_depends_on(load)));
+  if (load.impacts_dominate())
+    text += line("  advice", fmt::format("1 % of the steps carry {:.0f} % of the load: single rigid impacts. Let the "
+                                         "ice crush (<fracture><crushing>, breakable ice) to limit them to what ice "
+                                         "bears.",
+                                         100 * load.in_largest));
+  return text;
+}
+
+std::string error_text(const LoadError& error) {
+  const ChannelError& load = error.channels[error.headline];
+  std::string text = fmt::format("solver {}{}, contact law {}", error.solver_at_least ? "at least " : "",
+                                 force_text(load.solver), force_text(load.law));
+  if (load.chaos) text += fmt::format(", chance in this ice {}", force_text(*load.chaos));
+  text += load.chaos ? ". What the time step adds is not known" : ". What chance and the time step add is not known";
+  if (error.solver_at_least)
+    text += fmt::format(
+        ". In {:.2g} % of the steps the solver left more than its tolerance{}: how far that turned the course of the "
+        "ice "
+        "is not known. Solve tighter (contact/@solver, @tolerance, @max_iterations) and compare",
+        100 * error.share_short, error.ice_broke ? " or a thousandth of the speed" : "");
+  return text + ". Other ice of the same kind is not in it: run other seeds (--seed) and compare the means.";
+}
+
+std::string tow_lines(const TowForce& tow) {
+  constexpr double k_rounding = 1e-6;
+  const auto is_some = [&](double newton) { return std::abs(newton) > k_rounding * std::abs(tow.mean); };
+  const auto part = [&](double newton) { return force_text(is_some(newton) ? newton : 0); };
+  std::string text =
+      line("tow force", fmt::format("{} forward: ice takes {}, water {}, inertia{} {}{}", force_text(tow.mean),
+                                    part(tow.ice), part(tow.water), tow.on_rods ? " and rods" : "", part(tow.inertia),
+                                    is_some(tow.others) ? ", other contacts " + part(tow.others) : ""));
+  if (tow.open_water)
+    text += line("  less open water", fmt::format("{}: {} in open water deducted ({})", force_text(tow.net()),
+                                                  force_text(*tow.open_water), tow.open_water_source));
+  return text;
+}
+
+}  // namespace
+
+ForceUnit force_unit(double newton) {
+  constexpr double k_kilo = 1e3, k_mega = 1e6, k_from = 10;
+  if (std::abs(newton) >= k_from * k_mega) return {"MN", k_mega};
+  if (std::abs(newton) >= k_from * k_kilo) return {"kN", k_kilo};
+  return {"N", 1};
+}
+
+std::string force_text(double newton) {
+  const ForceUnit unit = force_unit(newton);
+  return fmt::format("{:.4g} {}", newton / unit.size, unit.name);
+}
+
+std::string raw_peak_depends_on(const IceLoad& load) {
+  if (load.rigid)
+    return fmt::format("This peak depends on the time step of {:g} s: a rigid impact is over within one step.",
+                       load.step);
+  return fmt::format(
+      "This peak depends on the crushing strength, on the size of the mesh faces that the ice meets and "
+      "on the time step of {:g} s.",
+      load.step);
+}
+
+std::string ice_load_lines(const IceLoad& load, const LoadError& error) {
+  std::string text;
+  if (!load.touched) {
+    text = line("ice load", "none: no ice pressed on the hull in the window");
+    text += line("  window", window_text(load));
+  } else {
+    text = line("ice load",
+                fmt::format("{} astern, {} to port{}",
+                            with_error(load.along.statistics.mean, load.along.half_width, error.solver_at_least),
+                            with_error(load.across.statistics.mean, load.across.half_width, error.solver_at_least),
+                            error.from_twins ? "; means over the run and its twins" : ""));
+    text += line("  window", window_text(load));
+    text += line("  deviation", fmt::format("{} along, {} across", force_text(load.along.statistics.std),
+                                            force_text(load.across.statistics.std)));
+    text += peak_lines(load);
+    text += line("  the +- is of", error_text(error));
+  }
+  if (load.tow) text += tow_lines(*load.tow);
+  return text;
+}
+
+std::string structure_lines(const StructureLoad& structure) {
+  const std::string label = fmt::format("load on '{}'", structure.name);
+  if (!structure.ice.touched) return line(label, "none: no ice pressed on it");
+  return line(label, fmt::format("{} along, {} across the drift, from {:g} s to {:g} s",
+                                 with_error(structure.ice.along.statistics.mean, structure.ice.along.half_width),
+                                 with_error(structure.ice.across.statistics.mean, structure.ice.across.half_width),
+                                 structure.ice.window.from, structure.ice.window.to)) +
+         line("  deviation", fmt::format("{} along, {} across", force_text(structure.ice.along.statistics.std),
+                                         force_text(structure.ice.across.statistics.std))) +
+         peak_lines(structure.ice);
+}
+
+}  // namespace nilas

@@ -1,0 +1,12 @@
+#pragma once
+/// load_error and twins of summary.json. Keys: docs/reference/outputs.md.
+#include <nlohmann/json.hpp>
+
+#include "core/output/loads/load_error.h"
+
+namespace nilas {
+
+nlohmann::ordered_json load_error_json(const LoadError& error, const TwinStatistics* twins);
+nlohmann::ordered_json twins_json(const TwinStatistics& twins);
+
+}  // namespace nilas

@@ -1,0 +1,286 @@
+#include "core/output/loads/run_statistics.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/measure/measure.h"
+#include "core/base/error.h"
+#include "core/output/tables/structure_channels.h"
+
+namespace nilas {
+
+namespace {
+
+/// 0 / 0 is a balance that holds exactly.
+double ratio(double part, double scale) { return part == 0 ? 0 : part / scale; }
+
+}  // namespace
+
+RunStatistics::RunStatistics(const RunInfo& info)
+    : info_(info),
+      structure_series_(info.structures.size() * structure_load_names().size()),
+      structure_first_ice_(info.structures.size(), k_never),
+      works_(info.work_names.size(), 0),
+      reactions_(info) {
+  for (const auto& residual : residual_columns()) worst_.push_back({residual.name});
+  for (const char* name :
+       {"penetration_max_m", "penetration_mean_m", "imbalance_J", "momentum_imbalance_Ns",
+        "angular_momentum_imbalance_Nms", "momentum_imbalance_relative", "angular_momentum_imbalance_relative"})
+    worst_.push_back({name});
+  if (info.crushes) worst_.push_back({"crushed_overlap_max_m"});
+  if (!info.has_vessel) return;
+  load_names_ = VesselChannels(info).load_names();
+  load_series_.resize(load_names_.size());
+}
+
+void RunStatistics::start(double t, const Ledger& ledger) {
+  t_start_ = t_end_ = t;
+  energy_put_in_ = ledger.kinetic;
+  works_ = ledger.works;
+}
+
+void RunStatistics::add(const StepRecord& record, const std::vector<double>& vessel_values) {
+  ++steps_;
+  t_end_ = record.t;
+  std::size_t column = 0;
+  for (const auto& residual : residual_columns()) note(column++, record.residuals.*residual.member, record.t);
+  for (const double value :
+       {record.penetration_max, record.penetration_mean, record.ledger.imbalance, record.momentum_imbalance,
+        record.angular_momentum_imbalance, ratio(record.momentum_imbalance, record.momentum_scale),
+        ratio(record.angular_momentum_imbalance, record.angular_momentum_scale)})
+    note(column++, value, record.t);
+  if (info_.crushes) note(column++, record.crushed_overlap_max, record.t);
+  for (std::size_t k = 0; k < works_.size(); ++k) energy_put_in_ += std::abs(record.ledger.works[k] - works_[k]);
+  works_ = record.ledger.works;
+  for (std::size_t p = 0; p < total_ms_.size(); ++p) total_ms_[p] += record.ms[p];
+  shortfalls_.unconverged_steps += record.solver_short;
+  shortfalls_.uncorrected_steps += !record.positions_corrected;
+  detection_ += record.detection;
+  reactions_.add(record);
+  h_ = record.h;
+  if (!record.broken.empty()) first_break_ = std::min(first_break_, record.t);
+  costs_.add(record);
+  if (!load_series_.empty()) add_vessel(record, vessel_values);
+  add_structures(record);
+}
+
+void RunStatistics::add_vessel(const StepRecord& record, const std::vector<double>& vessel_values) {
+  const VesselRecord& vessel = record.vessel.value();
+  const std::vector<double> loads = VesselChannels(info_).loads(vessel_values);
+  for (std::size_t c = 0; c < load_series_.size(); ++c) load_series_[c].push_back(loads[c]);
+  load_residuals_.add(record);
+  if (vessel.touches_ice) first_ice_ = std::min(first_ice_, record.t - record.h);
+  if (!vessel.carriage) return;
+  const auto along = [&](const Vec3& x) { return x.head<2>().dot(vessel.course); };
+  tow_.push_back(along(vessel.carriage->about_com.force));
+  water_.push_back(vessel.hydro ? -along(vessel.hydro->force) : 0);
+  others_.push_back(-along(vessel.contact.force - vessel.ice));
+  speed_.push_back(along(vessel.state.v));
+}
+
+void RunStatistics::add_structures(const StepRecord& record) {
+  NILAS_DEMAND(record.structures.size() == info_.structures.size());
+  std::size_t series = 0;
+  for (std::size_t k = 0; k < record.structures.size(); ++k) {
+    if (record.structures[k].touches_ice)
+      structure_first_ice_[k] = std::min(structure_first_ice_[k], record.t - record.h);
+    for (const double load : nilas::structure_loads(record.structures[k], info_.drift_course))
+      structure_series_[series++].push_back(load);
+  }
+}
+
+void RunStatistics::note(std::size_t column, double value, double t) {
+  Worst& worst = worst_[column];
+  // The negated comparison lets a value that is not a number in, and then keeps the first of them.
+  if (std::isnan(worst.value) || std::abs(value) <= std::abs(worst.value)) return;
+  worst.value = value;
+  worst.time = t;
+}
+
+void RunStatistics::save(StateWriter out) const {
+  std::vector<double> worst, times;
+  for (const Worst& w : worst_) {
+    worst.push_back(w.value);
+    times.push_back(w.time);
+  }
+  out.add("worst", worst);
+  out.add("worst_time", times);
+  for (std::size_t c = 0; c < load_series_.size(); ++c) out.group("loads").add(load_names_[c], load_series_[c]);
+  if (!load_series_.empty()) load_residuals_.save(out.group("load_residuals"));
+  out.add("tow", tow_);
+  out.add("water", water_);
+  out.add("others", others_);
+  out.add("speed", speed_);
+  out.add("first_ice", first_ice_);
+  out.add("first_break", first_break_);
+  std::vector<double> structures;  // in one piece: a pier of hundreds of piles has thousands of series
+  for (const auto& series : structure_series_) structures.insert(structures.end(), series.begin(), series.end());
+  out.add("structures", structures);
+  out.add("structures_first_ice", structure_first_ice_);
+  costs_.save(out.group("costs"));
+  out.add("h", h_);
+  out.add("works", works_);
+  out.add("energy_put_in", energy_put_in_);
+  out.add("t_start", t_start_);
+  out.add("t_end", t_end_);
+  out.add("steps", steps_);
+  out.add("total_ms", total_ms_);
+  out.add("unconverged_steps", shortfalls_.unconverged_steps);
+  out.add("uncorrected_steps", shortfalls_.uncorrected_steps);
+  std::vector<long> counts;
+  for (const auto count : k_detector_counts) counts.push_back(detection_.*count);
+  out.add("detection", counts);
+  reactions_.save(out.group("reactions"));
+}
+
+void RunStatistics::restore(const StateReader& in) {
+  std::vector<double> worst, times;
+  in.get("worst", worst, worst_.size());
+  in.get("worst_time", times, worst_.size());
+  for (std::size_t k = 0; k < worst_.size(); ++k) {
+    worst_[k].value = worst[k];
+    worst_[k].time = times[k];
+  }
+  in.get("steps", steps_);
+  for (std::size_t c = 0; c < load_series_.size(); ++c)
+    in.group("loads").get(load_names_[c], load_series_[c], static_cast<std::size_t>(steps_));
+  const auto steps = static_cast<std::size_t>(steps_);
+  if (!load_series_.empty()) load_residuals_.restore(in.group("load_residuals"), steps);
+  const std::size_t towed = !load_series_.empty() && info_.has_carriage ? steps : 0;
+  in.get("tow", tow_, towed);
+  in.get("water", water_, towed);
+  in.get("others", others_, towed);
+  in.get("speed", speed_, towed);
+  in.get("first_ice", first_ice_);
+  in.get("first_break", first_break_);
+  std::vector<double> structures;
+  in.get("structures", structures, steps * structure_series_.size());
+  for (std::size_t k = 0; k < structure_series_.size(); ++k) {
+    const auto begin = structures.begin() + static_cast<std::ptrdiff_t>(k * steps);
+    structure_series_[k].assign(begin, begin + static_cast<std::ptrdiff_t>(steps));
+  }
+  in.get("structures_first_ice", structure_first_ice_, info_.structures.size());
+  costs_.restore(in.group("costs"), steps);
+  in.get("h", h_);
+  in.get("works", works_, works_.size());
+  in.get("energy_put_in", energy_put_in_);
+  in.get("t_start", t_start_);
+  in.get("t_end", t_end_);
+  in.get("total_ms", total_ms_);
+  in.get("unconverged_steps", shortfalls_.unconverged_steps);
+  in.get("uncorrected_steps", shortfalls_.uncorrected_steps);
+  std::vector<long> counts;
+  in.get("detection", counts, k_detector_counts.size());
+  for (std::size_t k = 0; k < counts.size(); ++k) detection_.*k_detector_counts[k] = counts[k];
+  reactions_.restore(in.group("reactions"));
+}
+
+const Worst& RunStatistics::worst(const std::string& name) const {
+  const auto found = std::find_if(worst_.begin(), worst_.end(), [&](const Worst& w) { return w.name == name; });
+  NILAS_DEMAND(found != worst_.end());
+  return *found;
+}
+
+double RunStatistics::relative_imbalance() const { return ratio(std::abs(worst("imbalance_J").value), energy_put_in_); }
+
+LoadWindow RunStatistics::window_from(std::optional<double> first_ice, std::optional<double> ramp_end) const {
+  if (first_ice && *first_ice >= k_never) first_ice.reset();
+  if (steps_ == 0) return {t_start_, t_start_, 0, 0, "the whole run"};
+  return load_window({t_start_, h_, static_cast<std::size_t>(steps_), info_.statistics, ramp_end, first_ice});
+}
+
+LoadWindow RunStatistics::window() const { return window_from(first_ice_, info_.ramp_end); }
+
+double RunStatistics::peak_filter() const {
+  return info_.peak_filter.value_or(default_peak_filter(info_.vessel_length));
+}
+
+std::optional<LoadError> RunStatistics::load_error(const TwinStatistics* twins) const {
+  const LoadWindow counted = window();
+  return nilas::load_error({load_names_, load_series_, counted, first_break_ - 0.5 * h_ < counted.to}, load_residuals_,
+                           twins);
+}
+
+const std::vector<double>& RunStatistics::series_of(const std::string& name) const {
+  const auto found = std::find(load_names_.begin(), load_names_.end(), name);
+  NILAS_DEMAND(found != load_names_.end());
+  return load_series_[static_cast<std::size_t>(found - load_names_.begin())];
+}
+
+std::optional<double> RunStatistics::mean_tow(const LoadWindow& window) const {
+  if (tow_.empty() || info_.course != CourseKind::carriage) return std::nullopt;
+  return load_statistics(window.of(tow_)).mean;
+}
+
+std::optional<IceLoad> RunStatistics::ice_load(const TwinStatistics* twins) const {
+  const auto error = load_error(twins);
+  if (!error) return std::nullopt;
+  IceLoad load;
+  load.window = window();
+  load.filter = peak_filter();
+  load.step = h_;
+  load.rigid = info_.rigid_contacts;
+  const auto component = [&](const char* name) {
+    ComponentLoad found = component_load(series_of(name), load.window, t_start_, h_, load.filter);
+    for (const ChannelError& c : error->channels)
+      if (c.channel == name) {
+        found.statistics.mean = c.mean;
+        if (c.chaos) found.half_width = c.total;
+      }
+    return found;
+  };
+  load.along = component("ice_resistance_N");
+  load.across = component("ice_side_N");
+  load.touched = load.along.statistics.max > 0 || load.across.statistics.max > 0;
+  load.filter = load.along.peak.filter;
+  load.in_largest = share_of_largest_percent(load.window.of(series_of("ice_resistance_N")));
+  if (mean_tow(load.window)) {
+    const LoadStatistics tow = load_statistics(load.window.of(tow_));
+    TowForce& force = load.tow.emplace();
+    force.mean = tow.mean;
+    force.std = tow.std;
+    force.ice = load_statistics(load.window.of(series_of("ice_resistance_N"))).mean;
+    force.water = load_statistics(load.window.of(water_)).mean;
+    force.others = load_statistics(load.window.of(others_)).mean;
+    force.inertia = force.mean - force.ice - force.others - force.water;  // by Newton's law along the course
+    force.on_rods = !info_.rods.empty();
+    force.speed = load_statistics(load.window.of(speed_)).mean;
+  }
+  return load;
+}
+
+std::vector<StructureLoad> RunStatistics::structure_loads() const {
+  std::vector<StructureLoad> all;
+  const auto& names = structure_load_names();
+  for (std::size_t k = 0; k < info_.structures.size(); ++k) {
+    StructureLoad load;
+    load.name = info_.structures[k].name;
+    load.ice.window = window_from(structure_first_ice_[k], std::nullopt);
+    load.ice.filter = info_.peak_filter.value_or(default_peak_filter(info_.structures[k].length));
+    load.ice.step = h_;
+    load.ice.touched = structure_first_ice_[k] < k_never;
+    load.ice.rigid = info_.rigid_contacts;
+    for (std::size_t c = 0; c < names.size(); ++c)
+      load.loads.emplace_back(names[c],
+                              component_load(structure_series_[k * names.size() + c], load.ice.window, t_start_, h_,
+                                             load.ice.filter, first_break_ - 0.5 * h_ < load.ice.window.to));
+    load.ice.along = load.loads[names.size() - k_num_course_loads].second;
+    load.ice.across = load.loads.back().second;
+    load.ice.filter = load.ice.along.peak.filter;
+    load.ice.in_largest =
+        share_of_largest_percent(load.ice.window.of(structure_series_[(k + 1) * names.size() - k_num_course_loads]));
+    all.push_back(std::move(load));
+  }
+  return all;
+}
+
+std::string RunStatistics::slowdown() const {
+  const double first = first_ice_ < k_never && h_ > 0 ? (first_ice_ - t_start_) / h_ : 0;
+  return costs_.slowdown(static_cast<std::size_t>(std::max(0.0, first)));
+}
+
+double RunStatistics::mean_ms(Phase phase) const {
+  return steps_ > 0 ? total_ms_[static_cast<std::size_t>(phase)] / static_cast<double>(steps_) : 0;
+}
+
+}  // namespace nilas

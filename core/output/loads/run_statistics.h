@@ -1,0 +1,111 @@
+#pragma once
+/// What a run amounts to: worst values, load series, time per phase. Source of summary.json and of the closing account.
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/base/state.h"
+#include "core/output/loads/ice_load.h"
+#include "core/output/loads/load_error.h"
+#include "core/output/loads/reaction_balance.h"
+#include "core/output/tables/vessel_channels.h"
+#include "core/output/text/slowdown.h"
+#include "core/sim/account/step_record.h"
+
+namespace nilas {
+
+/// The largest absolute value that a column of steps.csv took, and when; a value that is not a number counts as
+/// largest.
+struct Worst {
+  std::string name;
+  double value = 0;
+  double time = 0;  ///< [s]
+};
+
+/// How often something that a run relies on fell short; each is 0 in a healthy run.
+struct Shortfalls {
+  long unconverged_steps = 0;  ///< the solver ended above its tolerance
+  long uncorrected_steps = 0;  ///< the split impulse ended above its tolerance
+};
+
+class RunStatistics {
+ public:
+  explicit RunStatistics(const RunInfo& info);
+
+  /// The state before the first step.
+  void start(double t, const Ledger& ledger);
+  /// `vessel_values`: as read from the channels, empty without a vessel.
+  void add(const StepRecord& record, const std::vector<double>& vessel_values);
+
+  double start_time() const { return t_start_; }  ///< [s]
+  double end_time() const { return t_end_; }      ///< [s]
+  long steps() const { return steps_; }
+  /// Each residual, penetration_max_m, penetration_mean_m, imbalance_J, momentum_imbalance_Ns,
+  /// angular_momentum_imbalance_Nms and both momentum imbalances relative to their scales.
+  const std::vector<Worst>& worst() const { return worst_; }
+  const Worst& worst(const std::string& name) const;
+  /// Kinetic energy at the start plus the absolute works of all steps: the scale of imbalance_J [J].
+  double energy_put_in() const { return energy_put_in_; }
+  /// Largest |imbalance_J| over energy_put_in(); 0 when nothing was put in and nothing is missing.
+  double relative_imbalance() const;
+  const std::array<double, k_num_phases>& total_ms() const { return total_ms_; }
+  double mean_ms(Phase phase) const;
+  const Shortfalls& shortfalls() const { return shortfalls_; }
+  /// Of all steps.
+  const DetectorCounts& detection() const { return detection_; }
+  /// Of carriage and parts, over all steps.
+  const ReactionBalance& reactions() const { return reactions_; }
+
+  const std::vector<std::string>& load_names() const { return load_names_; }
+  const std::vector<double>& load_series(std::size_t channel) const { return load_series_[channel]; }
+  /// The part of the run that the vessel's loads are summed up over.
+  LoadWindow window() const;
+  /// Averaging time of the vessel's filtered peaks [s].
+  double peak_filter() const;
+  /// Over the window; nothing without a vessel. `twins`: of the run, or none.
+  std::optional<LoadError> load_error(const TwinStatistics* twins) const;
+  /// Over the window; nothing without a vessel.
+  std::optional<IceLoad> ice_load(const TwinStatistics* twins) const;
+  /// Each over its own window.
+  std::vector<StructureLoad> structure_loads() const;
+  /// Mean of the carriage's force along the course over a window; nothing without a carriage that moves [N].
+  std::optional<double> mean_tow(const LoadWindow& window) const;
+  /// Why the last steps took longer than the first with ice, in sentences; or empty.
+  std::string slowdown() const;
+  double step() const { return h_; }  ///< [s]
+
+  void save(StateWriter out) const;
+  /// Throws InputError when the state is one of a run with other columns.
+  void restore(const StateReader& in);
+
+ private:
+  void note(std::size_t column, double value, double t);
+  void add_vessel(const StepRecord& record, const std::vector<double>& vessel_values);
+  void add_structures(const StepRecord& record);
+  const std::vector<double>& series_of(const std::string& name) const;
+  LoadWindow window_from(std::optional<double> first_ice, std::optional<double> ramp_end) const;
+
+  RunInfo info_;
+  std::vector<Worst> worst_;
+  std::vector<std::string> load_names_;
+  std::vector<std::vector<double>> load_series_;
+  LoadResiduals load_residuals_;
+  std::vector<double> tow_, water_, others_, speed_;  ///< along the course, of a vessel on a carriage [N, m/s]
+  double first_ice_ = k_never;    ///< start of the first step in which ice pressed on the vessel [s]
+  double first_break_ = k_never;  ///< end of the first step in which a floe broke [s]
+  std::vector<std::vector<double>> structure_series_;  ///< per structure and load
+  std::vector<double> structure_first_ice_;            ///< per structure [s]
+  StepCosts costs_;
+  double h_ = 0;  ///< [s]
+  static constexpr double k_never = 1e300;
+  std::vector<double> works_;  ///< of the step before [J]
+  double energy_put_in_ = 0;
+  double t_start_ = 0, t_end_ = 0;
+  long steps_ = 0;
+  std::array<double, k_num_phases> total_ms_{};
+  Shortfalls shortfalls_;
+  DetectorCounts detection_;
+  ReactionBalance reactions_;
+};
+
+}  // namespace nilas

@@ -1,0 +1,81 @@
+#pragma once
+/// The folder of one run and the outputs in it.
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "core/base/log.h"
+#include "core/bodies/bodies.h"
+#include "core/output/loads/run_statistics.h"
+#include "core/output/run/run_lock.h"
+#include "core/output/run/summary_json.h"
+#include "core/output/tables/bodies_csv.h"
+#include "core/output/tables/steps_csv.h"
+#include "core/output/tables/vessel_csv.h"
+#include "core/output/vtk/trajectory.h"
+#include "core/scene/scene.h"
+#include "core/sim/account/step_record.h"
+#include "core/sim/checkpoint.h"
+
+namespace nilas {
+
+/// Life: constructed, open() and start(), or resume(), record() per step, finish(). Every complete step is readable at
+/// any moment.
+class RunFolder {
+ public:
+  /// Creates the folder. One that holds anything is refused (InputError) unless `force`, which removes what an earlier
+  /// run of Nilas wrote there and nothing else, copies that are among `inputs` excepted. Throws FileError when the
+  /// folder cannot be made or written, or another program writes into it.
+  RunFolder(const std::filesystem::path& path, bool force, const std::vector<InputFile>& inputs = {});
+  /// The folder of a run that goes on.
+  RunFolder(std::filesystem::path path, RunLock lock);
+  ~RunFolder();
+
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path log_file() const { return path_ / "nilas.log"; }
+  std::filesystem::path scene_file() const { return scene_file(path_); }
+  std::filesystem::path summary_file() const { return summary_file(path_); }
+  std::filesystem::path checkpoint_file() const { return checkpoint_file(path_); }
+  /// The same of a folder that is not held.
+  static std::filesystem::path scene_file(const std::filesystem::path& folder) { return folder / "scene.xml"; }
+  static std::filesystem::path summary_file(const std::filesystem::path& folder) { return folder / "summary.json"; }
+  static std::filesystem::path checkpoint_file(const std::filesystem::path& folder) { return folder / "checkpoint.h5"; }
+
+  /// For a run that could not begin: removes the log, and the folder when nothing else is in it.
+  void abandon() const;
+
+  /// Copies the scene's input files, writes scene.xml and opens the outputs that the scene asks for. `warnings` must
+  /// outlive the folder. Throws FileError, and InputError where an input file has changed since the scene was read.
+  void open(const Scene& scene, const RunInfo& info, WarningCounts& warnings);
+  /// The state at time t [s] before the first step. Throws FileError.
+  void start(double t, const Ledger& ledger, const Bodies& bodies);
+  /// In place of open() and start(): goes on with the outputs as they were when `in` was written to checkpoint.h5; rows
+  /// and frames of later steps are removed. Throws FileError, and InputError where an output holds less.
+  void resume(const Scene& scene, const RunInfo& info, WarningCounts& warnings, const StateReader& in);
+  /// One step, its contact problem; `bodies` at its end, `damage` of the floes among them. Time spent here is counted
+  /// to Phase::output. Throws FileError.
+  void record(StepRecord record, const std::vector<SolvedProblem>& parts, const Bodies& bodies,
+              const FloeDamage& damage = {});
+  /// The step's contact problem, where the scene asks for it. Throws FileError.
+  void store(const StepRecord& record, const SolvedProblem& solved);
+  /// The problem at which the numerics failed. Throws FileError.
+  void store_last(const SolvedProblem& solved);
+  /// Writes checkpoint.h5: `state` and where the outputs stand. Throws FileError.
+  void write_checkpoint(const CheckpointOrigin& origin, State state);
+  /// Closes the outputs and writes summary.json, with the mass of ice that `bodies` still hold. Throws FileError.
+  nlohmann::ordered_json finish(SummaryInput input, const Bodies& bodies);
+  const RunStatistics& statistics() const;
+
+ private:
+  struct Outputs;
+  void write_snapshot(double t, long step, const Bodies& bodies, const ShownStep& shown);
+
+  std::filesystem::path path_;
+  RunLock lock_;
+  std::unique_ptr<Outputs> outputs_;
+};
+
+/// Free floes' mass [kg].
+double free_ice_mass(const Bodies& bodies);
+
+}  // namespace nilas

@@ -1,0 +1,9 @@
+#include "core/output/run/scene_xml.h"
+
+#include "core/output/file/output_file.h"
+
+namespace nilas {
+
+void write_scene_xml(const std::filesystem::path& path, const Scene& scene) { write_whole(path, scene.as_run); }
+
+}  // namespace nilas

@@ -1,9 +1,0 @@
-#include "core/output/scene_xml.h"
-
-#include "core/output/output_file.h"
-
-namespace nilas {
-
-void write_scene_xml(const std::filesystem::path& path, const Scene& scene) { write_whole(path, scene.as_run); }
-
-}  // namespace nilas

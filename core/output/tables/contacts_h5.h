@@ -1,0 +1,45 @@
+#pragma once
+/// contacts.h5: where bodies touch and with what force, a row per contact and step. Layout: docs/reference/outputs.md.
+#include <chrono>
+#include <filesystem>
+#include <optional>
+
+#include "core/base/state.h"
+#include "core/hdf5/hdf5_columns.h"
+#include "core/output/tables/contact_rows.h"
+#include "core/scene/scene.h"
+
+namespace nilas {
+
+/// Steps reach the file at the latest a second after they were made, and when many rows have come together.
+class ContactsH5 {
+ public:
+  /// True when the scene asks for the file: contacts of the vessel and of structures where there are any, or of all
+  /// bodies. Never with integrator "reference".
+  static bool asked(const Scene& scene, const RunInfo& info);
+
+  /// `from`: what save() wrote; the file is cut to that. Throws FileError, InputError.
+  ContactsH5(const std::filesystem::path& path, const Scene& scene, const RunInfo& info, const StateReader* from);
+  /// Of a run that ends by an error: what is pending still goes in, if it can.
+  ~ContactsH5();
+  ContactsH5(const ContactsH5&) = delete;
+  ContactsH5& operator=(const ContactsH5&) = delete;
+
+  /// Throws FileError.
+  void step(const StepRecord& record, const std::vector<SolvedProblem>& parts, const LoadedBodies& loaded);
+  /// Returns when all steps are on the disk. Throws FileError.
+  void sync();
+  /// Throws FileError.
+  void finish() { write(); }
+  void save(StateWriter out) const;
+
+ private:
+  void add(const ContactRow& row, const StepRecord& record);
+  void write();
+
+  bool of_all_bodies_, has_vessel_, has_couples_;
+  Hdf5Columns columns_;
+  std::chrono::steady_clock::time_point written_;
+};
+
+}  // namespace nilas

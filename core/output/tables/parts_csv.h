@@ -1,0 +1,33 @@
+#pragma once
+/// parts.csv: the joints of the vessel's parts, the contact loads on them and the rods, one row per step. Columns:
+/// docs/reference/outputs.md.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/output/file/csv_row.h"
+#include "core/output/file/output_file.h"
+#include "core/sim/account/step_record.h"
+
+namespace nilas {
+
+/// time_s, then for each part its columns behind its name, as rudder_joint_fx_N, then one for each rod, as rod_tie_N.
+std::vector<std::string> part_columns(const std::vector<PartInfo>& parts, const std::vector<std::string>& rods);
+
+class PartsCsv {
+ public:
+  /// `keep`: as of OutputFile. Throws FileError, InputError.
+  PartsCsv(const std::filesystem::path& path, const RunInfo& info, std::optional<std::int64_t> keep = {});
+  /// Throws FileError.
+  void row(double t, const VesselRecord& vessel);
+  void finish() { file_.close(); }
+  const OutputFile& file() const { return file_; }
+
+ private:
+  OutputFile file_;
+  std::vector<PartInfo> parts_;
+  Eigen::Index rods_;
+  CsvRow row_;
+};
+
+}  // namespace nilas

@@ -1,0 +1,73 @@
+#include "core/output/tables/problem_files.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "contact/fclib/fclib_io.h"
+#include "core/base/error.h"
+
+namespace nilas {
+
+static constexpr const char* k_worst = "worst.hdf5";
+
+static std::string numbered(const char* kind, long step) { return fmt::format("{}-{:08d}.hdf5", kind, step); }
+
+std::string kept_worst_name(long step) { return numbered("worst", step); }
+
+ProblemFiles::ProblemFiles(const std::filesystem::path& run_folder, const std::string& which)
+    : folder_(run_folder / "problems"), which_(which) {}
+
+void ProblemFiles::step(const StepRecord& record, const SolvedProblem& solved) {
+  if (which_ == "never" || solved.problem.num_contacts() == 0) return;
+  if (which_ == "failed" && record.status == SolveStatus::converged) return;
+  if (which_ == "worst") {
+    if (record.residuals.law_map_m_s <= worst_ || std::isnan(worst_)) return;  // the first NaN stays the worst
+    if (worst_step_ >= 0 && worst_step_ == saved_worst_step_) keep_worst();
+    worst_ = record.residuals.law_map_m_s;
+    worst_step_ = record.step;
+    return write(k_worst, solved);
+  }
+  write(numbered("step", record.step), solved);
+}
+
+void ProblemFiles::last(const SolvedProblem& solved) const {
+  if (solved.problem.num_contacts() > 0) write("last.hdf5", solved);
+}
+
+void ProblemFiles::save(StateWriter out) const {
+  out.add("worst_law_map_m_s", worst_);
+  out.add("worst_step", worst_step_);
+}
+
+void ProblemFiles::restore(const StateReader& in) {
+  in.get("worst_law_map_m_s", worst_);
+  in.get("worst_step", worst_step_);
+  saved_worst_step_ = worst_step_;
+}
+
+void ProblemFiles::saved() {
+  if (saved_worst_step_ >= 0 && saved_worst_step_ != worst_step_) {
+    const std::filesystem::path kept = folder_ / kept_worst_name(saved_worst_step_);
+    std::error_code error;
+    std::filesystem::remove(kept, error);
+    if (error) throw FileError(kept.string() + ": cannot be removed: " + error.message());
+  }
+  saved_worst_step_ = worst_step_;
+}
+
+void ProblemFiles::keep_worst() const {
+  std::error_code error;
+  std::filesystem::rename(folder_ / k_worst, folder_ / kept_worst_name(worst_step_), error);
+  if (error && error != std::errc::no_such_file_or_directory)
+    throw FileError((folder_ / k_worst).string() + ": cannot be renamed: " + error.message());
+}
+
+void ProblemFiles::write(const std::string& name, const SolvedProblem& solved) const {
+  std::error_code error;
+  std::filesystem::create_directories(folder_, error);
+  if (error) throw FileError(folder_.string() + ": " + error.message());
+  write_fclib(folder_ / name, solved.problem, &solved.solution);
+}
+
+}  // namespace nilas

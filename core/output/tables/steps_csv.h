@@ -1,0 +1,30 @@
+#pragma once
+/// steps.csv: how each step was solved, its accounts of energy and momentum, its timing. Columns:
+/// docs/reference/outputs.md.
+#include <filesystem>
+
+#include "core/output/file/csv_row.h"
+#include "core/output/file/output_file.h"
+#include "core/sim/account/step_record.h"
+
+namespace nilas {
+
+class StepsCsv {
+ public:
+  /// `keep`: as of OutputFile. Throws FileError, InputError.
+  StepsCsv(const std::filesystem::path& path, const RunInfo& info, std::optional<std::int64_t> keep = {});
+  /// Numbers in the fewest digits that read back to the same bits. Throws FileError.
+  void row(const StepRecord& record);
+  void finish() { file_.close(); }
+  const OutputFile& file() const { return file_; }
+
+ private:
+  void add_ledger(const Ledger& ledger);
+
+  OutputFile file_;
+  CsvRow row_;
+  std::size_t num_works_;
+  bool crushes_;
+};
+
+}  // namespace nilas

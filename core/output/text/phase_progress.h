@@ -1,0 +1,52 @@
+#pragma once
+/// What a command is at while its results are not there yet.
+#include <chrono>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <ostream>
+#include <string>
+#include <thread>
+
+#include "core/output/text/console.h"
+#include "core/output/text/phase_lines.h"
+#include "core/output/text/status_line.h"
+
+namespace nilas {
+
+/// For standard error. `json`: another program reads the results, so that only a terminal is told.
+ConsoleStyle phase_style(bool quiet, bool json);
+
+/// Says which phase is at work and for how long, from a thread of its own, so that the phases may be single calls of a
+/// library. A terminal has one line that is erased at the end, anything else a line per phase and every ten seconds.
+class PhaseProgress {
+ public:
+  /// `out` must outlive it. `phase`: "reading the mesh".
+  PhaseProgress(std::ostream& out, ConsoleStyle style, std::string phase, const PhaseTimes& times = {});
+  /// Ends it.
+  ~PhaseProgress();
+  PhaseProgress(const PhaseProgress&) = delete;
+  PhaseProgress& operator=(const PhaseProgress&) = delete;
+
+  /// Makes `logger` erase the line before its messages.
+  void make_room_for(spdlog::logger& logger) const;
+  void next(std::string phase);
+  /// Nothing is said from here on; a line on a terminal is erased.
+  void end();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static double now() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
+  void watch(const std::stop_token& stop);
+  void tell(const std::string& line);
+
+  std::ostream& out_;
+  ConsoleStyle style_;
+  std::shared_ptr<StatusLine> line_;
+  std::mutex mutex_;
+  std::condition_variable_any changed_;
+  PhaseLines lines_;
+  std::jthread thread_;
+};
+
+}  // namespace nilas

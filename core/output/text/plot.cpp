@@ -1,0 +1,40 @@
+#include "core/output/text/plot.h"
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <fstream>
+
+namespace nilas {
+
+namespace {
+
+/// In single quotes for the shell.
+std::string for_shell(const std::string& text) {
+  std::string out = "'";
+  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return out + "'";
+}
+
+}  // namespace
+
+void plot(const std::filesystem::path& folder, const std::string& script) {
+  const std::filesystem::path file = folder / ".plot.gp";
+  std::ofstream out(file);
+  out << script;
+  if (!out.flush()) throw FileError("cannot write " + file.string());
+  out.close();
+  const int status = std::system(("cd " + for_shell(folder.string()) + " && gnuplot .plot.gp 2>.plot.log").c_str());
+  std::ifstream log(folder / ".plot.log");
+  const std::string said((std::istreambuf_iterator<char>(log)), std::istreambuf_iterator<char>());
+  log.close();
+  std::error_code ignored;
+  std::filesystem::remove(file, ignored);
+  std::filesystem::remove(folder / ".plot.log", ignored);
+  constexpr int k_not_found = 127;  // of the shell
+  if (WIFEXITED(status) && WEXITSTATUS(status) == k_not_found)
+    throw PlotError("the pictures need gnuplot (Debian package gnuplot-nox), which is not there");
+  if (status != 0) throw PlotError("gnuplot failed: " + (said.empty() ? "status " + std::to_string(status) : said));
+}
+
+}  // namespace nilas

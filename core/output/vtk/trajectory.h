@@ -1,0 +1,65 @@
+#pragma once
+/// trajectory.pvd and the files of trajectory/: the run over time in named parts, for ParaView 5.11 and later.
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/bodies/bodies.h"
+#include "core/output/file/output_file.h"
+#include "core/output/tables/contact_rows.h"
+#include "core/output/vtk/body_surface.h"
+#include "core/output/vtk/vtp_frame.h"
+#include "core/scene/scene.h"
+
+namespace nilas {
+
+/// Damage of the floe with this id.
+using FloeDamage = std::function<double(std::int64_t)>;
+
+/// What frames show of the step that ends at them beside its bodies.
+struct ShownStep {
+  std::vector<ContactRow> contacts;
+  double h = 1;       ///< its length [s]
+  FloeDamage damage;  ///< empty: no floe has any
+};
+
+/// Parts: ice floes, vessel, bodies, contact forces, water surface, tank walls; those that the scene has, tank walls
+/// where it asks for them. Planes have no surface and are left out. The list of frames is closed after every frame.
+class Trajectory {
+ public:
+  /// `has_forces`: the run stores contacts. `keep`: as of OutputFile, for the list. Throws FileError, InputError.
+  Trajectory(const std::filesystem::path& run_folder, const Scene& scene, bool has_forces,
+             std::optional<std::int64_t> keep = {});
+  /// Writes the bodies at time t [s] and what is shown of the step as trajectory/step-<step>-<part>.vtp, then lists
+  /// them. What never moves is written at step 0. Throws FileError.
+  void frame(double t, long step, const Bodies& bodies, const ShownStep& shown = {});
+  void finish() { list_.close(); }
+  const OutputFile& list() const { return list_; }
+
+ private:
+  /// A part of the list; `stem` ends the names of its files.
+  struct Part {
+    const char *name, *stem;
+    BodyKind kind;
+  };
+
+  void follow_shapes(const Bodies& bodies);
+  const std::string& surfaces_of(BodyKind kind, const Bodies& bodies, const FloeDamage& damage);
+  void write_what_stays(const Bodies& bodies);
+  std::string water_document(const Bodies& bodies) const;
+
+  std::filesystem::path folder_;
+  std::vector<Part> moving_;
+  bool has_forces_, has_walls_, has_damage_;
+  std::optional<double> water_level_;  ///< [m]
+  std::optional<TankScene> tank_;
+  OutputFile list_;
+  std::vector<std::shared_ptr<const Shape>> shapes_;  ///< of the bodies in the newest frame
+  std::vector<PolygonSurface> surfaces_;              ///< one per shape
+  VtpFrame frame_;
+};
+
+}  // namespace nilas

@@ -1,0 +1,152 @@
+#include "core/output/file/output_file.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+
+#include "core/base/error.h"
+#include "tests/core/output/sample_run.h"
+#include "tests/support/size_limit.h"
+
+namespace nilas {
+namespace {
+
+using test::content;
+using test::ScratchFolder;
+using test::SizeLimit;
+
+TEST(OutputFile, EveryPieceIsReadableAtOnce) {
+  const ScratchFolder folder;
+  OutputFile file(folder / "a.csv");
+  EXPECT_EQ(content(folder / "a.csv"), "");
+  file.append("one\n");
+  EXPECT_EQ(content(folder / "a.csv"), "one\n");
+  file.append("two\n");
+  EXPECT_EQ(content(folder / "a.csv"), "one\ntwo\n");
+}
+
+TEST(OutputFile, TheTailFollowsTheNewestPiece) {
+  const ScratchFolder folder;
+  OutputFile file(folder / "a.xml", "</all>");
+  file.append("<all>");
+  EXPECT_EQ(content(folder / "a.xml"), "<all></all>");
+  file.append("<x/>");
+  EXPECT_EQ(content(folder / "a.xml"), "<all><x/></all>");
+}
+
+TEST(OutputFile, OpeningEmptiesAnOlderFile) {
+  const ScratchFolder folder;
+  { OutputFile(folder / "a.csv").append("a long old text\n"); }
+  OutputFile file(folder / "a.csv");
+  file.append("new\n");
+  file.close();
+  EXPECT_EQ(content(folder / "a.csv"), "new\n");
+}
+
+TEST(OutputFile, GoesOnAfterTheBytesItIsToKeep) {
+  const ScratchFolder folder;
+  std::int64_t kept = 0;
+  {
+    OutputFile file(folder / "a.xml", "</all>");
+    file.append("<all>\n");
+    kept = file.bytes();
+    file.append("<later, and longer than the tail/>");
+  }
+  OutputFile file(folder / "a.xml", "</all>", kept);
+  file.sync();
+  EXPECT_EQ(content(folder / "a.xml"), "<all>\n</all>");
+  file.append("<x/>");
+  EXPECT_EQ(content(folder / "a.xml"), "<all>\n<x/></all>");
+  EXPECT_THROW(OutputFile(folder / "a.xml", "", 1000), InputError);
+  EXPECT_THROW(OutputFile(folder / "none.xml", "", 0), FileError);
+  EXPECT_FALSE(std::filesystem::exists(folder / "none.xml"));
+}
+
+TEST(OutputFile, GoesOnAfterAWholeLineOnly) {
+  const ScratchFolder folder;
+  const std::string text = "a,b\n1,2\n3,4\n";
+  std::ofstream(folder / "a.csv") << text;
+  for (const std::int64_t inside : {1, 3, 5, 7, 11}) {
+    try {
+      OutputFile(folder / "a.csv", "", inside);
+      FAIL() << "went on after " << inside << " bytes";
+    } catch (const InputError& e) {
+      EXPECT_NE(std::string(e.what()).find("a.csv: has changed"), std::string::npos) << e.what();
+    }
+  }
+  EXPECT_EQ(content(folder / "a.csv"), text) << "a refusal must not touch anything";
+  { OutputFile(folder / "a.csv", "", 8).append("5,6\n"); }
+  EXPECT_EQ(content(folder / "a.csv"), "a,b\n1,2\n5,6\n");
+  OutputFile(folder / "a.csv", "", 0).append("c\n");
+  EXPECT_EQ(content(folder / "a.csv"), "c\n");
+}
+
+TEST(OutputFile, APieceThatDoesNotFitLeavesTheFileWithWholePieces) {
+  const ScratchFolder folder;
+  OutputFile file(folder / "a.csv"), list(folder / "a.xml", "</all>");
+  file.append("0123456789\n");
+  list.append("<all>");
+  {
+    const SizeLimit limit(15);
+    EXPECT_THROW(file.append("abcdefgh\n"), FileError);
+    EXPECT_THROW(list.append("<x/><x/><x/>"), FileError);
+  }
+  EXPECT_EQ(content(folder / "a.csv"), "0123456789\n");
+  EXPECT_EQ(content(folder / "a.xml"), "<all></all>");
+  file.append("again\n");
+  EXPECT_EQ(content(folder / "a.csv"), "0123456789\nagain\n");
+}
+
+TEST(OutputFile, AFullDiskIsNamedWithTheFile) {
+  OutputFile file("/dev/full");
+  try {
+    file.append("row\n");
+    FAIL() << "a full device took a row";
+  } catch (const FileError& e) {
+    EXPECT_STREQ(e.what(), "/dev/full: cannot write: No space left on device");
+  }
+}
+
+TEST(OutputFile, AKilledProcessLeavesItsRows) {
+  const ScratchFolder folder;
+  const pid_t child = ::fork();
+  if (child == 0) {
+    OutputFile file(folder / "a.csv");
+    for (int row = 0; row < 1000; ++row) file.append("row\n");
+    std::raise(SIGKILL);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFSIGNALED(status));
+  EXPECT_EQ(test::lines(folder / "a.csv").size(), 1000u);
+}
+
+TEST(OutputFile, AFileThatCannotBeOpenedIsAFileError) {
+  const ScratchFolder folder;
+  EXPECT_THROW(OutputFile(folder / "absent/a.csv"), FileError);
+}
+
+TEST(WriteWhole, ReplacesTheFileAndLeavesNoTemporaryOne) {
+  const ScratchFolder folder;
+  write_whole(folder / "a.json", "old and long");
+  write_whole(folder / "a.json", "new");
+  EXPECT_EQ(content(folder / "a.json"), "new");
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.json.part"));
+}
+
+TEST(WriteWhole, KeepsTheOldFileWhenTheNewDoesNotFit) {
+  const ScratchFolder folder;
+  write_whole(folder / "a.json", "old");
+  {
+    const SizeLimit limit(10);
+    EXPECT_THROW(write_whole(folder / "a.json", "longer than ten bytes"), FileError);
+  }
+  EXPECT_EQ(content(folder / "a.json"), "old");
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.json.part"));
+}
+
+}  // namespace
+}  // namespace nilas

@@ -1,0 +1,175 @@
+#include "core/output/loads/ice_load.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "core/output/loads/ice_load_text.h"
+#include "core/output/loads/run_statistics.h"
+#include "core/output/tables/vessel_channels.h"
+#include "tests/core/output/sample_run.h"
+
+namespace nilas {
+namespace {
+
+/// 200 steps of 0.01 s of a tow along Y with a ramp of 0.5 s: ice presses from 1 s on with -30 N along the course and
+/// 4 N to port, water with -5 N, and the vessel of 1500 kg gains 0.01 m/s in each step.
+/// A wall takes `others` [N] throughout. From 1.5 s on floes break, and the solver stops short, where asked.
+RunStatistics towed(RunInfo info, double others = 0, bool breaks = false) {
+  info.course = CourseKind::carriage;
+  info.ramp_end = 0.5;
+  info.vessel_length = 4;
+  RunStatistics statistics(info);
+  statistics.start(0, Ledger{.works = {0, 0}});
+  const VesselChannels channels(info);
+  std::vector<double> values;
+  for (int k = 0; k < 200; ++k) {
+    StepRecord record = test::full_record();
+    record.t = 0.01 * (k + 1);
+    record.solver_short = breaks && k >= 150;
+    if (breaks && k == 150) record.broken.emplace_back();
+    VesselRecord& vessel = *record.vessel;
+    vessel.course = Vec2::UnitY();
+    vessel.touches_ice = k >= 100;
+    vessel.ice = k >= 100 ? Vec3(-4, -30, 1) : Vec3::Zero();
+    vessel.contact.force = vessel.ice - Vec3(0, others, 0);
+    vessel.hydro->force = Vec3(0, -5, 9);
+    vessel.carriage->about_com.force = Vec3(0, 30 + 5 + others + 1500, 0);
+    vessel.state.v = Vec3(0, 0.01 * k, 0);
+    channels.read(vessel, values);
+    statistics.add(record, values);
+  }
+  return statistics;
+}
+
+TEST(IceLoad, IsToldAlongAndAcrossTheCourseFromTheFirstIceOn) {
+  const auto load = towed(test::full_run()).ice_load(nullptr);
+  ASSERT_TRUE(load.has_value());
+  EXPECT_TRUE(load->touched);
+  EXPECT_EQ(load->window.first, 100u);
+  EXPECT_DOUBLE_EQ(load->along.statistics.mean, 30) << "positive astern";
+  EXPECT_DOUBLE_EQ(load->across.statistics.mean, 4) << "positive to port: -x of a course along y";
+  EXPECT_DOUBLE_EQ(load->filter, 0.2 / 5);
+  EXPECT_EQ(load->along.half_width, 0) << "a constant load, and residuals of 0";
+}
+
+TEST(IceLoad, TheTowForceIsIceWaterAndInertia) {
+  const auto load = towed(test::full_run()).ice_load(nullptr);
+  ASSERT_TRUE(load->tow.has_value());
+  EXPECT_DOUBLE_EQ(load->tow->mean, 1535);
+  EXPECT_DOUBLE_EQ(load->tow->ice, 30);
+  EXPECT_DOUBLE_EQ(load->tow->water, 5);
+  EXPECT_DOUBLE_EQ(load->tow->inertia, 1500) << "m dv/dt";
+  EXPECT_NEAR(load->tow->speed, 1.495, 1e-12);
+}
+
+TEST(IceLoad, WhatWallsAndBodiesTakeIsNoIceLoad) {
+  const auto load = towed(test::full_run(), 7).ice_load(nullptr);
+  EXPECT_DOUBLE_EQ(load->along.statistics.mean, 30);
+  EXPECT_DOUBLE_EQ(load->tow->mean, 1542);
+  EXPECT_DOUBLE_EQ(load->tow->others, 7);
+  EXPECT_DOUBLE_EQ(load->tow->inertia, 1500);
+}
+
+TEST(IceLoad, TheWindowAskedForCounts) {
+  RunInfo info = test::full_run();
+  info.statistics = {0.5, 1.5};
+  const auto load = towed(info).ice_load(nullptr);
+  EXPECT_EQ(load->window.steps(), 100u);
+  EXPECT_DOUBLE_EQ(load->along.statistics.mean, 15);
+}
+
+TEST(IceLoad, LinesFitTheScreenAndNameWhatPeaksDependOn) {
+  RunStatistics statistics = towed(test::full_run());
+  auto load = statistics.ice_load(nullptr);
+  const LoadError error = statistics.load_error(nullptr).value();
+  load->in_largest = 0.5;
+  load->tow->open_water = 5;
+  load->tow->open_water_source = "towed without ice";
+  const std::string text = ice_load_lines(*load, error);
+  EXPECT_NE(text.find("ice load              30 N +- 0 N astern, 4 N +- 0 N to port\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("1 s to 2 s, from the first contact with ice"), std::string::npos) << text;
+  EXPECT_NE(text.find("step of 0.01 s"), std::string::npos) << text;
+  EXPECT_NE(text.find("  advice              1 % of the steps carry 50 % of the load: single rigid\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("<fracture><crushing>"), std::string::npos) << text;
+  EXPECT_NE(text.find("1530 N: 5 N in open water deducted"), std::string::npos) << text;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) EXPECT_LE(line.size(), 80u) << line;
+  load->rigid = false;
+  EXPECT_FALSE(load->impacts_dominate()) << "what crushes is limited already";
+}
+
+TEST(IceLoad, WhereTheSolverStoppedShortTheErrorIsALowerBound) {
+  RunStatistics statistics = towed(test::full_run(), 0, true);
+  const LoadError error = statistics.load_error(nullptr).value();
+  EXPECT_TRUE(error.ice_broke);
+  EXPECT_DOUBLE_EQ(error.share_short, 0.5);
+  const std::string text = ice_load_lines(*statistics.ice_load(nullptr), error);
+  EXPECT_NE(text.find("30 N +- at least 0 N astern, 4 N +- at least 0 N to port"), std::string::npos) << text;
+  EXPECT_NE(text.find("In 50 % of the\n"), std::string::npos) << text;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) EXPECT_LE(line.size(), 80u) << line;
+}
+
+TEST(IceLoad, BreaksBehindTheWindowAreNoneOfIts) {
+  RunInfo info = test::full_run();
+  info.statistics = {0.5, 1.5};
+  const LoadError error = towed(info, 0, true).load_error(nullptr).value();
+  EXPECT_FALSE(error.ice_broke);
+  EXPECT_EQ(error.share_short, 0);
+}
+
+TEST(IceLoad, SaysThatNoIceTouched) {
+  RunInfo info = test::full_run();
+  RunStatistics statistics(info);
+  StepRecord record = test::full_record();
+  record.vessel->contact = {};
+  record.vessel->ice.setZero();
+  std::vector<double> values;
+  VesselChannels(info).read(*record.vessel, values);
+  statistics.add(record, values);
+  const std::string text = ice_load_lines(*statistics.ice_load(nullptr), *statistics.load_error(nullptr));
+  EXPECT_NE(text.find("none: no ice pressed on the hull"), std::string::npos) << text;
+}
+
+TEST(IceLoad, ForcesHaveFourDigitsAndTheirUnit) {
+  EXPECT_EQ(force_text(16.8765), "16.88 N");
+  EXPECT_EQ(force_text(-252345), "-252.3 kN");
+  EXPECT_EQ(force_text(9.746e9), "9746 MN");
+}
+
+TEST(StructureLoads, AreToldPerFixedBody) {
+  RunInfo info;
+  info.structures = {{"pier", 4}, {"pile", 4}};
+  info.drift_course = Vec2(-1, 0);
+  RunStatistics statistics(info);
+  statistics.start(0, Ledger{});
+  StepRecord record;
+  record.h = 0.1;
+  record.structures.resize(2);
+  for (int k = 0; k < 40; ++k) {
+    record.t = 0.1 * (k + 1);
+    record.structures[0].touches_ice = k >= 20;
+    record.structures[0].ice = k >= 20 ? Vec3(8, 2, 0) : Vec3::Zero();
+    statistics.add(record, {});
+  }
+  const auto loads = statistics.structure_loads();
+  ASSERT_EQ(loads.size(), 2u);
+  EXPECT_TRUE(loads[0].ice.touched);
+  EXPECT_FALSE(loads[1].ice.touched);
+  EXPECT_DOUBLE_EQ(loads[0].ice.window.from, 2);
+  EXPECT_DOUBLE_EQ(loads[0].ice.along.statistics.mean, 8) << "with the drift";
+  EXPECT_DOUBLE_EQ(loads[0].ice.across.statistics.mean, -2) << "port of what faces -x is -y";
+  EXPECT_EQ(loads[0].loads.front().first, "contact_fx_N");
+  State state;
+  statistics.save(StateWriter(state));
+  RunStatistics rest(info);
+  rest.restore(StateReader(state));
+  EXPECT_EQ(rest.structure_loads()[0].ice.along.statistics.mean, 8);
+  EXPECT_EQ(rest.structure_loads()[0].ice.window.from, loads[0].ice.window.from);
+}
+
+}  // namespace
+}  // namespace nilas

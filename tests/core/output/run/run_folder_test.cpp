@@ -1,0 +1,320 @@
+#include "core/output/run/run_folder.h"
+
+#include <gtest/gtest.h>
+#include <spdlog/sinks/ostream_sink.h>
+#include <tinyxml2.h>
+
+#include "core/base/error.h"
+#include "tests/core/output/sample_run.h"
+
+namespace nilas {
+namespace {
+
+namespace fs = std::filesystem;
+using test::content;
+using test::full_record;
+using test::full_run;
+using test::lines;
+using test::sample_bodies;
+using test::ScratchFolder;
+
+/// A run of `steps` equal steps into `folder`.
+class SampleRun {
+ public:
+  explicit SampleRun(const fs::path& path) : folder(path, false) {
+    scene.as_run = "<nilas version=\"1\"/>\n";
+    scene.ice.emplace();
+    scene.vessel.emplace();
+    scene.water.emplace();
+    record.ledger.works = {0, 0};
+  }
+  void begin() {
+    folder.open(scene, info, warnings);
+    folder.start(0, Ledger{.works = {0, 0}}, bodies);
+  }
+  void steps(int count) {
+    for (int k = 0; k < count; ++k) {
+      record.step = ++done;
+      record.t = static_cast<double>(done) * record.h;
+      folder.record(record, {solved}, bodies);
+    }
+  }
+
+  std::ostringstream log;
+  WarningCounts warnings{
+      std::make_shared<spdlog::logger>("test", std::make_shared<spdlog::sinks::ostream_sink_mt>(log))};
+  RunInfo info = full_run();
+  Scene scene;
+  Bodies bodies = sample_bodies();
+  StepRecord record = full_record();
+  SolvedProblem solved;
+  RunFolder folder;
+  long done = 0;
+};
+
+TEST(RunFolder, HoldsEveryCompleteStepAtAnyMoment) {
+  const ScratchFolder scratch;
+  SampleRun run(scratch / "deep/run");
+  run.begin();
+  run.steps(25);
+  const fs::path folder = run.folder.path();
+  EXPECT_EQ(content(folder / "scene.xml"), "<nilas version=\"1\"/>\n");
+  EXPECT_EQ(lines(folder / "vessel.csv").size(), 1u + 25);
+  EXPECT_EQ(lines(folder / "steps.csv").size(), 1u + 25);
+  EXPECT_EQ(lines(folder / "bodies.csv").size(), 1u + 4 * 3) << "snapshots at 0, 0.1 and 0.2 s";
+  EXPECT_TRUE(fs::exists(folder / "trajectory/step-000020-ice.vtp"));
+  EXPECT_FALSE(fs::exists(folder / "trajectory/step-000021-ice.vtp"));
+  tinyxml2::XMLDocument list;
+  EXPECT_EQ(list.LoadFile((folder / "trajectory.pvd").c_str()), tinyxml2::XML_SUCCESS);
+  EXPECT_FALSE(fs::exists(folder / "summary.json"));
+}
+
+TEST(RunFolder, OpensOnlyWhatTheSceneAsksFor) {
+  const ScratchFolder scratch;
+  SampleRun run(scratch / "run");
+  run.scene.output.trajectory_every = 0;
+  run.info.has_vessel = run.info.has_carriage = run.info.has_cells = run.info.has_hydro = false;
+  run.begin();
+  run.steps(3);
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(run.folder.path())) names.push_back(entry.path().filename());
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(names, (std::vector<std::string>{"nilas.log", "scene.xml", "steps.csv"}));
+}
+
+TEST(RunFolder, WritesBodiesByCountOrByWish) {
+  const auto has_bodies_csv = [](int count, std::optional<bool> wish) {
+    const ScratchFolder scratch;
+    SampleRun run(scratch / "run");
+    run.scene.output.bodies = wish;
+    while (run.bodies.size() < count)
+      test::add_body(run.bodies, "floe", BodyKind::floe, Motion::free, test::triangle_floe(), 1, Vec3::Zero());
+    run.info.bodies = run.bodies.size();
+    run.begin();
+    return fs::exists(run.folder.path() / "bodies.csv");
+  };
+  EXPECT_TRUE(has_bodies_csv(200, {}));
+  EXPECT_FALSE(has_bodies_csv(201, {}));
+  EXPECT_TRUE(has_bodies_csv(201, true));
+  EXPECT_FALSE(has_bodies_csv(4, false));
+}
+
+TEST(RunFolder, SnapshotsFallOnTheStepNearestToTheirTime) {
+  const ScratchFolder scratch;
+  SampleRun run(scratch / "run");
+  run.record.h = 0.03;
+  run.begin();
+  run.steps(10);
+  std::vector<std::string> times;
+  for (const auto& row : lines(run.folder.path() / "bodies.csv"))
+    if (row.find(",hull,") != std::string::npos) times.push_back(row.substr(0, row.find(',')));
+  ASSERT_EQ(times.size(), 4u);
+  EXPECT_NEAR(std::stod(times[1]), 0.09, 1e-15);
+  EXPECT_NEAR(std::stod(times[2]), 0.21, 1e-15);
+  EXPECT_NEAR(std::stod(times[3]), 0.30, 1e-15);
+}
+
+TEST(RunFolder, WarnsOnceOfGimbalLock) {
+  const ScratchFolder scratch;
+  SampleRun run(scratch / "run");
+  run.record.vessel->state.pose.q = Quat(Eigen::AngleAxisd(0.5 * k_pi, Vec3::UnitY()));
+  run.begin();
+  run.steps(3);
+  EXPECT_EQ(run.warnings.counts().at("gimbal lock"), 3);
+  EXPECT_NE(run.log.str().find("90 degrees"), std::string::npos);
+}
+
+TEST(RunFolder, SummaryTellsTheRun) {
+  const ScratchFolder scratch;
+  SampleRun run(scratch / "run");
+  run.begin();
+  run.steps(1);
+  run.record.vessel->contact.force.x() = -3;
+  run.steps(1);
+  SummaryInput input;
+  input.wall_s = 0.005;
+  input.seed = 7;
+  input.threads = 2;
+  input.crushed_mass = 1.5;
+  input.machine = "2 cores";
+  input.versions = {{"eigen", "3.4.0"}};
+  run.folder.finish(input, run.bodies);
+  const auto summary = nlohmann::json::parse(content(run.folder.path() / "summary.json"));
+  EXPECT_EQ(summary["status"], "done");
+  EXPECT_EQ(summary["exit_code"], 0);
+  EXPECT_EQ(summary["time_end_s"], 0.02);
+  EXPECT_EQ(summary["steps"], 2);
+  EXPECT_EQ(summary["wall_s"], 0.005);
+  EXPECT_DOUBLE_EQ(summary["real_time_factor"], 4);
+  EXPECT_EQ(summary["vessel"]["mass_kg"], 1500);
+  EXPECT_EQ(summary["vessel"]["cog_m"], (std::vector<double>{2, 0, 0.25}));
+  EXPECT_EQ(summary["vessel"]["inertia_kg_m2"], (std::vector<double>{10, 20, 30, -4, -5, -6}));
+  EXPECT_EQ(summary["tare"]["carriage_fz_N"], 7);
+  EXPECT_EQ(summary["tare"]["carriage_my_Nm"], -2);
+  EXPECT_EQ(summary["tare"]["cell6_N"], -0.5);
+  EXPECT_TRUE(summary["loads"].contains("cell6_tared_N"));
+  EXPECT_FALSE(summary["loads"].contains("cell6_N"));
+  EXPECT_EQ(summary["ice"]["floes"], 2);
+  EXPECT_EQ(summary["ice"]["mass_kg"], 30);
+  EXPECT_EQ(summary["ice"]["mass_end_kg"], 10) << "the fixed floe does not count";
+  EXPECT_EQ(summary["ice"]["brash_kg"], 0);
+  EXPECT_EQ(summary["ice"]["crushed_kg"], 1.5);
+  EXPECT_EQ(summary["ice"]["concentration"], 0.8);
+  EXPECT_EQ(summary["worst"]["law_map_m_s"]["value"], 1e-7);
+  EXPECT_EQ(summary["worst"]["law_map_m_s"]["time_s"], 0.01);
+  EXPECT_EQ(summary["worst"]["penetration_max_m"]["value"], 0.002);
+  EXPECT_TRUE(summary["worst"].contains("imbalance_J"));
+  EXPECT_EQ(summary["loads"].size(), 32u);
+  EXPECT_EQ(summary["loads"]["contact_fx_N"]["mean"], -1);
+  EXPECT_EQ(summary["loads"]["contact_fx_N"]["std"], 2);
+  EXPECT_EQ(summary["loads"]["contact_fx_N"]["max"], 3);
+  EXPECT_DOUBLE_EQ(summary["loads"]["contact_fx_N"]["p99"], 2.98);
+  EXPECT_EQ(summary["modules"]["built"][1]["name"], "carriage");
+  EXPECT_EQ(summary["modules"]["ms_per_step"]["solver"], 4);
+  EXPECT_EQ(summary["not_built"], (std::vector<std::string>{"waves"}));
+  EXPECT_EQ(summary["versions"]["eigen"], "3.4.0");
+  EXPECT_EQ(summary["seed"], 7);
+  EXPECT_EQ(summary["threads"], 2);
+  EXPECT_EQ(summary["machine"], "2 cores");
+}
+
+/// Goes on in a folder that holds more than the checkpoint: half a row, frames of later steps.
+TEST(RunFolder, GoesOnFromItsCheckpoint) {
+  const ScratchFolder scratch;
+  const CheckpointOrigin origin{"test", "build", "sample"};
+  const auto begin = [&](SampleRun& run) {
+    run.begin();
+    run.steps(25);
+    run.folder.write_checkpoint(origin, {});
+    run.steps(30);
+  };
+  SampleRun whole(scratch / "whole");
+  begin(whole);
+  {
+    SampleRun cut(scratch / "cut");
+    begin(cut);
+  }
+  std::ofstream(scratch / "cut/steps.csv", std::ios::app) << "0.5";
+  std::ofstream(scratch / "cut/trajectory/step-000099.vtp") << "later";
+  std::ofstream(scratch / "cut/trajectory/step-000099-forces.vtp") << "later";
+
+  SampleRun rest(scratch / "elsewhere");
+  RunFolder folder(scratch / "cut", RunLock(scratch / "cut"));
+  const State state = read_checkpoint(folder.checkpoint_file(), origin);
+  folder.resume(rest.scene, rest.info, rest.warnings, StateReader(state).group("outputs"));
+  EXPECT_EQ(lines(scratch / "cut/steps.csv").size(), 1u + 25);
+  EXPECT_EQ(lines(scratch / "cut/bodies.csv").size(), 1u + 4 * 3);
+  for (int k = 0; k < 30; ++k) {
+    rest.record.step = 26 + k;
+    rest.record.t = static_cast<double>(rest.record.step) * rest.record.h;
+    folder.record(rest.record, {rest.solved}, rest.bodies);
+  }
+  EXPECT_EQ(folder.finish({}, rest.bodies)["loads"], whole.folder.finish({}, whole.bodies)["loads"]);
+  for (const char* file : {"vessel.csv", "bodies.csv", "trajectory.pvd", "scene.xml"})
+    EXPECT_EQ(content(scratch.path() / "cut" / file), content(scratch.path() / "whole" / file)) << file;
+  EXPECT_EQ(lines(scratch / "cut/steps.csv").size(), 1u + 55);
+  EXPECT_FALSE(fs::exists(scratch / "cut/trajectory/step-000099.vtp"));
+  EXPECT_FALSE(fs::exists(scratch / "cut/trajectory/step-000099-forces.vtp"));
+  EXPECT_TRUE(fs::exists(scratch / "cut/trajectory/water.vtp"));
+  EXPECT_TRUE(fs::exists(scratch / "cut/trajectory/step-000050-ice.vtp"));
+}
+
+TEST(RunFolder, RefusesAFolderThatHoldsSomething) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch / "notes.txt") << "mine";
+  try {
+    RunFolder folder(scratch.path(), false);
+    FAIL() << "a folder in use was taken";
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("--force"), std::string::npos);
+  }
+}
+
+/// Stopped while it wrote its first file, a run has left nothing that another could spoil.
+TEST(RunFolder, TakesAFolderThatARunLeftBeforeItsFirstStep) {
+  const ScratchFolder folder;
+  folder.write("run/nilas.log", "");
+  folder.write("run/scene.xml.part", "");
+  EXPECT_NO_THROW(RunFolder(folder.path() / "run", false));
+  folder.write("other/scene.xml.part", "");
+  folder.write("other/mine.part", "");
+  EXPECT_THROW(RunFolder(folder.path() / "other", false), InputError);
+}
+
+TEST(RunFolder, ForceRemovesWhatARunWroteAndNothingElse) {
+  const ScratchFolder scratch;
+  {
+    SampleRun run(scratch / "run");
+    run.begin();
+    run.steps(20);
+    run.folder.finish({}, run.bodies);
+  }
+  const fs::path path = scratch / "run";
+  fs::create_directory(path / "problems");
+  for (const char* name : {"worst.hdf5", "worst-00000012.hdf5", "last.hdf5", "step-00000003.hdf5", "worst.hdf5.part"})
+    std::ofstream(path / "problems" / name) << "of the run";
+  const std::vector<std::string> foreign{"notes.txt",
+                                         "vessel_old.csv",
+                                         "problems/best.hdf5",
+                                         "problems/step-3.hdf5",
+                                         "trajectory/picture.png",
+                                         "trajectory/step-000001-mine.vtp",
+                                         "trajectory/step-1.vtp"};
+  for (const auto& name : foreign) std::ofstream(path / name) << "mine";
+  EXPECT_THROW(RunFolder(path, false), InputError);
+  EXPECT_TRUE(fs::exists(path / "vessel.csv")) << "a refusal must not touch anything";
+  const RunFolder folder(path, true);
+  std::vector<std::string> left;
+  for (const auto& entry : fs::recursive_directory_iterator(path))
+    if (entry.is_regular_file()) left.push_back(fs::relative(entry.path(), path));
+  std::sort(left.begin(), left.end());
+  EXPECT_EQ(left, (std::vector<std::string>{"nilas.log", "notes.txt", "problems/best.hdf5", "problems/step-3.hdf5",
+                                            "trajectory/picture.png", "trajectory/step-000001-mine.vtp",
+                                            "trajectory/step-1.vtp", "vessel_old.csv"}));
+}
+
+TEST(RunFolder, HasOneWriterAtATime) {
+  const ScratchFolder scratch;
+  {
+    SampleRun run(scratch / "run");
+    run.begin();
+    run.steps(3);
+    for (const bool force : {true, false}) {
+      try {
+        RunFolder second(scratch / "run", force);
+        FAIL() << "two have the folder";
+      } catch (const std::runtime_error& e) {
+        const char* reason = force ? "another program is writing this run" : "is not empty";
+        EXPECT_NE(std::string(e.what()).find(reason), std::string::npos) << e.what();
+      }
+    }
+    EXPECT_THROW(RunLock(scratch / "run"), FileError);
+    run.steps(2);
+    EXPECT_EQ(lines(scratch / "run/steps.csv").size(), 1u + 5) << "a refusal must not touch anything";
+  }
+  EXPECT_NO_THROW(RunFolder(scratch / "run", true));
+}
+
+TEST(RunFolder, APlaceThatCannotHoldAFolderIsAFileError) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch / "file") << "mine";
+  EXPECT_THROW(RunFolder(scratch / "file", false), FileError);
+  EXPECT_THROW(RunFolder(scratch / "file/run", false), FileError);
+  EXPECT_THROW(RunFolder(scratch / "file/run", true), FileError);
+  EXPECT_EQ(content(scratch / "file"), "mine");
+}
+
+TEST(RunFolder, AFullDiskEndsTheRunWithTheFileNamed) {
+  const ScratchFolder scratch;
+  SampleRun run(scratch / "run");
+  fs::create_symlink("/dev/full", run.folder.path() / "vessel.csv");
+  try {
+    run.begin();
+    FAIL() << "a full device took the header";
+  } catch (const FileError& e) {
+    EXPECT_NE(std::string(e.what()).find("vessel.csv: cannot write: No space left"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace nilas

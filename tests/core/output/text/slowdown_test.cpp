@@ -1,0 +1,37 @@
+#include "core/output/text/slowdown.h"
+
+#include <gtest/gtest.h>
+
+namespace nilas {
+namespace {
+
+StepRecord step(double solver_ms, int contacts) {
+  StepRecord record;
+  record.ms.fill(0);
+  record.ms[static_cast<std::size_t>(Phase::hydro)] = 5;
+  record.ms[static_cast<std::size_t>(Phase::solver)] = solver_ms;
+  record.contacts = contacts;
+  record.iterations = 2 * contacts;
+  return record;
+}
+
+TEST(Slowdown, NamesWhatGrew) {
+  StepCosts costs;
+  for (int k = 0; k < 400; ++k) costs.add(step(k < 200 ? 5 : 45, k < 200 ? 10 : 300));
+  const std::string text = costs.slowdown(0);
+  EXPECT_NE(text.find("5 times as long"), std::string::npos) << text;
+  EXPECT_NE(text.find("The solver took 100 % of the time added"), std::string::npos) << text;
+  EXPECT_NE(text.find("300 contacts a step instead of 10, and 600 iterations instead of 20"), std::string::npos)
+      << text;
+  EXPECT_EQ(costs.slowdown(200), "") << "from there on nothing changed";
+  EXPECT_EQ(costs.slowdown(390), "") << "too few steps";
+}
+
+TEST(Slowdown, SaysNothingOfShortRuns) {
+  StepCosts costs;
+  for (int k = 0; k < 100; ++k) costs.add(step(k < 50 ? 0.1 : 5, 1));
+  EXPECT_EQ(costs.slowdown(0), "");
+}
+
+}  // namespace
+}  // namespace nilas
