@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/field/floe_sizes.h"
+#include "core/field/sizes/floe_sizes.h"
 #include "core/geometry/mass_properties.h"
 
 namespace nilas {

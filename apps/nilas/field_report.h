@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/field/distribution_statistics.h"
+#include "core/field/sizes/distribution_statistics.h"
 #include "core/sim/world/world.h"
 
 namespace nilas {

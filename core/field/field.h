@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/base/math.h"
-#include "core/field/field_spec.h"
+#include "core/field/spec/field_spec.h"
 
 namespace nilas {
 

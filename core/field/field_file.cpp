@@ -6,8 +6,8 @@
 
 #include "core/base/error.h"
 #include "core/field/field.h"
-#include "core/field/floe_property.h"
-#include "core/field/overlaps.h"
+#include "core/field/pack/overlaps.h"
+#include "core/field/sizes/floe_property.h"
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/orientation.h"
 #include "core/geometry/polygon.h"

@@ -5,18 +5,18 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "core/field/exchange.h"
 #include "core/field/field.h"
-#include "core/field/fitting.h"
-#include "core/field/floe_shapes.h"
-#include "core/field/floe_sizes.h"
-#include "core/field/keep_out.h"
-#include "core/field/overlaps.h"
-#include "core/field/packed_spec.h"
-#include "core/field/place_floes.h"
-#include "core/field/power_diagram.h"
-#include "core/field/relaxation.h"
+#include "core/field/pack/exchange.h"
+#include "core/field/pack/fitting.h"
+#include "core/field/pack/overlaps.h"
+#include "core/field/pack/place_floes.h"
+#include "core/field/pack/relaxation.h"
 #include "core/field/rows.h"
+#include "core/field/shapes/floe_shapes.h"
+#include "core/field/shapes/power_diagram.h"
+#include "core/field/sizes/floe_sizes.h"
+#include "core/field/spec/keep_out.h"
+#include "core/field/spec/packed_spec.h"
 
 namespace nilas {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/field/keep_out.h"
+#include "core/field/spec/keep_out.h"
 
 namespace nilas {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/base/random.h"
-#include "core/field/loose_floe.h"
+#include "core/field/spec/loose_floe.h"
 
 namespace nilas {
 

@@ -5,8 +5,8 @@
 
 #include "core/base/error.h"
 #include "core/field/field.h"
-#include "core/field/keep_out.h"
-#include "core/field/outline_difference.h"
+#include "core/field/shapes/outline_difference.h"
+#include "core/field/spec/keep_out.h"
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/polygon.h"
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/field/floe_property.h"
-#include "core/field/floe_texture.h"
+#include "core/field/sizes/floe_property.h"
+#include "core/field/sizes/floe_texture.h"
 
 namespace nilas {
 

@@ -5,11 +5,11 @@
 
 #include "core/base/error.h"
 #include "core/field/field.h"
-#include "core/field/floe_sizes.h"
-#include "core/field/keep_out.h"
-#include "core/field/packed_spec.h"
-#include "core/field/place_floes.h"
-#include "core/field/power_diagram.h"
+#include "core/field/pack/place_floes.h"
+#include "core/field/shapes/power_diagram.h"
+#include "core/field/sizes/floe_sizes.h"
+#include "core/field/spec/keep_out.h"
+#include "core/field/spec/packed_spec.h"
 #include "core/geometry/mass_properties.h"
 
 namespace nilas {

@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/field/field.h"
-#include "core/field/keep_out.h"
+#include "core/field/spec/keep_out.h"
 #include "core/geometry/orientation.h"
 #include "core/geometry/polygon.h"
 #include "core/sim/world/world.h"

@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/field/field.h"
-#include "core/field/floe_property.h"
+#include "core/field/sizes/floe_property.h"
 
 namespace nilas {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/bodies/bodies.h"
-#include "core/field/distribution_statistics.h"
+#include "core/field/sizes/distribution_statistics.h"
 
 namespace nilas {
 namespace {

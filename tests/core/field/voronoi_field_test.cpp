@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/field/field.h"
-#include "core/field/power_diagram.h"
+#include "core/field/shapes/power_diagram.h"
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/polygon.h"
 

@@ -1,0 +1,22 @@
+#pragma once
+/// Which floes of a field are near each other, and how deep the worst overlap is.
+#include <vector>
+
+#include "core/field/spec/loose_floe.h"
+
+namespace nilas {
+
+struct NearPair {
+  int a, b;
+};
+/// Pairs of floes, scaled by `scale` about their centroids, whose circles come within `distance` [m] of each other.
+/// Sorted sweep along X; the order depends on the positions alone.
+std::vector<NearPair> near_pairs(const std::vector<LooseFloe>& floes, double scale, double distance);
+
+/// Deepest overlap between two floes, or of a floe with an obstacle or the region's edge; 0 when none overlap [m].
+double deepest_overlap(const std::vector<LooseFloe>& floes, const FieldBounds& bounds);
+
+/// Largest distance of a corner beyond the region's rectangle; < 0: all inside [m].
+double beyond_edge(const ConvexOutline& outline, const FieldBounds& bounds);
+
+}  // namespace nilas

@@ -1,0 +1,18 @@
+#pragma once
+/// First places of the floes, with overlaps.
+#include <vector>
+
+#include "core/base/random.h"
+#include "core/field/spec/loose_floe.h"
+
+namespace nilas {
+
+/// Gives each floe a random angle and, of several random places outside the obstacles, the one where its circle
+/// overlaps those of the floes before it least (Mitchell's best candidate): the ice starts spread evenly.
+/// Floes must be sorted largest first.
+void place_floes(std::vector<LooseFloe>& floes, const FieldBounds& bounds, RandomStream& random);
+
+/// A random point of the region outside all obstacles.
+Vec2 random_place(const FieldBounds& bounds, RandomStream& random);
+
+}  // namespace nilas
