@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "apps/nilas/commands.h"
-#include "apps/nilas/help_text.h"
-#include "apps/nilas/usage_faults.h"
+#include "apps/nilas/commands/commands.h"
+#include "apps/nilas/commands/help_text.h"
+#include "apps/nilas/commands/usage_faults.h"
 #include "core/base/error.h"
 #include "core/output/text/console.h"
 

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "apps/nilas/hull_picture.h"
-#include "apps/nilas/prepare_hull.h"
+#include "apps/nilas/reports/hull_picture.h"
+#include "apps/nilas/reports/prepare_hull.h"
 #include "core/mesh/decompose/surface_distance.h"
 #include "tests/core/mesh/hull_shapes.h"
 

@@ -1,4 +1,4 @@
-#include "apps/nilas/program_identity.h"
+#include "apps/nilas/commands/program_identity.h"
 
 #include "core/scene/read/input_files.h"
 

@@ -1,8 +1,8 @@
-#include "apps/nilas/prepare_hull.h"
+#include "apps/nilas/reports/prepare_hull.h"
 
 #include <fmt/format.h>
 
-#include "apps/nilas/hull_picture.h"
+#include "apps/nilas/reports/hull_picture.h"
 #include "core/base/error.h"
 #include "core/base/file_bytes.h"
 #include "core/geometry/mesh_box.h"

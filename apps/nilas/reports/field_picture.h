@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/nilas/field_report.h"
+#include "apps/nilas/reports/field_report.h"
 #include "core/sim/world/world.h"
 
 namespace nilas {

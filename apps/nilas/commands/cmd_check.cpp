@@ -4,10 +4,10 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "apps/nilas/check_equilibrium.h"
-#include "apps/nilas/check_periods.h"
-#include "apps/nilas/commands.h"
-#include "apps/nilas/scene_flags.h"
+#include "apps/nilas/commands/commands.h"
+#include "apps/nilas/commands/scene_flags.h"
+#include "apps/nilas/reports/check_equilibrium.h"
+#include "apps/nilas/reports/check_periods.h"
 #include "contact/detect/detector.h"
 #include "core/output/text/console.h"
 #include "core/output/text/phase_progress.h"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "apps/nilas/scene_flags.h"
+#include "apps/nilas/commands/scene_flags.h"
 #include "core/output/run/run_lock.h"
 #include "core/sim/checkpoint.h"
 

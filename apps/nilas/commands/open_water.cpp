@@ -1,4 +1,4 @@
-#include "apps/nilas/open_water.h"
+#include "apps/nilas/commands/open_water.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "apps/nilas/scene_flags.h"
+#include "apps/nilas/commands/scene_flags.h"
 #include "core/base/error.h"
 #include "core/base/log.h"
 #include "core/sim/simulation.h"

@@ -1,7 +1,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "apps/nilas/commands.h"
+#include "apps/nilas/commands/commands.h"
 #include "contact/registry.h"
 #include "core/output/text/console.h"
 

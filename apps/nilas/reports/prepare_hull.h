@@ -5,7 +5,7 @@
 #include <optional>
 #include <thread>
 
-#include "apps/nilas/hull_report.h"
+#include "apps/nilas/reports/hull_report.h"
 #include "core/hull/hull_axes.h"
 #include "core/hull/new_hull_folder.h"
 

@@ -1,6 +1,6 @@
 #include <iostream>
 
-#include "apps/nilas/commands.h"
+#include "apps/nilas/commands/commands.h"
 #include "core/scene/schema/schema.h"
 
 namespace nilas {

@@ -10,12 +10,12 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "apps/nilas/commands.h"
-#include "apps/nilas/open_water.h"
-#include "apps/nilas/program_identity.h"
-#include "apps/nilas/resume.h"
-#include "apps/nilas/scene_flags.h"
-#include "apps/nilas/twin_runs.h"
+#include "apps/nilas/commands/commands.h"
+#include "apps/nilas/commands/open_water.h"
+#include "apps/nilas/commands/program_identity.h"
+#include "apps/nilas/commands/resume.h"
+#include "apps/nilas/commands/scene_flags.h"
+#include "apps/nilas/commands/twin_runs.h"
 #include "core/base/error.h"
 #include "core/output/run/claim_folder.h"
 #include "core/output/run/closing_account.h"

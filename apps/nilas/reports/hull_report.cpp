@@ -1,4 +1,4 @@
-#include "apps/nilas/hull_report.h"
+#include "apps/nilas/reports/hull_report.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "apps/nilas/resume.h"
+#include "apps/nilas/commands/resume.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "apps/nilas/program_identity.h"
+#include "apps/nilas/commands/program_identity.h"
 #include "core/base/error.h"
 #include "core/output/run/run_folder.h"
 

@@ -1,4 +1,4 @@
-#include "apps/nilas/check_periods.h"
+#include "apps/nilas/reports/check_periods.h"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <iostream>
 
-#include "apps/nilas/commands.h"
-#include "apps/nilas/field_picture.h"
-#include "apps/nilas/field_report.h"
-#include "apps/nilas/scene_flags.h"
+#include "apps/nilas/commands/commands.h"
+#include "apps/nilas/commands/scene_flags.h"
+#include "apps/nilas/reports/field_picture.h"
+#include "apps/nilas/reports/field_report.h"
 #include "core/base/error.h"
 #include "core/output/text/phase_progress.h"
 #include "core/scene/read/read_scene.h"

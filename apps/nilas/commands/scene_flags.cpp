@@ -1,4 +1,4 @@
-#include "apps/nilas/scene_flags.h"
+#include "apps/nilas/commands/scene_flags.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "apps/nilas/help_text.h"
+#include "apps/nilas/commands/help_text.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "apps/nilas/usage_faults.h"
+#include "apps/nilas/commands/usage_faults.h"
 
 #include <algorithm>
 

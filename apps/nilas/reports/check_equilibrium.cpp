@@ -1,4 +1,4 @@
-#include "apps/nilas/check_equilibrium.h"
+#include "apps/nilas/reports/check_equilibrium.h"
 
 #include <fmt/format.h>
 

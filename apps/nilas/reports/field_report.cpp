@@ -1,4 +1,4 @@
-#include "apps/nilas/field_report.h"
+#include "apps/nilas/reports/field_report.h"
 
 #include <fmt/format.h>
 

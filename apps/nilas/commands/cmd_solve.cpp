@@ -6,7 +6,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "apps/nilas/commands.h"
+#include "apps/nilas/commands/commands.h"
 #include "contact/fclib/fclib_io.h"
 #include "contact/measure/contact_counts.h"
 #include "contact/registry.h"

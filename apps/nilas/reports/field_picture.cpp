@@ -1,4 +1,4 @@
-#include "apps/nilas/field_picture.h"
+#include "apps/nilas/reports/field_picture.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "apps/nilas/hull_picture.h"
+#include "apps/nilas/reports/hull_picture.h"
 
 #include <fmt/format.h>
 

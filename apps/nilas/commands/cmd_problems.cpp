@@ -2,7 +2,7 @@
 #include <thread>
 
 #include "apps/compare/problems/challenge_export.h"
-#include "apps/nilas/commands.h"
+#include "apps/nilas/commands/commands.h"
 #include "apps/verify/setting.h"
 
 namespace nilas {

@@ -2,9 +2,9 @@
 #include <iostream>
 #include <map>
 
-#include "apps/nilas/commands.h"
-#include "apps/nilas/hull_picture.h"
-#include "apps/nilas/prepare_hull.h"
+#include "apps/nilas/commands/commands.h"
+#include "apps/nilas/reports/hull_picture.h"
+#include "apps/nilas/reports/prepare_hull.h"
 #include "core/base/error.h"
 #include "core/base/file_bytes.h"
 #include "core/output/text/console.h"

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "apps/nilas/commands.h"
+#include "apps/nilas/commands/commands.h"
 #include "apps/verify/extremes.h"
 #include "apps/verify/limitations.h"
 #include "apps/verify/page.h"

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <iostream>
 
-#include "apps/nilas/commands.h"
+#include "apps/nilas/commands/commands.h"
 #include "apps/report/drawn_run.h"
 #include "core/base/error.h"
 #include "core/output/text/console.h"

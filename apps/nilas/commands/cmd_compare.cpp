@@ -5,8 +5,8 @@
 
 #include "apps/compare/problems/problem_study.h"
 #include "apps/compare/scenes/study.h"
-#include "apps/nilas/commands.h"
-#include "apps/nilas/scene_flags.h"
+#include "apps/nilas/commands/commands.h"
+#include "apps/nilas/commands/scene_flags.h"
 #include "core/base/error.h"
 
 namespace nilas {
