@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/hull/hull_axes.h"
-#include "tests/core/vessel/hull_family.h"
+#include "tests/core/hull/hull_family.h"
 #include "tests/support/program.h"
 
 namespace {

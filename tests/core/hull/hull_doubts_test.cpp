@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/core/vessel/hull_family.h"
+#include "tests/core/hull/hull_family.h"
 
 namespace {
 

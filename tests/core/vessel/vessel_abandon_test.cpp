@@ -1,7 +1,7 @@
 /// A step that is begun, taken back and begun again with another length: the same bits as without it.
 #include <gtest/gtest.h>
 
-#include "tests/core/vessel/jointed_example.h"
+#include "tests/core/vessel/tree/jointed_example.h"
 
 namespace nilas {
 namespace {

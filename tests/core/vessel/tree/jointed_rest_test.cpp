@@ -1,7 +1,7 @@
 /// A towed vessel with parts at rest: its joints and cells give way as statics say, and nothing moves from there on.
 #include <cmath>
 
-#include "tests/core/vessel/jointed_example.h"
+#include "tests/core/vessel/tree/jointed_example.h"
 
 namespace nilas {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/vessel/tree/jointed_tree.h"
-#include "tests/core/vessel/jointed_example.h"
+#include "tests/core/vessel/tree/jointed_example.h"
 
 namespace nilas {
 namespace {

@@ -2,7 +2,7 @@
 /// usage: bench_collision classes BATCHES THREADS nilas|fcl|nilas-alone [CLASS] | peers PAIRS ROUNDS | steps STEPS
 /// FLOES ... |
 ///        threads FLOES THREADS STEPS
-#include "tests/bench/collision.h"
+#include "tests/bench/collision/collision.h"
 
 #include <cstdio>
 #include <cstdlib>

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "tests/core/vessel/jointed_example.h"
+#include "tests/core/vessel/tree/jointed_example.h"
 
 namespace nilas {
 namespace {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/base/parallel.h"
-#include "tests/bench/collision.h"
+#include "tests/bench/collision/collision.h"
 #include "tests/support/pair_judge.h"
 
 namespace nilas::bench {

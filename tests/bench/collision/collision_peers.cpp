@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "contact/detect/narrow_phase.h"
-#include "tests/bench/collision.h"
+#include "tests/bench/collision/collision.h"
 #include "tests/bench/peers/floe_scene.h"
 #include "tests/support/pair_judge.h"
 

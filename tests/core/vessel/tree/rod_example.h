@@ -2,7 +2,7 @@
 /// Vessels on rods, and what a rod does to them.
 #include "core/vessel/tree/jointed_tree.h"
 #include "core/vessel/tree/rods.h"
-#include "tests/core/vessel/jointed_example.h"
+#include "tests/core/vessel/tree/jointed_example.h"
 
 namespace nilas::example {
 

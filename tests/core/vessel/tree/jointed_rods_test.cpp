@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "core/numerics/event_ode.h"
-#include "tests/core/vessel/rod_example.h"
+#include "tests/core/vessel/tree/rod_example.h"
 
 namespace nilas {
 namespace {

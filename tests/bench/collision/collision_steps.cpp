@@ -9,7 +9,7 @@
 #include "contact/detect/broad/reach.h"
 #include "contact/detect/detector.h"
 #include "core/base/parallel.h"
-#include "tests/bench/collision.h"
+#include "tests/bench/collision/collision.h"
 #include "tests/bench/moving_field.h"
 #include "tests/bench/peers/floe_scene.h"
 

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "tests/core/vessel/rod_example.h"
+#include "tests/core/vessel/tree/rod_example.h"
 
 namespace nilas {
 namespace {
