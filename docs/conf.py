@@ -4,6 +4,7 @@ The pages are plain Markdown as GitHub shows it: this file adds the navigation, 
 A new page appears in the navigation of its folder; READING_ORDER only moves pages to the front.
 Formulas are turned into HTML by KaTeX (docs/site/katex.js) while the site is built, and no page needs a network.
 """
+import html
 import json
 import re
 import shutil
@@ -27,7 +28,7 @@ SECTIONS = {
 }
 READING_ORDER = {
     "reference": ["scene", "outputs", "command-line", "conventions", "scales"],
-    "theory": ["contact", "contact-detection", "dynamics", "vessel", "hull", "water", "ice-field", "fracture", 
+    "theory": ["contact", "contact-detection", "dynamics", "vessel", "hull", "water", "ice-field", "fracture",
                "fracture-crushing", "fracture-breaking", "fracture-cutting", "load-error", "compare"],
     "evidence": ["verification", "validation", "limits", "limitations"],
     "develop": ["architecture", "contributing"],
@@ -91,7 +92,7 @@ class Katex:
     process = None
 
     @classmethod
-    def html(cls, formula, display, node):
+    def render(cls, formula, display, node):
         if cls.process is None:
             cls.process = subprocess.Popen(
                 ["node", str(DOCS / "site/katex.js"), str(KATEX / "katex.js")],
@@ -112,19 +113,28 @@ class Katex:
 
 
 def visit_inline_formula(self, node):
-    self.body.append(Katex.html(node.astext(), False, node))
+    self.body.append(Katex.render(node.astext(), False, node))
     raise nodes.SkipNode
 
 
 def visit_formula_block(self, node):
-    self.body.append(f'<div class="formula">{Katex.html(node.astext(), True, node)}</div>\n')
+    self.body.append(f'<div class="formula">{Katex.render(node.astext(), True, node)}</div>\n')
     raise nodes.SkipNode
+
+
+def escape_titles(index):
+    """Sphinx's search shows headings as HTML, where one like `<friction>` would be a tag and not be seen."""
+    prefix = "Search.setIndex("
+    content = json.loads(index.read_text(encoding="utf-8").removeprefix(prefix).removesuffix(")"))
+    content["alltitles"] = {html.escape(title): places for title, places in content["alltitles"].items()}
+    index.write_text(f"{prefix}{json.dumps(content)})", encoding="utf-8")
 
 
 def finish(app, exception):
     Katex.stop()
     if exception is not None:
         return
+    escape_titles(Path(app.outdir) / "searchindex.js")
     target = Path(app.outdir) / "_static/katex"
     (target / "fonts").mkdir(parents=True, exist_ok=True)
     shutil.copy(KATEX / "katex.min.css", target)
