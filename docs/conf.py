@@ -1,7 +1,7 @@
 """How `./dev docs` makes a site of these pages, by Sphinx with the MyST reader of Markdown.
 
 The pages are plain Markdown as GitHub shows it: this file adds the navigation, so that no page names the site.
-A new page appears in the navigation of its folder; READING_ORDER only moves pages to the front.
+A new page appears in the navigation of its folder; READING_ORDER only says which come first.
 Formulas are turned into HTML by KaTeX (docs/site/katex.js) while the site is built, and no page needs a network.
 """
 import html
@@ -27,9 +27,12 @@ SECTIONS = {
     "develop": "Develop",
 }
 READING_ORDER = {
+    "howto": ["write-a-scene", "prepare-a-hull", "place-the-vessel", "tow-with-six-cells", "pods-rudders-barges", "rods",
+              "ice-fields", "crushing", "breaking", "full-scale", "resume-and-long-runs", "ice-load", "trust-a-step",
+              "contact-forces", "compare-settings", "check-the-program", "one-contact-problem", "compare-solvers"],
     "reference": ["scene", "outputs", "command-line", "conventions", "scales"],
-    "theory": ["contact", "contact-detection", "dynamics", "vessel", "hull", "water", "ice-field", "fracture",
-               "fracture-crushing", "fracture-breaking", "fracture-cutting", "load-error", "compare"],
+    "theory": ["contact", "dynamics", "vessel", "hull", "water", "ice-field", "fracture", "fracture-crushing",
+               "fracture-breaking", "fracture-cutting", "load-error", "compare"],
     "evidence": ["verification", "validation", "limits", "limitations"],
     "develop": ["architecture", "contributing"],
 }
@@ -60,9 +63,14 @@ html_copy_source = html_show_sourcelink = html_show_copyright = html_show_sphinx
 
 
 def pages_of(folder):
+    """Those of READING_ORDER, each followed by the pages that begin with its name, then all others by name."""
     first = READING_ORDER.get(folder, [])
-    names = sorted(page.stem for page in (DOCS / folder).glob("*.md"))
-    return [name for name in first if name in names] + [name for name in names if name not in first]
+
+    def place(name):
+        heads = [head for head in first if name == head or name.startswith(head + "-")]
+        return (first.index(max(heads, key=len)) if heads else len(first), name)
+
+    return sorted((page.stem for page in (DOCS / folder).glob("*.md")), key=place)
 
 
 def add_navigation(app, docname, source):
