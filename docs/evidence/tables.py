@@ -9,8 +9,8 @@ revision and command they were measured. With --check nothing is written, and th
 from the data, a file of data/ is used by no page or lacks one of its keys, or a marker has no file.
 
 A file of data/ begins with comment lines `# key: value`: `command` (what repeats the figures), `revision` (of the
-program; the commit that recorded the figures where nobody wrote down more), `date`, `machine`, and where there is
-something to say `note`, which ends the caption. A table whose rows are of several revisions has a column `revision`.
+program; the commit that recorded the figures where nobody wrote down more), `date` (`FIRST and LAST` where there are
+several), `machine`, and where there is something to say `note`, which ends the caption. A table whose rows are of several revisions has a column `revision`.
 Figures are stored with the digits that were measured; a layout that gives a format rounds them. Figures of one meaning
 stand in one column, with their unit in its name; an empty field means that nothing was measured.
 """
@@ -73,9 +73,10 @@ LAYOUTS = {
     "integrators": [
         ("scene", "{scene}"),
         ("until [s]", "{until_s}"),
-        ("penetration max [mm], Euler / Moreau", "{euler_penetration_mm:.2f} / {moreau_penetration_mm:.2f}"),
+        ("penetration max [mm]", "{euler_penetration_mm:.2f} / {moreau_penetration_mm:.2f}"),
         ("energy imbalance / energy put in", "{euler_imbalance:.0e} / {moreau_imbalance:.0e}"),
         ("mean contact Fx [N]", "{euler_fx_N:.1f} / {moreau_fx_N:.1f}"),
+        ("revision", "`{revision}`"),
     ],
     "load-cells": [
         ("$h\\,\\omega$", "{h_omega}"),
@@ -89,7 +90,8 @@ LAYOUTS = {
     "mirror-solvers": [
         ("solver", "`{solver}`"),
         ("tolerance [m/s]", "{tolerance_m_s:.0e}"),
-        ("asymmetry", "{asymmetry}"),
+        ("asymmetry of positions at 5 s [m]", "{at_5_s_m}"),
+        ("largest asymmetry in 10 s", "{asymmetry}"),
         ("steps above tolerance", "{steps_above_tolerance}"),
         ("solver [ms per step]", "{solver_ms}"),
     ],
@@ -411,7 +413,8 @@ def cell(pattern, row):
 
 def caption(name, keys, mixed):
     recorded = "the revision of each row" if mixed else f"revision `{keys['revision']}`"
-    text = f"The figures were recorded with {recorded} on {keys['date']}, on {keys['machine']}. "
+    when = ("between " if " and " in keys["date"] else "on ") + keys["date"]
+    text = f"The figures were recorded with {recorded} {when}, on {keys['machine']}. "
     text += f"They are repeated by {keys['command']}, and are stored in [data/{name}.csv](data/{name}.csv)."
     if keys.get("note"):
         text += " " + keys["note"]
