@@ -9,12 +9,17 @@ import json
 import re
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 from docutils import nodes
 from sphinx.util import logging
 
 DOCS = Path(__file__).resolve().parent
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(DOCS.parent / "tests/house"))
+from formulas import PIECES  # noqa: E402
+
 KATEX = Path("/usr/share/javascript/katex")  # of Debian's libjs-katex
 log = logging.getLogger(__name__)
 
@@ -82,6 +87,17 @@ def add_navigation(app, docname, source):
         caption = SECTIONS.get(folder, folder.capitalize())
         entries = "\n".join(f"{folder}/{name}" for name in pages_of(folder))
         source[0] += f"\n```{{toctree}}\n:hidden:\n:maxdepth: 1\n:caption: {caption}\n\n{entries}\n```\n"
+
+
+def read_formulas_as_github(app, docname, source):
+    """$`...`$ and blocks of ```math are formulas to GitHub, but not to MyST."""
+    def piece(found):
+        if found["safe"]:
+            return f"${found['safe'][2:-2]}$"
+        math = re.fullmatch(r"([ \t]*)```math[ \t]*(\n.*\n)[ \t]*```[ \t]*", found["fence"] or "", re.DOTALL)
+        return f"{math[1]}$${math[2]}{math[1]}$$" if math else found[0]
+
+    source[0] = PIECES.sub(piece, source[0])
 
 
 def unlink_outside_pages(app, docname, source):
@@ -152,6 +168,7 @@ def finish(app, exception):
 
 def setup(app):
     app.add_html_math_renderer("katex", (visit_inline_formula, None), (visit_formula_block, None))
+    app.connect("source-read", read_formulas_as_github)
     app.connect("source-read", unlink_outside_pages)
     app.connect("source-read", add_navigation)
     app.connect("build-finished", finish)
