@@ -3,7 +3,7 @@ docs/theory/fracture.md and fracture-breaking.md."""
 import numpy as np
 
 import icebreaker
-from crushing_face import clip
+from polygons import clip
 from style import *
 
 LOADED = 0.1  # a / l, a pressure
@@ -11,7 +11,8 @@ WEDGES = 4  # half a turn in angles of 45 degrees
 
 
 def nevel(a):
-    """(x w'')'' + x w = q with a free tip: x, w and x w'' over x by Hermite elements; q of sum 1 as a pressure."""
+    """(x w'')'' + x w = q with a free tip by Hermite elements, q a pressure over 0 < x < a of sum 1: the nodes and w there, the
+    elements' middles and w'' there."""
     nodes = np.concatenate([np.linspace(0, a, 25), np.linspace(a, 4, 220)[1:], np.linspace(4, 20, 120)[1:]])
     gauss, weights = np.polynomial.legendre.leggauss(6)
     size = 2 * len(nodes)
@@ -34,7 +35,7 @@ def nevel(a):
     return nodes, deflection, middle, curvature
 
 
-def plan(fig, x_max):
+def plan(fig):
     ax = canvas(fig, [0.0, 0.0, 0.43, 1.0], (-1.5, 2.05), (-2.3, 2.3))
     ax.add_patch(Rectangle((-1.5, -2.3), 1.5, 4.6, facecolor=WATER, edgecolor="none", alpha=0.5))
     ax.add_patch(Rectangle((0, -2.3), 2.05, 4.6, facecolor=ICE, edgecolor="none"))
@@ -128,7 +129,7 @@ def draw():
     x_max = -p[1] / (2 * p[0])
     assert abs(x_max - 0.5115) < 2e-3 and abs(w[0] - 2.0673) < 2e-3  # the table of docs/theory/fracture.md
     fig = figure(3.85)
-    plan(fig, x_max)
+    plan(fig)
     section(fig, x, w, x_max)
     stress(fig, middle, curvature, x_max)
     return fig

@@ -2,19 +2,8 @@
 docs/theory/fracture-crushing.md."""
 import numpy as np
 
+from polygons import clip, moments
 from style import *
-
-
-def clip(points, normal, offset):
-    """The part of a convex polygon where normal . x <= offset."""
-    kept = []
-    for a, b in zip(points, np.roll(points, -1, axis=0)):
-        da, db = np.dot(normal, a) - offset, np.dot(normal, b) - offset
-        if da <= 0:
-            kept.append(a)
-        if da * db < 0:
-            kept.append(a + da / (da - db) * (b - a))
-    return np.array(kept)
 
 
 def side(fig):
@@ -65,20 +54,11 @@ def face(fig):
     shape(ax, whole, "#EDEBE6", HULL_EDGE)
     shape(ax, wet, ORANGE, RED, 1.6, alpha=0.35)
     ax.plot(*np.vstack([wet, wet[:1]]).T, color=RED, linewidth=1.6)
-    x, y = wet.T
-    x1, y1 = np.roll(wet, -1, axis=0).T
-    cross = x * y1 - x1 * y
-    area = cross.sum() / 2
-    c = np.array([((x + x1) * cross).sum(), ((y + y1) * cross).sum()]) / (6 * area)
-    x, y, x1, y1 = x - c[0], y - c[1], x1 - c[0], y1 - c[1]
-    cross = x * y1 - x1 * y
-    xx = ((x * x + x * x1 + x1 * x1) * cross).sum() / 12
-    yy = ((y * y + y * y1 + y1 * y1) * cross).sum() / 12
-    xy = ((x * y1 + 2 * x * y + 2 * x1 * y1 + x1 * y) * cross).sum() / 24
-    moments, vectors = np.linalg.eigh(np.array([[xx, xy], [xy, yy]]))
+    area, c, second = moments(wet)
+    principal, vectors = np.linalg.eigh(second)
     point(ax, c, INK, 4)
     label(ax, c + (0.0, -0.2), "c", INK, size=SMALL)
-    for moment, e in zip(moments, vectors.T):
+    for moment, e in zip(principal, vectors.T):
         reach = np.sqrt(2 * moment / area)
         ax.plot(*zip(c - 1.25 * reach * e, c + 1.25 * reach * e), color=GREY, linewidth=0.9, dashes=(4, 3))
         for sign in (-1, 1):

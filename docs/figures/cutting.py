@@ -3,7 +3,7 @@ cracks" of fracture-breaking.md, whose rule the crack follows here."""
 import numpy as np
 from scipy.spatial import Voronoi
 
-from crushing_face import clip
+from polygons import moments
 from style import *
 
 KAPPA = 0.5  # share of strength and toughness on a seam
@@ -117,14 +117,6 @@ def walk(outline, path):
     return first, second
 
 
-def area_centre(points):
-    x, y = points.T
-    x1, y1 = np.roll(points, -1, axis=0).T
-    cross = x * y1 - x1 * y
-    area = cross.sum() / 2
-    return area, np.array([((x + x1) * cross).sum(), ((y + y1) * cross).sum()]) / (6 * area)
-
-
 def draw():
     fig = figure(3.15)
     load_at, load = np.array([0.0, 1.7]), np.array([np.cos(np.radians(-4)), np.sin(np.radians(-4))])
@@ -151,16 +143,16 @@ def draw():
 
     ax = canvas(fig, [0.515, 0.0, 0.485, 1.0], (-0.55, 5.5), (-0.85, 4.45))
     first, second = walk(FLOE, path)
-    upper, lower = sorted((first, second), key=lambda piece: -area_centre(piece)[1][1])
+    upper, lower = sorted((first, second), key=lambda piece: -moments(piece)[1][1])
     one, two = walk(upper, chord)
-    small, large = sorted((one, two), key=lambda piece: abs(area_centre(piece)[0]))
-    centre = area_centre(FLOE)[1]
+    small, large = sorted((one, two), key=lambda piece: moments(piece)[0])
+    centre = moments(FLOE)[1]
     velocity, spin = np.array([0.55, 0.0]), 0.28
     for piece, name, shift, colour in ((large, "1", (0.0, 0.22), ICE), (lower, "2", (0.0, -0.2), "#D5EBDF"),
                                        (small, "3", (0.35, 0.38), "#F6E3D0")):
         moved = piece + shift
         shape(ax, moved, colour, ICE_EDGE, 1.2)
-        area, c = area_centre(piece)
+        c = moments(piece)[1]
         c = c + shift
         if name != "3":
             point(ax, c, INK, 4)
@@ -171,6 +163,6 @@ def draw():
             label(ax, c + 1.5 * v + (0.1, 0.0), f"$v_{name}$", MOTION, ha="left", va="center")
     ax.plot(*centre, "+", color=GREY, markersize=9, markeredgewidth=1.4, zorder=5)
     label(ax, centre + (-0.15, 0.0), "centre of the floe", GREY, ha="right", size=SMALL)
-    note(ax, (3.9, 4.15), area_centre(small)[1] + (0.35, 0.38), "below min_area: brash,\nor the cut is refused")
+    note(ax, (3.9, 4.15), moments(small)[1] + (0.35, 0.38), "below min_area: brash,\nor the cut is refused")
     label(ax, (2.5, -0.62), "$v_i = v + \\omega \\times r_i$,   $\\omega_i = \\omega$", MOTION)
     return fig

@@ -22,13 +22,13 @@ sys.path.insert(0, str(HERE))
 PICTURES = [
     "frames-and-signs.svg", "towing-rig.svg", "one-step.svg", "cone-and-pyramid.svg", "contact-gap.svg",
     "crushing-face.svg", "bending-wedges.svg", "cutting.svg", "wetted-surface.svg", "field-kinds.svg",
-    "hull-decomposition.png", "load-error-window.svg", "compare-page.png", "run-towing.png", "level-ice-run.png",
+    "hull-decomposition.svg", "load-error-window.svg", "compare-page.png", "run-towing.png", "level-ice-run.png",
 ]
 
 
 def save(fig, path):
     if path.suffix == ".svg":
-        fig.savefig(path, metadata={"Date": None, "Creator": None})
+        fig.savefig(path, dpi=150, metadata={"Date": None, "Creator": None})
         lines = path.read_text(encoding="utf-8").split("\n")
         path.write_text("\n".join(line.rstrip() for line in lines), encoding="utf-8")
     else:

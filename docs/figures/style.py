@@ -2,8 +2,10 @@
 import matplotlib
 
 matplotlib.use("Agg")
+import matplotlib.patheffects as effects
 import matplotlib.pyplot as plt
-from matplotlib.patches import Arc, FancyArrowPatch, Polygon, Rectangle
+import numpy as np
+from matplotlib.patches import Circle, FancyArrowPatch, Polygon, Rectangle
 
 INK = "#222222"
 GREY = "#777777"
@@ -77,7 +79,6 @@ def arrow(ax, start, end, colour=INK, width=1.6, head=11, style="-|>", **more):
 
 def turn(ax, centre, radius, start_deg, end_deg, colour=MOTION, width=1.6, head=11, squeeze=1.0):
     """An arc with a head at its end, counter-clockwise where end_deg > start_deg."""
-    import numpy as np
     angle = np.radians(np.linspace(start_deg, end_deg, 60))
     x = centre[0] + radius * np.cos(angle)
     y = centre[1] + squeeze * radius * np.sin(angle)
@@ -92,7 +93,6 @@ def dimension(ax, start, end, text, offset=(0, 0), colour=GREY, **more):
 
 
 def label(ax, place, text, colour=INK, ha="center", va="center", size=9.5, halo=False, **more):
-    import matplotlib.patheffects as effects
     item = ax.text(place[0], place[1], text, color=colour, ha=ha, va=va, fontsize=size, clip_on=False, **more)
     if halo:
         item.set_path_effects([effects.withStroke(linewidth=3, foreground="white")])
@@ -119,21 +119,15 @@ def point(ax, place, colour=INK, size=4.5, **more):
 
 def out_of_page(ax, centre, radius, colour=AXIS):
     """An axis towards the reader."""
-    from matplotlib.patches import Circle
     ax.add_patch(Circle(centre, radius, facecolor="white", edgecolor=colour, linewidth=1.4, zorder=5))
     ax.add_patch(Circle(centre, 0.3 * radius, facecolor=colour, edgecolor=colour, zorder=6))
 
 
 def into_page(ax, centre, radius, colour=AXIS):
     """An axis away from the reader."""
-    from matplotlib.patches import Circle
     ax.add_patch(Circle(centre, radius, facecolor="white", edgecolor=colour, linewidth=1.4, zorder=5))
     d = 0.7 * radius
     for sign in (-1, 1):
         ax.plot([centre[0] - d, centre[0] + d], [centre[1] - sign * d, centre[1] + sign * d], color=colour,
                 linewidth=1.4, zorder=6, solid_capstyle="butt")
 
-
-def panel_title(ax, text, x=0.0, y=1.0, **more):
-    ax.text(x, y, text, transform=ax.transAxes, ha="left", va="bottom", fontsize=9.5, color=INK, fontweight="bold",
-            **more)

@@ -75,9 +75,9 @@ def fields(run, work):
         scene = work / f"field-{kind}.xml"
         vessel = FIELD_VESSEL.format(hull=SCENES / "hulls/icebreaker") if kind == "level" else ""
         scene.write_text(FIELD_SCENE.format(kind=kind, vessel=vessel, field=field.format(file=floes)))
-        out = work / f"field-{kind}"
-        run("field", scene, "--out", out, "--force")
-        kept[kind] = outlines(out / "field.geojson")
+        out = work / f"field-{kind}.geojson"
+        run("field", scene, "--out", out)
+        kept[kind] = outlines(out)
     write("fields.json", kept)
 
 
@@ -246,7 +246,9 @@ def towing(run, work):
     load, = column(out / "vessel.csv", ["ice_resistance_N"])
     summary = json.loads((out / "summary.json").read_text())
     write("towing-load.json", {"step_s": 0.01, "ice_resistance_cN": [round(100 * f) for f in load],
-                               "ice_load": summary["ice_load"]})
+                               "window": summary["window"],
+                               "load_error": {key: value for key, value in summary["load_error"].items()
+                                              if key != "methods"}})
 
 
 def level_ice(run, work):

@@ -1,8 +1,7 @@
 """A floe that tilts in water: wetted faces, buoyancy, weight, form and skin drag: docs/theory/water.md."""
 import numpy as np
 
-from crushing_face import clip
-from cutting import area_centre
+from polygons import clip, moments
 from style import *
 
 
@@ -43,7 +42,7 @@ def draw():
         arrow(ax, (4.6, y), (3.9, y), MOTION, 1.5, 9)
     label(ax, (4.65, 0.2), "$v_r$: water past the face", MOTION, ha="right", size=SMALL)
 
-    buoyancy = area_centre(wet)[1]
+    buoyancy = moments(wet)[1]
     point(ax, com, INK, 5.5)
     point(ax, buoyancy, BLUE, 5.5)
     arrow(ax, com, com + (0, -1.75), INK, 2.2, 13, zorder=6)
