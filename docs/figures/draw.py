@@ -22,7 +22,7 @@ sys.path.insert(0, str(HERE))
 PICTURES = [
     "frames-and-signs.svg", "towing-rig.svg", "one-step.svg", "cone-and-pyramid.svg", "contact-gap.svg",
     "crushing-face.svg", "bending-wedges.svg", "cutting.svg", "wetted-surface.svg", "field-kinds.svg",
-    "hull-decomposition.svg", "load-error-window.svg", "compare-page.png", "run-towing.png", "level-ice-run.png",
+    "hull-decomposition.svg", "load-error-window.svg", "compare-page.svg", "compare-page.png", "run-towing.png", "level-ice-run.png",
 ]
 
 
@@ -33,6 +33,10 @@ def save(fig, path):
         path.write_text("\n".join(line.rstrip() for line in lines), encoding="utf-8")
     else:
         fig.savefig(path, dpi=200, metadata={"Software": None})
+        from PIL import Image
+        with Image.open(path) as picture:  # 256 colours: a third of the size
+            few = picture.convert("RGB").quantize(256, Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE)
+        few.save(path, optimize=True)
 
 
 def main():
@@ -46,17 +50,19 @@ def main():
     except ImportError:
         sys.exit("draw.py: this python has no matplotlib. Debian's has it: apt install python3-matplotlib, then run "
                  "/usr/bin/python3 " + sys.argv[0])
-    known = {pathlib.Path(picture).stem: picture for picture in PICTURES}
+    known = {}
+    for picture in PICTURES:
+        known.setdefault(pathlib.Path(picture).stem, []).append(picture)
     for name in options.names:
         if name not in known:
             sys.exit(f"draw.py: no picture '{name}'; there are: {', '.join(known)}")
     options.into.mkdir(parents=True, exist_ok=True)
     for name in options.names or known:
         fig = importlib.import_module(name.replace("-", "_")).draw()
-        path = options.into / (name + ".png" if options.png else known[name])
-        save(fig, path)
+        for picture in [name + ".png"] if options.png else known[name]:
+            save(fig, options.into / picture)
+            print(options.into / picture)
         plt.close(fig)
-        print(path)
 
 
 if __name__ == "__main__":
