@@ -272,7 +272,7 @@ class IceBuilder {
           of_floe.at_xy = [texture = one.texture](double x, double y) { return texture.at(x, y); };
       return of_floe;
     };
-    if (!parts_.ice_properties) parts_.ice_properties.emplace();
+    if (!parts_.ice_properties) parts_.ice_properties = std::make_unique<IceProperties>();
     IceProperties& ice = *parts_.ice_properties;
     ice.resize(parts_.bodies.id.size());
     const auto b = static_cast<std::size_t>(body);

@@ -9,13 +9,22 @@
 
 namespace nilas {
 
-ContactSolution ContactModel::solve(ContactProblem& problem, const VecX& guess) {
-  return static_friction ? static_friction->solve(*solver, guess, problem) : solver->solve(problem, guess);
+StaticFrictionSolution ContactModel::solve(ContactProblem& problem, const VecX& guess,
+                                           const SlippingContacts& slipped) const {
+  if (static_friction) return solve_with_static_friction(*static_friction, *solver, guess, slipped, problem);
+  return {solver->solve(problem, guess), {}, 1};
 }
 
-void ContactModel::set_step(double h) {
-  assembly.h = h;
-  correction.h = h;
+AssemblySettings ContactModel::assembly_over(double h) const {
+  AssemblySettings settings = assembly;
+  settings.h = h;
+  return settings;
+}
+
+CorrectionSettings ContactModel::correction_over(double h) const {
+  CorrectionSettings settings = correction;
+  settings.h = h;
+  return settings;
 }
 
 NarrowPhase narrow_phase(const ContactScene& contact) {
@@ -75,14 +84,13 @@ static void set_stabilisation(const ContactScene& contact, ContactModel& model) 
   model.correction.slop = contact.slop;
 }
 
-ContactModel build_contact_model(const ContactScene& contact, double h, int threads) {
+ContactModel build_contact_model(const ContactScene& contact, int threads) {
   ContactModel model;
   const ParsedLaw law = parse_law(contact.law);
   model.assembly.law = law.law;
   model.assembly.facets = law.facets;
   model.assembly.axes = contact.axes_deg * k_deg;
   set_stabilisation(contact, model);
-  model.set_step(h);
   const SolverEntry& solver = find_solver(contact.solver);
   model.correction.order_free = solver.order_free;
   constexpr int k_extragradient_steps = 1000;  // each does less than a sweep
@@ -112,7 +120,7 @@ ContactModel build_contact_model(const ContactScene& contact, double h, int thre
   const bool two_coefficients = std::any_of(contact.friction.begin(), contact.friction.end(),
                                             [](const FrictionScene& pair) { return pair.static_ > pair.kinetic; });
   if (two_coefficients && law.law != Law::frictionless)
-    model.static_friction.emplace(std::max(k_least_slip, 10 * contact.tolerance));
+    model.static_friction = StaticFriction{std::max(k_least_slip, 10 * contact.tolerance)};
   return model;
 }
 

@@ -34,10 +34,12 @@ struct ContactModel {
   int most_substeps = 1;  ///< parts that a step is cut into at impacts
   double margin = 0;      ///< [m]; 0: from the speeds
 
-  /// Sets the length of the steps to come [s].
-  void set_step(double h);
-  /// Leaves in `problem.mu` the coefficient that each contact had.
-  ContactSolution solve(ContactProblem& problem, const VecX& guess);
+  /// Of a substep of length h [s].
+  AssemblySettings assembly_over(double h) const;
+  CorrectionSettings correction_over(double h) const;
+  /// Solves from the contacts that slipped in the last step. Leaves in `problem.mu` the coefficient that each contact
+  /// had.
+  StaticFrictionSolution solve(ContactProblem& problem, const VecX& guess, const SlippingContacts& slipped) const;
 };
 
 NarrowPhase narrow_phase(const ContactScene& contact);
@@ -45,6 +47,6 @@ NarrowPhase narrow_phase(const ContactScene& contact);
 /// Throws InputError naming file and element where the solver does not take the law, or the integrator no cut.
 void demand_contact_choices(const Scene& scene);
 
-ContactModel build_contact_model(const ContactScene& contact, double h, int threads);
+ContactModel build_contact_model(const ContactScene& contact, int threads);
 
 }  // namespace nilas

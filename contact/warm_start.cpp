@@ -1,4 +1,4 @@
-#include "core/sim/step/warm_start.h"
+#include "contact/warm_start.h"
 
 #include <algorithm>
 

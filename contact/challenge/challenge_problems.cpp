@@ -1,4 +1,4 @@
-#include "apps/compare/problems/challenge_problems.h"
+#include "contact/challenge/challenge_problems.h"
 
 #include <cmath>
 

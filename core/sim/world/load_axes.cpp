@@ -1,4 +1,4 @@
-#include "core/sim/build/load_axes.h"
+#include "core/sim/world/load_axes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,8 +72,8 @@ void describe_loads(const Scene& scene, WorldParts& parts) {
   }
   info.statistics = scene.output.statistics;
   info.peak_filter = scene.output.peak_filter;
-  info.crushes = scene.fracture && scene.fracture->crushing && scene.ice;
-  info.rigid_contacts = !info.crushes || !all_breakable(*scene.ice);
+  const bool crushes = scene.fracture && scene.fracture->crushing && scene.ice;
+  info.rigid_contacts = !crushes || !all_breakable(*scene.ice);
   // its impacts within a step leave no contacts to sum
   if (scene.contact.integrator == "reference") return;
   for (std::size_t b = 0; b < parts.bodies.id.size(); ++b)

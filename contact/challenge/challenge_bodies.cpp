@@ -1,4 +1,4 @@
-#include "apps/compare/problems/challenge_bodies.h"
+#include "contact/challenge/challenge_bodies.h"
 
 #include <cmath>
 #include <cstdint>

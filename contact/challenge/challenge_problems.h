@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "apps/compare/problems/challenge_bodies.h"
+#include "contact/challenge/challenge_bodies.h"
 
 namespace nilas::challenge {
 

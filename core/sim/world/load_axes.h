@@ -4,7 +4,7 @@
 
 namespace nilas {
 
-/// Fills course, drift_course, ramp_end, rigid_contacts, crushes and structures of RunInfo from the scene and the built
+/// Fills course, drift_course, ramp_end, rigid_contacts and structures of RunInfo from the scene and the built
 /// bodies.
 void describe_loads(const Scene& scene, WorldParts& parts);
 

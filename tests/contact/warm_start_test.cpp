@@ -1,5 +1,5 @@
 /// Last step's impulses as the next step's guess.
-#include "core/sim/step/warm_start.h"
+#include "contact/warm_start.h"
 
 #include <gtest/gtest.h>
 
