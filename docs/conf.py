@@ -46,7 +46,7 @@ READING_ORDER = {
 project = "Nilas"
 version = release = re.search(r"project\(nilas VERSION (\S+)", (DOCS.parent / "CMakeLists.txt").read_text())[1]
 language = "en"
-exclude_patterns = ["figures/*.md", "site"]
+exclude_patterns = ["README.md", "figures/*.md", "site"]
 highlight_language = "none"
 suppress_warnings = ["misc.highlighting_failure"]  # pieces of a scene with "..." in them
 smartquotes = False  # they would turn the two hyphens of an option into a dash
