@@ -49,26 +49,14 @@ struct ContactScene {
 
 struct CurrentScene {
   Vec3 velocity = Vec3::Zero();
-  std::string profile;
-};
-struct WavesScene {
-  std::string kind = "regular";
-  double height = 0, period = 1, heading_deg = 0;
 };
 struct WaterScene {
   double density = 1025, level = 0;
   std::optional<CurrentScene> current;
-  std::optional<WavesScene> waves;
 };
 
 struct DragScene {
   double form = 1.0, skin = 0.005;
-};
-struct AddedMassScene {
-  std::string model, file;
-};
-struct RadiationScene {
-  std::string model;
 };
 struct VirtualDragScene {
   double coefficient = 0.1;
@@ -77,8 +65,6 @@ struct VirtualDragScene {
 struct HydroScene {
   bool buoyancy = false;
   std::optional<DragScene> drag;
-  std::optional<AddedMassScene> added_mass;
-  std::optional<RadiationScene> radiation;
   std::optional<VirtualDragScene> virtual_drag;
 };
 
@@ -161,7 +147,6 @@ struct VesselScene {
   std::optional<CarriageScene> carriage;
   std::vector<PartScene> parts;
   std::vector<RodScene> rods;
-  std::string thrusters, mooring, control;  ///< named but not built yet when not empty
 };
 
 struct SizeScene {
