@@ -170,7 +170,7 @@ std::vector<Failure> FailureRules::failures(const std::vector<Vec2>& outline, co
   // in the middle of the ice it is no load on an edge
   if (contact.from_edge > link(ice) + 0.5 * contact.depth) return found;
   const BendingState state = bending_state(outline, contact, ice);
-  if (settings_.splitting == SplittingModel::seed_geometric)
+  if (settings_.splitting == SplittingModel::geometric)
     if (auto split = seed_split(outline, contact, state, ice, least)) found.push_back(std::move(*split));
   if (settings_.splitting == SplittingModel::lefm)
     if (auto split = splitting_state(outline, contact, ice); split && split->ratio >= least)

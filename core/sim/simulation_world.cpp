@@ -30,7 +30,7 @@ Simulation::World::World(const Scene& scene, int thread_count, WarningCounts& wa
       h(scene.time.step),
       gravity(scene.gravity),
       gyroscopic(scene.contact.gyroscopic),
-      detector(thread_count, narrow_phase(scene.contact)),
+      detector(thread_count, scene.contact.narrow_phase),
       model(build_contact_model(scene.contact, scene.time.step, thread_count)),
       energy(parts.info.work_names, 0, 0) {
   list_step_modules(scene, parts);
@@ -39,7 +39,7 @@ Simulation::World::World(const Scene& scene, int thread_count, WarningCounts& wa
   if (has_crushing(scene, parts)) crushing.emplace(crushing_settings(scene), parts.bodies, *parts.ice_properties);
   if (has_breaking(scene, parts)) breaking.emplace(breaking_settings(scene));
   if (breaking || clears_crushed_ice(scene, parts)) pieces.emplace(piece_limits(scene));
-  if (scene.contact.integrator == "reference") reference.emplace(scene, thread_count, parts, model);
+  if (scene.contact.integrator == Integrator::reference) reference.emplace(scene, thread_count, parts, model);
 }
 
 /// What is kept per body, after bodies came or went; `new_pieces`: those that came.

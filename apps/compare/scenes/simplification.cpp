@@ -174,7 +174,7 @@ Overrides taking_out(Simplification simplification, const Scene& scene) {
     case prismatic:
       return {{"vessel/carriage/force_balance/@kind", "six-cells"}};
     case crushing_limit:
-      if (crushing_of(scene)->model != "seed-limit") return {};
+      if (crushing_of(scene)->model != CrushingModel::explicit_area) return {};
       return {{"fracture/crushing/@model", "compliant"}};
     case rigid_floes:
       return {{"fracture/crushing/@between_floes", "true"}};

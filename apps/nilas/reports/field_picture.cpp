@@ -27,7 +27,7 @@ std::vector<Vec2> region_outline(const FieldScene& field) {
   return {{r[0], r[1]}, {r[2], r[1]}, {r[2], r[3]}, {r[0], r[3]}};
 }
 
-bool has_region(const PlannedIce& ice) { return ice.field && ice.field->kind != "file"; }
+bool has_region(const PlannedIce& ice) { return ice.field && ice.field->kind != FieldKind::file; }
 
 Box box_of(const std::vector<PlannedIce>& ice) {
   Box box;

@@ -2,6 +2,8 @@
 
 #include <map>
 
+#include "core/choices/contact_choices.h"
+#include "core/choices/output_choices.h"
 #include "core/scene/schema/attribute_values.h"
 #include "core/scene/schema/values.h"
 
@@ -61,7 +63,8 @@ void check_inertia(const SceneElement& element, std::vector<Fault>& faults) {
 /// Between two rows of a step lie any number of impacts.
 static void check_contacts(const SceneElement& root, const SceneElement& output, std::vector<Fault>& faults) {
   const SceneElement* contact = child_of(root, "contact");
-  if (contact && text_of(*contact, "integrator") == "reference" && text_of(output, "contacts") == "all")
+  if (contact && choice_of<Integrator>(*contact, "integrator") == Integrator::reference &&
+      choice_of<StoredContacts>(output, "contacts") == StoredContacts::all)
     faults.push_back(fault_of(output, "contacts",
                               "integrator 'reference' has impacts within its steps, and no contacts to store; "
                               "allowed: hull, none"));

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <map>
 
 #include "core/scene/read/build_scene.h"
 #include "core/scene/schema/attribute_values.h"
@@ -84,15 +83,23 @@ static FloeScene build_floe(const SceneElement& element) {
 }
 
 /// What a strength varies about when <vary> gives no mean: that of <fracture>, or of the ice's preset.
-static double strength_of(const std::string& property, const IcePreset& preset, const SceneElement* fracture) {
-  const std::map<std::string, double> strengths{{"flexural_strength", preset.flexural_strength},
-                                                {"compressive_strength", preset.compressive_strength},
-                                                {"fracture_toughness", preset.fracture_toughness}};
-  const auto strength = strengths.find(property);
-  if (strength == strengths.end()) return 0;
-  double mean = strength->second;
-  if (fracture) assign(mean, *fracture, property);
-  return mean;
+static double strength_of(FloeProperty property, const IcePreset& preset, const SceneElement* fracture) {
+  const auto given_or = [&](double strength) {
+    if (fracture) assign(strength, *fracture, name_of(property));
+    return strength;
+  };
+  switch (property) {
+    case FloeProperty::thickness:
+    case FloeProperty::density:
+      return 0;
+    case FloeProperty::flexural_strength:
+      return given_or(preset.flexural_strength);
+    case FloeProperty::compressive_strength:
+      return given_or(preset.compressive_strength);
+    case FloeProperty::fracture_toughness:
+      return given_or(preset.fracture_toughness);
+  }
+  return 0;
 }
 
 static VaryScene build_vary(const SceneElement& element, const IcePreset& preset, const SceneElement* fracture) {
@@ -106,7 +113,8 @@ static VaryScene build_vary(const SceneElement& element, const IcePreset& preset
   assign(vary.correlation_length, element, "correlation_length");
   const auto partners = words_of(element, "with");
   const auto correlations = numbers_of(element, "correlation").value_or(std::vector<double>{});
-  for (std::size_t k = 0; k < partners.size(); ++k) vary.correlations.emplace_back(partners[k], correlations.at(k));
+  for (std::size_t k = 0; k < partners.size(); ++k)
+    vary.correlations.emplace_back(choice_named<FloeProperty>(partners[k]), correlations.at(k));
   return vary;
 }
 

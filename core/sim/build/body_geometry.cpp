@@ -38,21 +38,27 @@ BodyGeometry mesh_geometry(const SolidScene& solid) {
 
 BodyGeometry geometry(const SolidScene& solid) {
   BodyGeometry g;
-  if (solid.shape == "sphere") {
-    g.shape = sphere_shape(solid.radius);
-    g.unit = sphere_properties(solid.radius, 4.0 / 3.0 * k_pi * solid.radius * solid.radius * solid.radius);
-  } else if (solid.shape == "cylinder") {
-    g.shape = cylinder_shape(solid.radius, solid.height);
-    g.unit = cylinder_properties(solid.radius, solid.height, k_pi * solid.radius * solid.radius * solid.height);
-  } else if (solid.shape == "plane") {
-    g.shape = plane_shape();
-    g.unit.mass = 1;
-    g.unit.inertia = Mat3::Identity();
-  } else if (solid.shape == "mesh") {
-    g = mesh_geometry(solid);
-  } else {
-    g.shape = box_shape(solid.size);
-    g.unit = box_properties(solid.size, solid.size.prod());
+  switch (solid.shape) {
+    case SolidShapeKind::sphere:
+      g.shape = sphere_shape(solid.radius);
+      g.unit = sphere_properties(solid.radius, 4.0 / 3.0 * k_pi * solid.radius * solid.radius * solid.radius);
+      break;
+    case SolidShapeKind::cylinder:
+      g.shape = cylinder_shape(solid.radius, solid.height);
+      g.unit = cylinder_properties(solid.radius, solid.height, k_pi * solid.radius * solid.radius * solid.height);
+      break;
+    case SolidShapeKind::plane:
+      g.shape = plane_shape();
+      g.unit.mass = 1;
+      g.unit.inertia = Mat3::Identity();
+      break;
+    case SolidShapeKind::mesh:
+      g = mesh_geometry(solid);
+      break;
+    case SolidShapeKind::box:
+      g.shape = box_shape(solid.size);
+      g.unit = box_properties(solid.size, solid.size.prod());
+      break;
   }
   return g;
 }
@@ -62,10 +68,9 @@ BodyGeometry geometry(const SolidScene& solid) {
 Solid build_solid(const SolidScene& scene, const std::string& place) {
   BodyGeometry g = geometry(scene);
   if (scene.mass && scene.density) throw InputError(place + ": takes mass or density, not both");
-  constexpr double k_default_density = 1000;  // [kg/m^3]
   Solid solid;
   solid.mass = g.unit;
-  solid.mass.mass = scene.mass.value_or(scene.density.value_or(k_default_density) * g.unit.mass);
+  solid.mass.mass = scene.mass.value_or(scene.density.value_or(SolidScene::k_density) * g.unit.mass);
   solid.mass.inertia = g.unit.inertia * (solid.mass.mass / g.unit.mass);
   if (scene.inertia) {
     const Vec6& i = *scene.inertia;

@@ -68,7 +68,8 @@ class IceBuilder {
       for (auto& floe : planned.floes) add_floe(floe, planned);
     parts_.info.ice_thickness = ice_.thickness;
     parts_.info.modules.emplace_back("ice", "<ice>: " + std::to_string(parts_.info.floes) + " floes");
-    for (const VaryScene& one : ice_.vary) parts_.info.modules.emplace_back("vary " + one.property, reason(one));
+    for (const VaryScene& one : ice_.vary)
+      parts_.info.modules.emplace_back("vary " + name_of(one.property), reason(one));
     if (scene_.fracture) name_breakable();
   }
 
@@ -110,7 +111,7 @@ class IceBuilder {
     means[static_cast<std::size_t>(FloeProperty::thickness)] = thickness.value_or(ice_.thickness);
     means[static_cast<std::size_t>(FloeProperty::density)] = ice_.density;
     for (const VaryScene& one : ice_.vary)
-      if (one.mean > 0) means[static_cast<std::size_t>(floe_property(one.property))] = one.mean;
+      if (one.mean > 0) means[static_cast<std::size_t>(one.property)] = one.mean;
     return means;
   }
 
@@ -154,7 +155,7 @@ class IceBuilder {
 
   /// For the list of what was built.
   static std::string reason(const VaryScene& vary) {
-    return fmt::format("<ice><vary>: {}, cov {:g}, {}", vary.distribution, vary.cov,
+    return fmt::format("<ice><vary>: {}, cov {:g}, {}", name_of(vary.distribution), vary.cov,
                        vary.correlation_length > 0 ? fmt::format("within floes over {:g} m", vary.correlation_length)
                                                    : std::string("one value per floe"));
   }
@@ -173,22 +174,32 @@ class IceBuilder {
     planned.hull = keep_out;
     planned.keep_out = grown_outlines(keep_out, margin);
     const Vec2 low(field.region[0], field.region[1]), high(field.region[2], field.region[3]);
-    if (field.kind == "file") return read_field(field.file);
-    if (field.kind == "grid")
-      return grid_field(
-          {low, high, field.rows, field.columns, field.gap, field.shear_deg * k_deg, field.stagger, keep_out, margin});
-    if (field.kind == "level") return level_field({low, high, keep_out, margin, aft()});
-    PackedSpec spec = broken_ice(field, index);
-    spec.low = low;
-    spec.high = high;
-    spec.keep_out = std::move(keep_out);
-    spec.keep_out_margin = margin;
-    if (field.bond) return frozen_field(spec, aft(), *field.bond);
-    planned.packed = spec;
-    if (field.kind == "voronoi") return voronoi_field(spec);
-    if (field.kind == "channel")
-      return channel_field({spec, field.channel_width.value_or(0.5 * (high.y() - low.y())), aft()});
-    return pack_field(spec);
+    const auto broken = [&] {
+      PackedSpec spec = broken_ice(field, index);
+      spec.low = low;
+      spec.high = high;
+      spec.keep_out = keep_out;
+      spec.keep_out_margin = margin;
+      return spec;
+    };
+    switch (field.kind) {
+      case FieldKind::file:
+        return read_field(field.file);
+      case FieldKind::grid:
+        return grid_field({low, high, field.rows, field.columns, field.gap, field.shear_deg * k_deg, field.stagger,
+                           keep_out, margin});
+      case FieldKind::level:
+        return level_field({low, high, keep_out, margin, aft()});
+      case FieldKind::voronoi:
+        if (field.bond) return frozen_field(broken(), aft(), *field.bond);
+        return voronoi_field(planned.packed.emplace(broken()));
+      case FieldKind::channel:
+        return channel_field(
+            {planned.packed.emplace(broken()), field.channel_width.value_or(0.5 * (high.y() - low.y())), aft()});
+      case FieldKind::packed:
+        return pack_field(planned.packed.emplace(broken()));
+    }
+    return {};
   }
 
   /// Where the vessel came from, in plan: -x of its own frame.
@@ -201,13 +212,13 @@ class IceBuilder {
     PackedSpec spec;
     spec.concentration = field.concentration;
     spec.overlap_tolerance = field.overlap_tolerance;
-    spec.distribution = distribution(field.size.distribution);
+    spec.distribution = field.size.distribution;
     spec.mean = field.size.mean;
     spec.sd = field.size.sd;
     spec.min = field.size.min;
     spec.max = field.size.max;
     spec.exponent = field.size.exponent;
-    spec.shape = field.shape.library.empty() ? shape(field.shape.kind) : FloeShape::library;
+    spec.shape = field.shape.library.empty() ? field.shape.kind : FloeShape::library;
     if (spec.shape == FloeShape::library) spec.library = read_outlines(field.shape.library);
     spec.vertices_min = field.shape.vertices_min;
     spec.vertices_max = field.shape.vertices_max;
@@ -215,20 +226,6 @@ class IceBuilder {
     spec.shear = field.shear_deg * k_deg;
     spec.seed = scene_.seed + index;
     return spec;
-  }
-
-  static SizeDistribution distribution(const std::string& name) {
-    if (name == "fixed") return SizeDistribution::fixed;
-    if (name == "uniform") return SizeDistribution::uniform;
-    if (name == "as-library") return SizeDistribution::as_library;
-    return name == "power-law" ? SizeDistribution::power_law : SizeDistribution::lognormal;
-  }
-
-  static FloeShape shape(const std::string& name) {
-    if (name == "rectangle") return FloeShape::rectangle;
-    if (name == "square") return FloeShape::square;
-    if (name == "parallelogram") return FloeShape::parallelogram;
-    return name == "disc" ? FloeShape::disc : FloeShape::polygon;
   }
 
   bool is_buoyant() const { return scene_.hydro && scene_.hydro->buoyancy; }

@@ -32,7 +32,7 @@ void add_tank(const TankScene& tank, double level, Bodies& bodies) {
 
 void add_body(const BodyScene& body, const std::string& file, Bodies& bodies) {
   const std::string place = file + ":" + std::to_string(body.line) + ": <body name='" + body.name + "'>";
-  if (body.shape == "plane" && !body.fixed) throw InputError(place + ": a plane must be fixed=\"true\"");
+  if (body.shape == SolidShapeKind::plane && !body.fixed) throw InputError(place + ": a plane must be fixed=\"true\"");
   const Solid solid = build_solid(body, place);
   BodySpec spec;
   spec.name = body.name;

@@ -94,20 +94,16 @@ CarriageModel carriage_model(const Scene& scene, const VesselModel& model, doubl
   carriage.joint_V = given.joint.value_or(model.mass.com);
   const Vec3 start = model.pose_V.p + model.pose_V.q * carriage.joint_V;
   const double yaw = scene.vessel->heading_deg * k_deg;
-  const RampShape shape = given.ramp_shape == "smooth" ? RampShape::smooth : RampShape::linear;
   carriage.motion = given.path.empty() ? CarriageMotion::straight(start, yaw, given.speed, given.heading_deg * k_deg,
-                                                                  given.ramp, scene.time.start, shape)
+                                                                  given.ramp, scene.time.start, given.ramp_shape)
                                        : CarriageMotion::path(start, yaw, given.path);
   carriage.free = given.free;
   carriage.stiffness = given.balance.stiffness;
   carriage.damping = given.balance.damping;
-  if (given.balance.kind == "six-cells") {
-    carriage.balance = BalanceKind::six_cells;
+  carriage.balance = given.balance.kind;
+  if (carriage.balance == BalanceKind::six_cells)
     carriage.cells =
         given.balance.layout.empty() ? default_cells(k_cell_arm_share * length) : read_cells(given.balance.layout);
-  } else {
-    carriage.balance = given.balance.kind == "prismatic" ? BalanceKind::prismatic : BalanceKind::rigid;
-  }
   return carriage;
 }
 
@@ -133,13 +129,6 @@ double length_of(const TriangleMesh& mesh) {
   return high - low;
 }
 
-JointKind joint_kind(const std::string& name) {
-  if (name == "slider") return JointKind::slider;
-  if (name == "ball") return JointKind::ball;
-  if (name == "free") return JointKind::free;
-  return name == "weld" ? JointKind::weld : JointKind::hinge;
-}
-
 /// Adds a part to the model; its shape to `solids`.
 void add_part(const Scene& scene, const PartScene& given, VesselModel& model, std::vector<Solid>& solids) {
   const std::string place =
@@ -154,7 +143,7 @@ void add_part(const Scene& scene, const PartScene& given, VesselModel& model, st
   const auto& all = scene.vessel->parts;
   const auto to = std::find_if(all.begin(), all.end(), [&](const PartScene& other) { return other.name == given.to; });
   part.to = to == all.end() ? -1 : static_cast<int>(to - all.begin());
-  part.joint = joint_kind(given.joint);
+  part.joint = given.joint;
   part.point_V = given.at.value_or(given.position);
   part.axis_V = given.axis.normalized();
   part.stiffness = given.stiffness;
@@ -223,7 +212,7 @@ void add_part_bodies(const Scene& scene, const VesselModel& model, const std::ve
     const int body = parts.bodies.add(specs[k]);
     if (part.joint != JointKind::free) parts.joined.emplace_back(hull + 1 + part.to, body);
     parts.info.parts.push_back({given.name, part.joint});
-    parts.info.modules.emplace_back("part " + given.name, "<part joint=\"" + given.joint + "\">");
+    parts.info.modules.emplace_back("part " + given.name, "<part joint=\"" + name_of(given.joint) + "\">");
   }
   std::sort(parts.joined.begin(), parts.joined.end());
 }
@@ -243,7 +232,7 @@ int build_vessel(const Scene& scene, WorldParts& parts) {
   model.w = vessel.angular_velocity;
   model.fixed = vessel.fixed;
   model.gyroscopic = scene.contact.gyroscopic;
-  if (scene.contact.integrator == "moreau") model.theta = scene.contact.theta;
+  if (scene.contact.integrator == Integrator::moreau) model.theta = scene.contact.theta;
   if (vessel.carriage) model.carriage = carriage_model(scene, model, length_of(hull.fluid));
   std::vector<Solid> solids;
   for (const PartScene& part : vessel.parts) add_part(scene, part, model, solids);
@@ -256,7 +245,7 @@ int build_vessel(const Scene& scene, WorldParts& parts) {
   spec.name = vessel.name;
   spec.kind = BodyKind::vessel;
   spec.motion = vessel.fixed ? Motion::fixed : Motion::articulated;
-  spec.material = "hull";
+  spec.material = k_hull_material;
   spec.shape = hull_shape(hull, model.mass.com);
   spec.mass = model.mass.mass;
   spec.inertia_B = model.mass.inertia;

@@ -114,7 +114,7 @@ WorldParts build_world(const Scene& scene, int threads, WarningCounts& warnings)
   demand_contact_choices(scene);
   WorldParts parts;
   parts.info.scene_name = scene.name;
-  if (scene.contact.integrator == "reference") demand_reference(scene);
+  if (scene.contact.integrator == Integrator::reference) demand_reference(scene);
   build_water(scene, parts);
   build_friction(scene, parts);
   if (scene.vessel) parts.vessel_index = build_vessel(scene, parts);

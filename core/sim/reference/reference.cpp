@@ -80,18 +80,18 @@ void demand_reference(const Scene& scene) {
                      "; allowed: " + allowed);
   };
   const ContactScene& contact = scene.contact;
-  if (contact.law != "coulomb" && contact.law != "frictionless")
-    refuse("law '" + contact.law + "'", "coulomb, frictionless");
+  if (contact.law.law != Law::coulomb && contact.law.law != Law::frictionless)
+    refuse("law '" + name_of(contact.law) + "'", "coulomb, frictionless");
   if (scene.fracture) refuse("<fracture>", "ice that cannot break");
   if (!contact.gyroscopic) refuse("gyroscopic=\"false\"", "true");
   if (scene.output.checkpoint_every > 0)
     refuse("checkpoints, since what CVODE remembers cannot be saved", "no checkpoint_every");
   for (const auto& body : scene.bodies)
-    if (!body.fixed && body.shape == "cylinder")
+    if (!body.fixed && body.shape == SolidShapeKind::cylinder)
       refuse("the free cylinder '" + body.name + "'", "free spheres, boxes, meshes and floes; fixed cylinders");
   if (scene.vessel)
     for (const auto& part : scene.vessel->parts)
-      if (part.shape == "cylinder")
+      if (part.shape == SolidShapeKind::cylinder)
         refuse("the cylinder '" + part.name + "' as a part of the vessel", "spheres, boxes and meshes");
   for (const auto& pair : contact.friction)
     if (pair.rolling > 0 || pair.spinning > 0)
@@ -106,7 +106,7 @@ ReferenceIntegrator::ReferenceIntegrator(const Scene& scene, int threads, WorldP
       no_vessel_loads_(parts.num_parts, vessel_ && vessel_->is_towed()),
       state_(parts.bodies, parts.info.work_names.size(), vessel_ ? &*vessel_ : nullptr,
              parts.vessel ? &no_vessel_loads_ : nullptr),
-      contacts_(parts.friction, acceleration_solver(scene.contact, threads), scene.contact.law == "frictionless",
+      contacts_(parts.friction, acceleration_solver(scene.contact, threads), scene.contact.law.law == Law::frictionless,
                 rest_speed(scene.contact.tolerance), vessel_ ? &*vessel_ : nullptr,
                 [&parts](int a, int b) { return parts.are_joined(a, b); }),
       module_loads_(parts.modules.size(), Wrenches(parts.bodies.id.size())),

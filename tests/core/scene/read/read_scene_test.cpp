@@ -31,24 +31,24 @@ TEST_F(CompleteScene, RunSettings) {
   EXPECT_EQ(scene_.seed, 7u);
   EXPECT_EQ(scene_.output.folder, "runs/towing");
   EXPECT_EQ(scene_.output.trajectory_every, 0.5);
-  EXPECT_EQ(scene_.output.contacts, "none");
+  EXPECT_EQ(name_of(scene_.output.contacts), "none");
   EXPECT_EQ(scene_.output.bodies, true);
   EXPECT_FALSE(scene_.fracture.has_value());
 }
 
 TEST_F(CompleteScene, Contact) {
   const ContactScene& c = scene_.contact;
-  EXPECT_EQ(c.law, "pyramid");
-  EXPECT_EQ(c.solver, "pgs");
+  EXPECT_EQ(name_of(c.law), "pyramid");
+  EXPECT_EQ(name_of(c.solver), "pgs");
   EXPECT_EQ(c.tolerance, 1e-7);
   EXPECT_EQ(c.max_iterations, 200);
-  EXPECT_EQ(c.on_failure, "stop");
-  EXPECT_EQ(c.integrator, "semi-implicit-euler");
-  EXPECT_EQ(c.stabilisation, "split-impulse");
+  EXPECT_EQ(name_of(c.on_failure), "stop");
+  EXPECT_EQ(name_of(c.integrator), "semi-implicit-euler");
+  EXPECT_EQ(name_of(c.stabilisation), "split-impulse");
   EXPECT_EQ(c.erp, 0.3);
   EXPECT_EQ(c.slop, 1e-4);
   EXPECT_EQ(c.max_speed, 0.5);
-  EXPECT_EQ(c.detection, "discrete");
+  EXPECT_EQ(name_of(c.detection), "discrete");
   EXPECT_EQ(c.margin, 0.01);
   EXPECT_FALSE(c.gyroscopic);
   EXPECT_EQ(c.axes_deg, 30);
@@ -100,10 +100,10 @@ TEST_F(CompleteScene, Vessel) {
   EXPECT_EQ(c.speed, 0.3);
   EXPECT_EQ(c.heading_deg, 10);
   EXPECT_EQ(c.ramp, 2);
-  EXPECT_EQ(c.ramp_shape, "smooth");
+  EXPECT_EQ(name_of(c.ramp_shape), "smooth");
   EXPECT_EQ(*c.joint, Vec3(2.9, 0, 0.2));
   EXPECT_EQ(c.free, (std::array<bool, 6>{false, false, true, false, false, true}));
-  EXPECT_EQ(c.balance.kind, "six-cells");
+  EXPECT_EQ(name_of(c.balance.kind), "six-cells");
   EXPECT_EQ(c.balance.stiffness, 2e7);
   EXPECT_EQ(c.balance.damping, 2e4);
   EXPECT_EQ(c.balance.layout, (folder_.path() / "cells.csv").string());
@@ -116,10 +116,10 @@ TEST_F(CompleteScene, Ice) {
   EXPECT_EQ(ice.poisson, 0.33);
   EXPECT_EQ(ice.thickness, 0.05);
   ASSERT_EQ(ice.fields.size(), 4u);
-  EXPECT_EQ(ice.fields[3].kind, "channel");
+  EXPECT_EQ(name_of(ice.fields[3].kind), "channel");
   EXPECT_EQ(ice.fields[3].channel_width, 2.5);
   EXPECT_EQ(ice.fields[3].overlap_tolerance, 0);
-  EXPECT_EQ(ice.fields[3].size.distribution, "as-library");
+  EXPECT_EQ(name_of(ice.fields[3].size.distribution), "as-library");
   EXPECT_EQ(ice.fields[3].shape.library, (folder_.path() / "floes.json").string());
   EXPECT_EQ(ice.fields[0].region, (std::array<double, 4>{0, -5, 40, 5}));
   EXPECT_EQ(ice.fields[0].concentration, 0.75);
@@ -172,7 +172,7 @@ TEST_F(CompleteScene, Bodies) {
   EXPECT_EQ(scene_.bodies[1].radius, 0.25);
   EXPECT_EQ(scene_.bodies[1].density, 500);
   EXPECT_EQ(scene_.bodies[2].height, 4);
-  EXPECT_EQ(scene_.bodies[3].shape, "plane");
+  EXPECT_EQ(name_of(scene_.bodies[3].shape), "plane");
   EXPECT_TRUE(scene_.bodies[3].fixed) << "a plane is fixed without saying so";
   EXPECT_EQ(scene_.bodies[4].mesh, (folder_.path() / "quay.stl").string());
   EXPECT_EQ(scene_.bodies[4].material, "quay");
@@ -198,14 +198,14 @@ TEST(ReadScene, WhatIsNotNamedIsNotThere) {
 TEST(ReadScene, DefaultsAreAllBuilt) {
   const SceneFolder folder;
   const Scene scene = folder.read("<scene version='1'/>");
-  EXPECT_EQ(scene.contact.law, "coulomb");
-  EXPECT_EQ(scene.contact.solver, "auto");
-  EXPECT_EQ(scene.contact.integrator, "moreau");
+  EXPECT_EQ(name_of(scene.contact.law), "coulomb");
+  EXPECT_EQ(name_of(scene.contact.solver), "auto");
+  EXPECT_EQ(name_of(scene.contact.integrator), "moreau");
   EXPECT_EQ(scene.contact.theta, 0.5);
-  EXPECT_EQ(scene.contact.stabilisation, "projection");
-  EXPECT_EQ(scene.contact.detection, "continuous");
+  EXPECT_EQ(name_of(scene.contact.stabilisation), "projection");
+  EXPECT_EQ(name_of(scene.contact.detection), "continuous");
   EXPECT_EQ(scene.contact.substeps, 0);
-  EXPECT_EQ(scene.output.contacts, "hull");
+  EXPECT_EQ(name_of(scene.output.contacts), "hull");
   EXPECT_TRUE(scene.notes.empty());
 }
 
@@ -215,28 +215,28 @@ TEST(ReadScene, ASceneWithSubstepsIsSteppedByEulerUnlessItSaysOtherwise) {
   const auto integrator = [&](const std::string& attributes) {
     return folder.read(in_scene("<contact " + attributes + "/>")).contact.integrator;
   };
-  EXPECT_EQ(integrator("substeps='8'"), "semi-implicit-euler");
-  EXPECT_EQ(integrator("substeps='8' detection='discrete'"), "moreau");
-  EXPECT_EQ(integrator("substeps='1'"), "moreau");
-  EXPECT_EQ(integrator("substeps='0'"), "moreau");
-  EXPECT_EQ(integrator("substeps='0' integrator='semi-implicit-euler'"), "semi-implicit-euler");
+  EXPECT_EQ(name_of(integrator("substeps='8'")), "semi-implicit-euler");
+  EXPECT_EQ(name_of(integrator("substeps='8' detection='discrete'")), "moreau");
+  EXPECT_EQ(name_of(integrator("substeps='1'")), "moreau");
+  EXPECT_EQ(name_of(integrator("substeps='0'")), "moreau");
+  EXPECT_EQ(name_of(integrator("substeps='0' integrator='semi-implicit-euler'")), "semi-implicit-euler");
 }
 
 TEST(ReadScene, ThePresetSetsTheOlderChoicesAndWhatIsGivenWins) {
   const SceneFolder folder;
   const ContactScene preset = folder.read(in_scene("<contact preset='seed-2014'/>")).contact;
-  EXPECT_EQ(preset.law, "pyramid");
-  EXPECT_EQ(preset.solver, "pgs");
+  EXPECT_EQ(name_of(preset.law), "pyramid");
+  EXPECT_EQ(name_of(preset.solver), "pgs");
   EXPECT_EQ(preset.tolerance, 0);
   EXPECT_EQ(preset.max_iterations, 50);
-  EXPECT_EQ(preset.stabilisation, "split-impulse");
-  EXPECT_EQ(preset.detection, "discrete");
-  EXPECT_EQ(preset.integrator, "semi-implicit-euler");
+  EXPECT_EQ(name_of(preset.stabilisation), "split-impulse");
+  EXPECT_EQ(name_of(preset.detection), "discrete");
+  EXPECT_EQ(name_of(preset.integrator), "semi-implicit-euler");
   EXPECT_FALSE(preset.gyroscopic);
   const ContactScene given =
       folder.read(in_scene("<contact max_iterations='10' law='coulomb' preset='seed-2014'/>")).contact;
   EXPECT_EQ(given.max_iterations, 10);
-  EXPECT_EQ(given.law, "coulomb");
+  EXPECT_EQ(name_of(given.law), "coulomb");
   EXPECT_EQ(given.tolerance, 0);
 }
 
@@ -255,7 +255,7 @@ TEST(ReadScene, GeneratedHullHasTheParametersThatAreNamed) {
       folder.read(in_scene("<vessel><hull generate='icebreaker' length='5' stem_angle_deg='90' triangles='500'/><mass "
                            "value='9'/><fixed/></vessel>"));
   ASSERT_TRUE(scene.vessel->generate);
-  EXPECT_EQ(scene.vessel->generate->kind, "icebreaker");
+  EXPECT_EQ(name_of(scene.vessel->generate->kind), "icebreaker");
   EXPECT_EQ(scene.vessel->generate->parameters.at("length"), 5);
   EXPECT_EQ(scene.vessel->generate->parameters.at("triangles"), 500);
   EXPECT_EQ(scene.vessel->generate->parameters.at("stem_angle_deg"), 90);
