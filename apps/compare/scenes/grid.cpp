@@ -161,10 +161,7 @@ Scene read_with(const Scene& scene, const Overrides& overrides, const CompareSet
   Overrides all = overrides;
   const Overrides own = setting.overrides();
   all.insert(all.end(), own.begin(), own.end());
-  Scene read = read_scene(scene.file, all);
-  demand_contact_choices(read);
-  if (read.contact.integrator == Integrator::reference) demand_reference(read);
-  return read;
+  return read_scene(scene.file, all);
 }
 
 Grid make_grid(const Scene& scene, const Overrides& overrides, const GridRequest& request) {

@@ -65,9 +65,9 @@ BodyGeometry geometry(const SolidScene& solid) {
 
 }  // namespace
 
-Solid build_solid(const SolidScene& scene, const std::string& place) {
+Solid build_solid(const SolidScene& scene) {
   BodyGeometry g = geometry(scene);
-  if (scene.mass && scene.density) throw InputError(place + ": takes mass or density, not both");
+  NILAS_DEMAND(!scene.mass || !scene.density);
   Solid solid;
   solid.mass = g.unit;
   solid.mass.mass = scene.mass.value_or(scene.density.value_or(SolidScene::k_density) * g.unit.mass);

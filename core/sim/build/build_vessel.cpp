@@ -53,21 +53,19 @@ double height_of(const TriangleMesh& mesh) {
 MassProperties vessel_mass(const Scene& scene, const TriangleMesh& fluid, const Mat3& R, const WorldParts& parts) {
   const VesselScene& vessel = *scene.vessel;
   const MassScene& given = vessel.mass;
-  if (given.value && given.draught) refuse(scene, "<mass> takes value or draught, not both");
+  NILAS_DEMAND(!given.value || !given.draught);
   const auto displaced = [&](double z) {
     return parts.water->density * submerged_mesh(fluid, R, {0, 0, z}, parts.water->level).volume;
   };
   double mass = given.value.value_or(0);
   if (!given.value) {
-    if (!parts.water) refuse(scene, "without <water> the vessel needs <mass value=...>");
+    NILAS_DEMAND(parts.water && (given.draught || vessel.position_has_z));
     if (given.draught && !(*given.draught < height_of(fluid)))
       refuse(scene, fmt::format("draught {:g} m: the hull is only {:g} m high", *given.draught, height_of(fluid)));
     if (given.draught)
       mass = displaced(parts.water->level - *given.draught - lowest(fluid));
-    else if (vessel.position_has_z)
-      mass = displaced(vessel.position.z());
     else
-      refuse(scene, "give <mass value=...>, <mass draught=...> or a position with three numbers");
+      mass = displaced(vessel.position.z());
     if (!(mass > 0)) refuse(scene, "the hull displaces no water at the given height, so it has no mass");
   }
   MassProperties properties = mesh_properties(fluid, 1.0);
@@ -83,7 +81,7 @@ double vessel_height(const Scene& scene, const TriangleMesh& fluid, const Mat3& 
                      const WorldParts& parts) {
   const VesselScene& vessel = *scene.vessel;
   if (vessel.position_has_z) return vessel.position.z();
-  if (!parts.water) refuse(scene, "without <water> the position needs three numbers");
+  NILAS_DEMAND(parts.water.has_value());
   if (vessel.mass.draught) return parts.water->level - *vessel.mass.draught - lowest(fluid);
   return floating_height(fluid, R, mass, *parts.water);
 }
@@ -131,9 +129,7 @@ double length_of(const TriangleMesh& mesh) {
 
 /// Adds a part to the model; its shape to `solids`.
 void add_part(const Scene& scene, const PartScene& given, VesselModel& model, std::vector<Solid>& solids) {
-  const std::string place =
-      scene.file.string() + ":" + std::to_string(given.line) + ": <part name='" + given.name + "'>";
-  solids.push_back(build_solid(given, place));
+  solids.push_back(build_solid(given));
   const MassProperties& mass = solids.back().mass;
   PartModel part;
   part.mass = mass.mass;

@@ -10,8 +10,6 @@
 #include "core/sim/build/implausible.h"
 #include "core/sim/build/load_axes.h"
 #include "core/sim/build/vessel_doubts.h"
-#include "core/sim/reference/reference.h"
-#include "core/sim/world/contact_model.h"
 #include "core/sim/world/course.h"
 #include "core/sim/world/world.h"
 #include "hydro/modules.h"
@@ -39,15 +37,13 @@ static void build_modules(const Scene& scene, int threads, WorldParts& parts) {
 
 static void build_water(const Scene& scene, WorldParts& parts) {
   const bool needs_water = scene.hydro && (scene.hydro->buoyancy || scene.hydro->drag);
-  if (needs_water && !scene.water)
-    throw InputError(scene.file.string() + ": <hydro> asks for buoyancy or drag, but the scene has no <water>");
+  NILAS_DEMAND(!needs_water || scene.water);
   if (!scene.water) return;
   Water water;
   water.density = scene.water->density;
   water.level = scene.water->level;
   if (scene.water->current) water.current = scene.water->current->velocity;
-  if (needs_water && (scene.gravity.x() != 0 || scene.gravity.y() != 0 || scene.gravity.z() > 0))
-    throw InputError(scene.file.string() + ": <gravity>: with <hydro>, gravity must point along -Z");
+  NILAS_DEMAND(!needs_water || (scene.gravity.x() == 0 && scene.gravity.y() == 0 && scene.gravity.z() <= 0));
   water.gravity = scene.gravity.norm();
   parts.water = water;
 }
@@ -111,10 +107,8 @@ void set_aside(std::uint64_t twin, Bodies& bodies) {
 }
 
 WorldParts build_world(const Scene& scene, int threads, WarningCounts& warnings) {
-  demand_contact_choices(scene);
   WorldParts parts;
   parts.info.scene_name = scene.name;
-  if (scene.contact.integrator == Integrator::reference) demand_reference(scene);
   build_water(scene, parts);
   build_friction(scene, parts);
   if (scene.vessel) parts.vessel_index = build_vessel(scene, parts);

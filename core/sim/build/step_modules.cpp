@@ -28,12 +28,11 @@ bool clears_crushed_ice(const Scene& scene, const WorldParts& parts) {
 
 void list_step_modules(const Scene& scene, WorldParts& parts) {
   const ContactScene& contact = scene.contact;
-  const bool two_coefficients = build_contact_model(contact, scene.time.step, 1).static_friction.has_value();
   parts.info.modules.emplace_back(
       "contact", "law " + name_of(contact.law) + ", solver " + name_of(contact.solver) + ", stabilisation " +
                      name_of(contact.stabilisation) + ", detection " + name_of(contact.detection) + ", narrow phase " +
                      name_of(contact.narrow_phase) + ", integrator " + name_of(contact.integrator) +
-                     (two_coefficients ? ", static friction above kinetic" : ""));
+                     (has_static_friction(contact) ? ", static friction above kinetic" : ""));
   if (has_crushing(scene, parts))
     parts.info.modules.emplace_back("crushing", crushing_description(scene, parts.bodies));
   if (has_breaking(scene, parts)) parts.info.modules.emplace_back("breaking", breaking_description(scene));

@@ -74,30 +74,6 @@ double moment_of(const Vec3& p, const Wrench& load) { return (p.cross(load.force
 
 }  // namespace
 
-void demand_reference(const Scene& scene) {
-  const auto refuse = [&](const std::string& found, const std::string& allowed) {
-    throw InputError(scene.file.string() + ": <contact integrator>: 'reference' does not take " + found +
-                     "; allowed: " + allowed);
-  };
-  const ContactScene& contact = scene.contact;
-  if (contact.law.law != Law::coulomb && contact.law.law != Law::frictionless)
-    refuse("law '" + name_of(contact.law) + "'", "coulomb, frictionless");
-  if (scene.fracture) refuse("<fracture>", "ice that cannot break");
-  if (!contact.gyroscopic) refuse("gyroscopic=\"false\"", "true");
-  if (scene.output.checkpoint_every > 0)
-    refuse("checkpoints, since what CVODE remembers cannot be saved", "no checkpoint_every");
-  for (const auto& body : scene.bodies)
-    if (!body.fixed && body.shape == SolidShapeKind::cylinder)
-      refuse("the free cylinder '" + body.name + "'", "free spheres, boxes, meshes and floes; fixed cylinders");
-  if (scene.vessel)
-    for (const auto& part : scene.vessel->parts)
-      if (part.shape == SolidShapeKind::cylinder)
-        refuse("the cylinder '" + part.name + "' as a part of the vessel", "spheres, boxes and meshes");
-  for (const auto& pair : contact.friction)
-    if (pair.rolling > 0 || pair.spinning > 0)
-      refuse("rolling or spinning friction", "static, kinetic and restitution in <friction>");
-}
-
 ReferenceIntegrator::ReferenceIntegrator(const Scene& scene, int threads, WorldParts& parts, ContactModel& model)
     : parts_(parts),
       model_(model),

@@ -18,32 +18,6 @@ void ContactModel::set_step(double h) {
   correction.h = h;
 }
 
-static void demand_cuts(const ContactScene& contact) {
-  if (contact.substeps > 1 && contact.detection == Detection::continuous && contact.integrator == Integrator::moreau)
-    throw InputError(
-        "substeps: with integrator moreau the impulses of a step act in the middle of its motion, which a cut at an "
-        "impact would move; take integrator semi-implicit-euler, or substeps 0");
-}
-
-void demand_contact_choices(const Scene& scene) {
-  const auto& friction = scene.contact.friction;
-  const bool rolls = std::any_of(friction.begin(), friction.end(),
-                                 [](const FrictionScene& pair) { return pair.rolling > 0 || pair.spinning > 0; });
-  const bool spins =
-      std::any_of(friction.begin(), friction.end(), [](const FrictionScene& pair) { return pair.spinning > 0; });
-  try {
-    const SolverEntry& solver = find_solver(scene.contact.solver);
-    const Law law = scene.contact.law.law;
-    demand_law(solver, law);
-    demand_cuts(scene.contact);
-    if (rolls) demand_moments(solver, law);
-    if (spins && scene.output.problems != StoredProblems::never)
-      throw InputError("spinning friction has no place in FCLIB's form of a problem; <output problems> must be never");
-  } catch (const InputError& error) {
-    throw InputError(scene.file.string() + ": <contact>: " + error.what());
-  }
-}
-
 static void set_stabilisation(const ContactScene& contact, ContactModel& model) {
   model.correction.slop = contact.slop;
   switch (contact.stabilisation) {
@@ -87,6 +61,12 @@ static double theta_of(const ContactScene& contact) {
   return 1;
 }
 
+bool has_static_friction(const ContactScene& contact) {
+  return contact.law.law != Law::frictionless &&
+         std::any_of(contact.friction.begin(), contact.friction.end(),
+                     [](const FrictionScene& pair) { return pair.static_ > pair.kinetic; });
+}
+
 ContactModel build_contact_model(const ContactScene& contact, double h, int threads) {
   ContactModel model;
   model.assembly.law = contact.law.law;
@@ -120,10 +100,7 @@ ContactModel build_contact_model(const ContactScene& contact, double h, int thre
         std::make_unique<WithRetry>(std::move(model.solver), find_solver(SolverName::automatic).make(settings));
   // slower than ten times what the solver may leave is rest
   constexpr double k_least_slip = 1e-5;  // [m/s]
-  const bool two_coefficients = std::any_of(contact.friction.begin(), contact.friction.end(),
-                                            [](const FrictionScene& pair) { return pair.static_ > pair.kinetic; });
-  if (two_coefficients && contact.law.law != Law::frictionless)
-    model.static_friction.emplace(std::max(k_least_slip, 10 * contact.tolerance));
+  if (has_static_friction(contact)) model.static_friction.emplace(std::max(k_least_slip, 10 * contact.tolerance));
   return model;
 }
 

@@ -37,9 +37,8 @@ struct ContactModel {
   ContactSolution solve(ContactProblem& problem, const VecX& guess);
 };
 
-/// Throws InputError naming file and element where the solver does not take the law, or the integrator no cut.
-void demand_contact_choices(const Scene& scene);
-
+/// Whether some pair of materials has more static than kinetic friction, and the law any friction.
+bool has_static_friction(const ContactScene& contact);
 ContactModel build_contact_model(const ContactScene& contact, double h, int threads);
 
 }  // namespace nilas
