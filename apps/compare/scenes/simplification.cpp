@@ -95,7 +95,10 @@ bool has_weak_places(const Scene& scene) {
   if (!varies(scene)) return breaks(scene);  // taking_out(uniform_ice) draws strengths within floes
   const IceScene& ice = *scene.ice;
   return !ice.weak_lines.empty() ||
-         std::any_of(ice.fields.begin(), ice.fields.end(), [](const FieldScene& f) { return f.bond.has_value(); }) ||
+         std::any_of(ice.fields.begin(), ice.fields.end(), [](const FieldScene& f) {
+           const auto* cells = std::get_if<VoronoiFieldScene>(&f.form);
+           return cells && cells->bond;
+         }) ||
          std::any_of(ice.vary.begin(), ice.vary.end(), [](const VaryScene& v) { return v.correlation_length > 0; });
 }
 

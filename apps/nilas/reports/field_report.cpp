@@ -15,19 +15,19 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string size_in_words(const SizeScene& size) {
-  const std::string name = name_of(size.distribution), range = fmt::format("{:g} to {:g}", size.min, size.max);
-  switch (size.distribution) {
-    case SizeDistribution::fixed:
-      return fmt::format("{} {:g}", name, size.mean);
-    case SizeDistribution::lognormal:
-      return fmt::format("{}, mean {:g}, sd {:g}, cut at {}", name, size.mean, size.sd, range);
-    case SizeDistribution::power_law:
-      return fmt::format("{}, exponent {:g}, {}", name, size.exponent, range);
-    case SizeDistribution::uniform:
-    case SizeDistribution::as_library:
-      return name + ", " + range;
-  }
-  return name;
+  const std::string name = name_of(kind_of<SizeDistribution>(size));
+  const auto range = [](const auto& of) { return fmt::format("{:g} to {:g}", of.min, of.max); };
+  return std::visit(Overloaded{[&](const FixedSizeScene& of) { return fmt::format("{} {:g}", name, of.mean); },
+                               [&](const UniformSizeScene& of) { return fmt::format("{}, {}", name, range(of)); },
+                               [&](const LognormalSizeScene& of) {
+                                 return fmt::format("{}, mean {:g}, sd {:g}, cut at {}", name, of.mean, of.sd,
+                                                    range(of));
+                               },
+                               [&](const PowerLawSizeScene& of) {
+                                 return fmt::format("{}, exponent {:g}, {}", name, of.exponent, range(of));
+                               },
+                               [&](const LibrarySizeScene&) { return name; }},
+                    size);
 }
 
 QuantityReport size_report(const PlannedIce& ice) {
@@ -35,7 +35,7 @@ QuantityReport size_report(const PlannedIce& ice) {
   report.column = "size_m";
   for (const auto& one : ice.floes) report.floes.push_back(std::sqrt(polygon_moments(one.floe.outline).area));
   if (ice.packed) {
-    report.asked_for = size_in_words(ice.field->size);
+    report.asked_for = size_in_words(*ice.field->size());
     report.asked = [spec = *ice.packed](double u) { return size_quantile(spec, u); };
   }
   return report;
@@ -66,7 +66,7 @@ QuantityReport property_report(const Scene& scene, const PlannedIce& ice, FloePr
       if (textured.property == property) report.points.push_back(textured.texture.at(0, 0));
   }
   const double mean = common_mean(ice, property);
-  const bool from_file = ice.field && ice.field->kind == FieldKind::file;
+  const bool from_file = ice.field && ice.field->kind() == FieldKind::file;
   if (mean <= 0 || from_file) return report;
   for (const PropertySpread& spread : variation.spreads())
     if (spread.property == property)
@@ -95,7 +95,7 @@ std::vector<CorrelationReport> correlation_reports(const Scene& scene, const Fie
 FieldReport field_report(const Scene& scene, const PlannedIce& ice, const FloeVariation& variation) {
   FieldReport report;
   report.name = ice.name;
-  report.kind = ice.field ? name_of(ice.field->kind) : "floe";
+  report.kind = ice.field ? name_of(ice.field->kind()) : "floe";
   report.floes = ice.floes.size();
   for (const auto& one : ice.floes) report.area += polygon_moments(one.floe.outline).area;
   if (ice.packed) report.asked_concentration = ice.packed->concentration;

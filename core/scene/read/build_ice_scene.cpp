@@ -6,59 +6,6 @@
 
 namespace nilas {
 
-static SizeScene build_size(const SceneElement& element) {
-  SizeScene size;
-  assign(size.distribution, element, "distribution");
-  assign(size.mean, element, "mean");
-  assign(size.sd, element, "sd");
-  assign(size.min, element, "min");
-  assign(size.max, element, "max");
-  assign(size.exponent, element, "exponent");
-  return size;
-}
-
-static ShapeScene build_shape(const SceneElement& element) {
-  ShapeScene shape;
-  assign(shape.kind, element, "kind");
-  if (const auto vertices = numbers_of(element, "vertices")) {
-    shape.vertices_min = static_cast<int>(vertices->at(0));
-    shape.vertices_max = static_cast<int>(vertices->at(1));
-  }
-  assign(shape.aspect, element, "aspect");
-  assign(shape.library, element, "library");
-  return shape;
-}
-
-/// What a field and a single floe share.
-template <class IceElement>
-static void build_placement(IceElement& target, const SceneElement& element) {
-  assign(target.fixed, element, "fixed");
-  assign(target.velocity, element, "velocity");
-  assign(target.z, element, "z");
-  assign(target.thickness, element, "thickness");
-  assign(target.breakable, element, "breakable");
-}
-
-static FieldScene build_field(const SceneElement& element) {
-  FieldScene field;
-  assign(field.kind, element, "kind");
-  if (const auto region = numbers_of(element, "region")) std::copy_n(region->begin(), 4, field.region.begin());
-  assign(field.concentration, element, "concentration");
-  assign(field.overlap_tolerance, element, "overlap_tolerance");
-  assign(field.channel_width, element, "channel_width");
-  assign(field.rows, element, "rows");
-  assign(field.columns, element, "columns");
-  assign(field.gap, element, "gap");
-  assign(field.stagger, element, "stagger");
-  assign(field.shear_deg, element, "shear_deg");
-  assign(field.file, element, "file");
-  build_placement(field, element);
-  if (const auto* size = child_of(element, "size")) field.size = build_size(*size);
-  if (const auto* shape = child_of(element, "shape")) field.shape = build_shape(*shape);
-  if (const auto* bond = child_of(element, "bond")) field.bond = number_of(*bond, "strength");
-  return field;
-}
-
 static std::vector<Vec2> points_of(const SceneElement& element, const std::string& attribute) {
   const auto numbers = numbers_of(element, attribute).value_or(std::vector<double>{});
   std::vector<Vec2> points;
@@ -78,7 +25,7 @@ static FloeScene build_floe(const SceneElement& element) {
   floe.line = element.place.line;
   assign(floe.name, element, "name");
   floe.outline = points_of(element, "outline");
-  build_placement(floe, element);
+  assign_placement(floe, element);
   return floe;
 }
 
@@ -126,7 +73,7 @@ IceScene build_ice_scene(const SceneElement& element, const SceneElement* fractu
   assign(ice.poisson, element, "poisson");
   assign(ice.thickness, element, "thickness");
   for (const auto& child : element.children) {
-    if (child.name == "field") ice.fields.push_back(build_field(child));
+    if (child.name == "field") ice.fields.push_back(build_field_scene(child));
     if (child.name == "vary") ice.vary.push_back(build_vary(child, preset, fracture));
     if (child.name == "floe") ice.floes.push_back(build_floe(child));
     if (child.name == "weak_line") ice.weak_lines.push_back(build_weak_line(child));

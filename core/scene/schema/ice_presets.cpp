@@ -10,7 +10,7 @@ namespace nilas {
 const std::vector<IcePreset>& ice_presets() {
   const IceScene ice;
   const FractureScene fracture;
-  const SizeScene size;
+  const LognormalSizeScene size;
   static const std::vector<IcePreset> presets{
       // Middle of what model basins aim at: flexural strength 20 to 60 kPa, modulus 10 to 150 MPa, toughness 1 to
       // 5 kPa sqrt(m), compressive over flexural strength 1 to 4.

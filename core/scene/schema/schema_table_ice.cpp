@@ -37,7 +37,7 @@ static AttributeSpec field_region() {
 }
 
 static std::vector<AttributeSpec> packing() {
-  const FieldScene values;
+  const PackedFieldScene values;
   return {{.name = "concentration",
            .range = {.min = 0, .max = 1, .min_inclusive = false},
            .default_value = written(values.concentration),
@@ -58,7 +58,7 @@ static std::vector<AttributeSpec> packing() {
 }
 
 static std::vector<AttributeSpec> grid() {
-  const FieldScene values;
+  const GridFieldScene values;
   const Condition of_grid = when("kind", FieldKind::grid);
   /// More pieces than any machine holds; keeps products of the two within an int.
   const Range pieces = within(1, 10000);
@@ -95,7 +95,7 @@ static std::vector<AttributeSpec> grid() {
 
 /// What <field> and <floe> share.
 static std::vector<AttributeSpec> placement() {
-  const FieldScene values;
+  const IcePlacement values;
   return {{.name = "fixed",
            .type = ValueType::boolean,
            .default_value = written(values.fixed),
@@ -125,7 +125,7 @@ static ElementSpec field() {
           "It fills a region with floes. They keep clear of the hull at the start, except those of kind file. Kind "
           "grid leaves out and counts the pieces that meet the hull's outline plus a margin; the other kinds are "
           "laid out around it.",
-      .attributes = {choice("kind", FieldScene{}.kind, "It sets how the floes are made."),
+      .attributes = {choice("kind", FieldScene{}.kind(), "It sets how the floes are made."),
                      field_region(),
                      {.name = "file",
                       .type = ValueType::path,
@@ -151,20 +151,20 @@ static ElementSpec size() {
           .always = true,
           .applies = when("kind", FieldKind::packed, FieldKind::voronoi, FieldKind::channel),
           .doc = "It sets the distribution of the floe size, which is the square root of the area.",
-          .attributes = {choice("distribution", SizeScene{}.distribution, "It sets the distribution."),
-                         length("mean", when("distribution", fixed, lognormal), "It is the mean size."),
-                         length("sd", when("distribution", lognormal), "It is the standard deviation."),
-                         length("min", when("distribution", uniform, lognormal, power_law), "It is the smallest size."),
-                         length("max", when("distribution", uniform, lognormal, power_law), "It is the largest size."),
-                         {.name = "exponent",
-                          .range = above(0),
-                          .default_value = written(SizeScene{}.exponent),
-                          .applies = when("distribution", power_law),
-                          .doc = "It is a in the number density n(D) ~ D^-(1 + a) of the size D."}}};
+          .attributes = {
+              choice("distribution", kind_of<SizeDistribution>(PackedFieldScene{}.size), "It sets the distribution."),
+              length("mean", when("distribution", fixed, lognormal), "It is the mean size."),
+              length("sd", when("distribution", lognormal), "It is the standard deviation."),
+              length("min", when("distribution", uniform, lognormal, power_law), "It is the smallest size."),
+              length("max", when("distribution", uniform, lognormal, power_law), "It is the largest size."),
+              {.name = "exponent",
+               .range = above(0),
+               .default_value = written(PowerLawSizeScene{}.exponent),
+               .applies = when("distribution", power_law),
+               .doc = "It is a in the number density n(D) ~ D^-(1 + a) of the size D."}}};
 }
 
 static ElementSpec shape() {
-  const ShapeScene values;
   return {
       .name = "shape",
       .parent = "field",
@@ -172,18 +172,18 @@ static ElementSpec shape() {
       .applies = when("kind", FieldKind::packed, FieldKind::channel),
       .doc = "It sets the outline of the floes.",
       .attributes = {
-          choice("kind", values.kind, "It sets the kind of outline."),
+          choice("kind", kind_of<FloeShape>(PackedFieldScene{}.shape), "It sets the kind of outline."),
           {.name = "vertices",
            .type = ValueType::integer,
            .min_count = 2,
            .max_count = 2,
            .range = within(3, 64),
-           .default_value = written(values.vertices_min) + " " + written(values.vertices_max),
+           .default_value = written(PolygonScene{}.vertices_min) + " " + written(PolygonScene{}.vertices_max),
            .applies = when("kind", FloeShape::polygon),
            .doc = "These are the smallest and the largest number of corners."},
           {.name = "aspect",
            .range = at_least(1),
-           .default_value = written(values.aspect),
+           .default_value = written(RectangleScene{}.aspect),
            .applies = when("kind", FloeShape::rectangle, FloeShape::parallelogram),
            .doc = "It is the long side over the short side."},
           {.name = "library",

@@ -11,7 +11,7 @@ std::string written(const Vec3& x) { return written(x[0]) + " " + written(x[1]) 
 
 static AttributeSpec shape(bool can_be_plane) {
   std::string doc = "It sets the shape.";
-  AttributeSpec attribute = choice("shape", SolidScene{}.shape, "");
+  AttributeSpec attribute = choice("shape", SolidScene{}.kind(), "");
   if (!can_be_plane) std::erase(attribute.choices, name_of(SolidShapeKind::plane));
   for (const SolidShapeKind kind : all_choices<SolidShapeKind>())
     if (can_be_plane || kind != SolidShapeKind::plane)
@@ -21,7 +21,6 @@ static AttributeSpec shape(bool can_be_plane) {
 }
 
 std::vector<AttributeSpec> shape_attributes(bool can_be_plane, const std::string& material) {
-  const SolidScene solid;
   return {
       shape(can_be_plane),
       {.name = "size",
@@ -29,19 +28,19 @@ std::vector<AttributeSpec> shape_attributes(bool can_be_plane, const std::string
        .max_count = 3,
        .unit = "m",
        .range = above(0),
-       .default_value = written(solid.size),
+       .default_value = written(BoxScene{}.size),
        .applies = when("shape", SolidShapeKind::box),
        .doc = "These are the edge lengths of a box."},
       {.name = "radius",
        .unit = "m",
        .range = above(0),
-       .default_value = written(solid.radius),
+       .default_value = written(SphereScene{}.radius),
        .applies = when("shape", SolidShapeKind::sphere, SolidShapeKind::cylinder),
        .doc = "It is the radius."},
       {.name = "height",
        .unit = "m",
        .range = above(0),
-       .default_value = written(solid.height),
+       .default_value = written(CylinderScene{}.height),
        .applies = when("shape", SolidShapeKind::cylinder),
        .doc = "It is the height of a cylinder."},
       {.name = "mesh",

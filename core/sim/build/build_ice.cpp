@@ -55,6 +55,59 @@ double floating_mid_plane(const WorldParts& parts, bool buoyant, double thicknes
   return parts.water->level + thickness * (0.5 - density / parts.water->density);
 }
 
+void set_size(const SizeScene& size, PackedSpec& spec) {
+  spec.distribution = kind_of<SizeDistribution>(size);
+  const auto set_ends = [&](const auto& of) {
+    spec.min = of.min;
+    spec.max = of.max;
+  };
+  std::visit(Overloaded{[&](const FixedSizeScene& fixed) { spec.mean = fixed.mean; },
+                        [&](const UniformSizeScene& uniform) { set_ends(uniform); },
+                        [&](const LognormalSizeScene& lognormal) {
+                          spec.mean = lognormal.mean;
+                          spec.sd = lognormal.sd;
+                          set_ends(lognormal);
+                        },
+                        [&](const PowerLawSizeScene& power_law) {
+                          spec.exponent = power_law.exponent;
+                          set_ends(power_law);
+                        },
+                        [](const LibrarySizeScene&) {}},
+             size);
+}
+
+void set_shape(const FloeShapeScene& shape, PackedSpec& spec) {
+  spec.shape = kind_of<FloeShape>(shape);
+  std::visit(
+      Overloaded{[&](const PolygonScene& polygon) {
+                   spec.vertices_min = polygon.vertices_min;
+                   spec.vertices_max = polygon.vertices_max;
+                 },
+                 [&](const RectangleScene& rectangle) { spec.aspect = rectangle.aspect; }, [](const SquareScene&) {},
+                 [&](const ParallelogramScene& parallelogram) { spec.aspect = parallelogram.aspect; },
+                 [](const DiscScene&) {},
+                 [&](const LibraryScene& library) { spec.library = read_outlines(library.file); }},
+      shape);
+}
+
+/// What the scene says of packed floes; where they lie is left open.
+PackedSpec packed_spec(const PackedFieldScene& field) {
+  PackedSpec spec;
+  spec.concentration = field.concentration;
+  spec.overlap_tolerance = field.overlap_tolerance;
+  spec.shear = field.shear_deg * k_deg;
+  set_size(field.size, spec);
+  set_shape(field.shape, spec);
+  return spec;
+}
+
+PackedSpec cell_spec(const VoronoiFieldScene& field) {
+  PackedSpec spec;
+  spec.concentration = field.concentration;
+  set_size(field.size, spec);
+  return spec;
+}
+
 class IceBuilder {
  public:
   IceBuilder(const Scene& scene, int threads, WorldParts& parts, WarningCounts& warnings)
@@ -173,59 +226,48 @@ class IceBuilder {
     const double margin = k_hull_margin_thicknesses * thickness;
     planned.hull = keep_out;
     planned.keep_out = grown_outlines(keep_out, margin);
-    const Vec2 low(field.region[0], field.region[1]), high(field.region[2], field.region[3]);
-    const auto broken = [&] {
-      PackedSpec spec = broken_ice(field, index);
+    const auto place = [&](PackedSpec spec) {
+      const auto [low, high] = corners(field);
       spec.low = low;
       spec.high = high;
       spec.keep_out = keep_out;
       spec.keep_out_margin = margin;
+      spec.seed = scene_.seed + index;
       return spec;
     };
-    switch (field.kind) {
-      case FieldKind::file:
-        return read_field(field.file);
-      case FieldKind::grid:
-        return grid_field({low, high, field.rows, field.columns, field.gap, field.shear_deg * k_deg, field.stagger,
-                           keep_out, margin});
-      case FieldKind::level:
-        return level_field({low, high, keep_out, margin, aft()});
-      case FieldKind::voronoi:
-        if (field.bond) return frozen_field(broken(), aft(), *field.bond);
-        return voronoi_field(planned.packed.emplace(broken()));
-      case FieldKind::channel:
-        return channel_field(
-            {planned.packed.emplace(broken()), field.channel_width.value_or(0.5 * (high.y() - low.y())), aft()});
-      case FieldKind::packed:
-        return pack_field(planned.packed.emplace(broken()));
-    }
-    return {};
+    const auto make = Overloaded{
+        [](const FileFieldScene& file) { return read_field(file.file); },
+        [&](const GridFieldScene& grid) {
+          const auto [low, high] = corners(field);
+          return grid_field(
+              {low, high, grid.rows, grid.columns, grid.gap, grid.shear_deg * k_deg, grid.stagger, keep_out, margin});
+        },
+        [&](const LevelFieldScene&) {
+          const auto [low, high] = corners(field);
+          return level_field({low, high, keep_out, margin, aft()});
+        },
+        [&](const VoronoiFieldScene& cells) {
+          const PackedSpec spec = place(cell_spec(cells));
+          if (cells.bond) return frozen_field(spec, aft(), *cells.bond);
+          return voronoi_field(planned.packed.emplace(spec));
+        },
+        [&](const ChannelFieldScene& channel) {
+          const PackedSpec& spec = planned.packed.emplace(place(packed_spec(channel.ice)));
+          return channel_field({spec, channel.width.value_or(0.5 * (spec.high.y() - spec.low.y())), aft()});
+        },
+        [&](const PackedFieldScene& packed) { return pack_field(planned.packed.emplace(place(packed_spec(packed)))); }};
+    return std::visit(make, field.form);
+  }
+
+  static std::pair<Vec2, Vec2> corners(const FieldScene& field) {
+    const RegionScene& region = *field.region();
+    return {{region[0], region[1]}, {region[2], region[3]}};
   }
 
   /// Where the vessel came from, in plan: -x of its own frame.
   Vec2 aft() const {
     const int v = parts_.vessel_index;
     return v < 0 ? Vec2(-Vec2::UnitX()) : Vec2(-parts_.bodies.R_GB[static_cast<std::size_t>(v)].col(0).head<2>());
-  }
-
-  PackedSpec broken_ice(const FieldScene& field, std::size_t index) const {
-    PackedSpec spec;
-    spec.concentration = field.concentration;
-    spec.overlap_tolerance = field.overlap_tolerance;
-    spec.distribution = field.size.distribution;
-    spec.mean = field.size.mean;
-    spec.sd = field.size.sd;
-    spec.min = field.size.min;
-    spec.max = field.size.max;
-    spec.exponent = field.size.exponent;
-    spec.shape = field.shape.library.empty() ? field.shape.kind : FloeShape::library;
-    if (spec.shape == FloeShape::library) spec.library = read_outlines(field.shape.library);
-    spec.vertices_min = field.shape.vertices_min;
-    spec.vertices_max = field.shape.vertices_max;
-    spec.aspect = field.shape.aspect;
-    spec.shear = field.shear_deg * k_deg;
-    spec.seed = scene_.seed + index;
-    return spec;
   }
 
   bool is_buoyant() const { return scene_.hydro && scene_.hydro->buoyancy; }

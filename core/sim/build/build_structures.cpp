@@ -31,7 +31,7 @@ void add_tank(const TankScene& tank, double level, Bodies& bodies) {
 }
 
 void add_body(const BodyScene& body, Bodies& bodies) {
-  NILAS_DEMAND(body.shape != SolidShapeKind::plane || body.fixed);
+  NILAS_DEMAND(body.kind() != SolidShapeKind::plane || body.fixed);
   const Solid solid = build_solid(body);
   BodySpec spec;
   spec.name = body.name;

@@ -73,9 +73,15 @@ constexpr std::array k_judged{BodyKind::floe, BodyKind::vessel};
 void refuse_overlaps(const Scene& scene, const WorldParts& parts) {
   const Bodies& bodies = parts.bodies;
   const auto kind = [&](int b) { return bodies.kind[static_cast<std::size_t>(b)]; };
-  double tolerance = FieldScene{}.overlap_tolerance;
+  double tolerance = PackedFieldScene{}.overlap_tolerance;
+  const auto tolerate = [&](const PackedFieldScene& packed) {
+    tolerance = std::max(tolerance, packed.overlap_tolerance);
+  };
   if (scene.ice)
-    for (const auto& field : scene.ice->fields) tolerance = std::max(tolerance, field.overlap_tolerance);
+    for (const auto& field : scene.ice->fields) {
+      if (const auto* packed = std::get_if<PackedFieldScene>(&field.form)) tolerate(*packed);
+      if (const auto* channel = std::get_if<ChannelFieldScene>(&field.form)) tolerate(channel->ice);
+    }
   ContactDetector detector;
   const auto joined = [&](int a, int b) { return parts.are_joined(a, b); };
   for (const auto& c : detector.detect(bodies, 0, joined)) {

@@ -227,7 +227,7 @@ class Doubts {
   void structures() {
     if (scene_.contact.integrator != Integrator::reference) return;
     for (const BodyScene& body : scene_.bodies)
-      if (body.fixed && body.shape != SolidShapeKind::plane)
+      if (body.fixed && body.kind() != SolidShapeKind::plane)
         doubt("body", fmt::format("integrator reference writes no loads on the fixed body '{}'", body.name));
   }
 

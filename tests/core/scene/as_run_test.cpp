@@ -54,7 +54,7 @@ TEST(AsRun, TheCompleteSceneReadsBackFromAnotherFolder) {
   EXPECT_EQ(again.vessel->hull, elsewhere.path() / "inputs/icebreaker");
   EXPECT_EQ(again.vessel->position_has_z, scene.vessel->position_has_z);
   EXPECT_EQ(again.contact.friction[1].kinetic, scene.contact.friction[1].kinetic);
-  EXPECT_EQ(again.ice->fields[2].file, elsewhere.path() / "inputs/floes.geojson");
+  EXPECT_EQ(std::get<FileFieldScene>(again.ice->fields[2].form).file, elsewhere.path() / "inputs/floes.geojson");
   EXPECT_EQ(again.bodies[3].fixed, true);
 }
 

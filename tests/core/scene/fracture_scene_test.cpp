@@ -106,7 +106,7 @@ TEST(FractureScene, WeakLinesBondsAndCurvedCracks) {
   const std::string fracture =
       "<fracture><crushing/><bending/><cracks path='curved' segment_thicknesses='3'/></fracture>";
   const Scene scene = folder.read(in_scene(water + ice + fracture));
-  EXPECT_EQ(scene.ice->fields.at(0).bond, 0.4);
+  EXPECT_EQ(std::get<VoronoiFieldScene>(scene.ice->fields.at(0).form).bond, 0.4);
   const WeakLineScene& line = scene.ice->weak_lines.at(0);
   EXPECT_EQ(line.points, (std::vector<Vec2>{{0, 0}, {1, 2}, {3, 4}}));
   EXPECT_EQ(line.strength, 0.25);

@@ -116,36 +116,35 @@ TEST_F(CompleteScene, Ice) {
   EXPECT_EQ(ice.poisson, 0.33);
   EXPECT_EQ(ice.thickness, 0.05);
   ASSERT_EQ(ice.fields.size(), 4u);
-  EXPECT_EQ(name_of(ice.fields[3].kind), "channel");
-  EXPECT_EQ(ice.fields[3].channel_width, 2.5);
-  EXPECT_EQ(ice.fields[3].overlap_tolerance, 0);
-  EXPECT_EQ(name_of(ice.fields[3].size.distribution), "as-library");
-  EXPECT_EQ(ice.fields[3].shape.library, (folder_.path() / "floes.json").string());
-  EXPECT_EQ(ice.fields[0].region, (std::array<double, 4>{0, -5, 40, 5}));
-  EXPECT_EQ(ice.fields[0].concentration, 0.75);
+  const auto& channel = std::get<ChannelFieldScene>(ice.fields[3].form);
+  EXPECT_EQ(channel.width, 2.5);
+  EXPECT_EQ(channel.ice.overlap_tolerance, 0);
+  EXPECT_EQ(channel.ice.size, SizeScene(LibrarySizeScene{}));
+  EXPECT_EQ(std::get<LibraryScene>(channel.ice.shape).file, (folder_.path() / "floes.json").string());
+  const auto& packed = std::get<PackedFieldScene>(ice.fields[0].form);
+  EXPECT_EQ(packed.region, (RegionScene{0, -5, 40, 5}));
+  EXPECT_EQ(packed.concentration, 0.75);
   EXPECT_TRUE(ice.fields[0].breakable);
-  EXPECT_EQ(ice.fields[0].overlap_tolerance, 2e-3);
+  EXPECT_EQ(packed.overlap_tolerance, 2e-3);
   EXPECT_FALSE(ice.fields[0].thickness);
-  EXPECT_EQ(ice.fields[0].size.mean, 0.9);
-  EXPECT_EQ(ice.fields[0].size.sd, 0.2);
-  EXPECT_EQ(ice.fields[0].size.min, 0.4);
-  EXPECT_EQ(ice.fields[0].size.max, 1.5);
-  EXPECT_EQ(ice.fields[0].shape.vertices_min, 4);
-  EXPECT_EQ(ice.fields[0].shape.vertices_max, 8);
-  EXPECT_EQ(ice.fields[2].file, (folder_.path() / "floes.geojson").string());
+  EXPECT_EQ(packed.size, SizeScene(LognormalSizeScene{.mean = 0.9, .sd = 0.2, .min = 0.4, .max = 1.5}));
+  EXPECT_EQ(packed.shape, FloeShapeScene(PolygonScene{.vertices_min = 4, .vertices_max = 8}));
+  EXPECT_EQ(std::get<FileFieldScene>(ice.fields[2].form).file, (folder_.path() / "floes.geojson").string());
+  EXPECT_EQ(ice.fields[2].region(), nullptr);
   EXPECT_EQ(ice.fields[2].velocity, Vec3(0.1, 0, 0));
 }
 
 TEST_F(CompleteScene, GridAndSingleFloe) {
-  const FieldScene& grid = scene_.ice->fields.at(1);
+  const FieldScene& field = scene_.ice->fields.at(1);
+  const auto& grid = std::get<GridFieldScene>(field.form);
   EXPECT_EQ(grid.rows, 2);
   EXPECT_EQ(grid.columns, 3);
   EXPECT_EQ(grid.gap, 0.01);
   EXPECT_TRUE(grid.stagger);
   EXPECT_EQ(grid.shear_deg, 15);
-  EXPECT_TRUE(grid.fixed);
-  EXPECT_EQ(grid.z, 0.02);
-  EXPECT_EQ(grid.thickness, 0.06);
+  EXPECT_TRUE(field.fixed);
+  EXPECT_EQ(field.z, 0.02);
+  EXPECT_EQ(field.thickness, 0.06);
   ASSERT_EQ(scene_.ice->floes.size(), 1u);
   const FloeScene& floe = scene_.ice->floes[0];
   EXPECT_EQ(floe.name, "big");
@@ -160,7 +159,7 @@ TEST_F(CompleteScene, GridAndSingleFloe) {
 TEST_F(CompleteScene, Bodies) {
   ASSERT_EQ(scene_.bodies.size(), 5u);
   const BodyScene& box = scene_.bodies[0];
-  EXPECT_EQ(box.size, Vec3(1, 2, 3));
+  EXPECT_EQ(std::get<BoxScene>(box.shape).size, Vec3(1, 2, 3));
   EXPECT_EQ(box.mass, 12);
   EXPECT_FALSE(box.density);
   EXPECT_EQ((*box.inertia)[2], 5);
@@ -169,12 +168,12 @@ TEST_F(CompleteScene, Bodies) {
   EXPECT_EQ(box.velocity, Vec3(1, 0, 0));
   EXPECT_EQ(box.angular_velocity, Vec3(0, 0, 1));
   EXPECT_EQ(box.line, 49);
-  EXPECT_EQ(scene_.bodies[1].radius, 0.25);
+  EXPECT_EQ(std::get<SphereScene>(scene_.bodies[1].shape).radius, 0.25);
   EXPECT_EQ(scene_.bodies[1].density, 500);
-  EXPECT_EQ(scene_.bodies[2].height, 4);
-  EXPECT_EQ(name_of(scene_.bodies[3].shape), "plane");
+  EXPECT_EQ(std::get<CylinderScene>(scene_.bodies[2].shape).height, 4);
+  EXPECT_EQ(name_of(scene_.bodies[3].kind()), "plane");
   EXPECT_TRUE(scene_.bodies[3].fixed) << "a plane is fixed without saying so";
-  EXPECT_EQ(scene_.bodies[4].mesh, (folder_.path() / "quay.stl").string());
+  EXPECT_EQ(std::get<MeshScene>(scene_.bodies[4].shape).file, (folder_.path() / "quay.stl").string());
   EXPECT_EQ(scene_.bodies[4].material, "quay");
 }
 
