@@ -109,8 +109,8 @@ class FailureRules {
   CrackPath path_from(const Vec2& start, const std::vector<Vec2>& outline, const EdgeContact& contact,
                       const IceAtContact& ice) const;
   double bearable_force(const CrackPath& path, const SplittingFloe& floe) const;
-  std::optional<Failure> seed_split(const std::vector<Vec2>& outline, const EdgeContact& contact,
-                                    const BendingState& state, const IceAtContact& ice, double least) const;
+  std::optional<Failure> geometric_split(const std::vector<Vec2>& outline, const EdgeContact& contact,
+                                         const BendingState& state, const IceAtContact& ice, double least) const;
 
   FailureSettings settings_;
   EdgeLoad edge_;

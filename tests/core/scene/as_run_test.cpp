@@ -78,7 +78,7 @@ TEST(AsRun, DefaultsAreWrittenOutAsTheyWereUsed) {
 TEST(AsRun, OverridesPresetAndGeneratedHull) {
   const SceneFolder folder;
   const Scene scene =
-      folder.read(in_scene("<contact preset='seed-2014'/><vessel><hull/><mass value='1'/><carriage/></vessel>"),
+      folder.read(in_scene("<contact preset='metrikin-2014'/><vessel><hull/><mass value='1'/><carriage/></vessel>"),
                   {{"vessel/hull/@beam", "1.5"}, {"contact/@max_iterations", "20"}});
   expect_round_trip(folder, scene);
   EXPECT_TRUE(contains(scene.as_run, "beam=\"1.5\"")) << scene.as_run;

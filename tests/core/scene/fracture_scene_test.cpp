@@ -41,7 +41,7 @@ TEST(FractureScene, ReadsToPlainValues) {
 TEST(FractureScene, DefaultsAreTheSeedsModel) {
   const SceneFolder folder;
   const Scene scene = folder.read(in_scene(k_ice + "<fracture><crushing/></fracture>"));
-  EXPECT_EQ(name_of(scene.fracture->crushing->model), "seed-limit");
+  EXPECT_EQ(name_of(scene.fracture->crushing->model), "explicit");
   EXPECT_EQ(scene.fracture->compressive_strength, 1e5);
   EXPECT_TRUE(scene.notes.empty()) << scene.notes.front();
   EXPECT_FALSE(folder.read(in_scene(k_ice)).fracture.has_value());
@@ -57,7 +57,7 @@ TEST(FractureScene, WhatHasNoEffectIsNamed) {
                   "<fracture>: no effect: it names no <crushing>, <bending> or <splitting>."),
             1);
   EXPECT_EQ(count(folder.read(in_scene(k_ice + "<fracture><crushing exponent='0'/></fracture>")),
-                  "<fracture><crushing exponent>: no effect with model 'seed-limit'."),
+                  "<fracture><crushing exponent>: no effect with model 'explicit'."),
             1);
   const Scene varied = folder.read(
       in_scene("<ice><floe breakable='true' outline='0 0 1 0 1 1'/><vary property='flexural_strength' cov='0.1'/>"
@@ -80,7 +80,7 @@ TEST(FractureScene, BendingAndSplittingTakeTheirSettings) {
   EXPECT_EQ(name_of(plain.fracture->bending->model), "nevel");
   EXPECT_EQ(plain.fracture->bending->wedge_angle_deg, 45);
   EXPECT_EQ(plain.fracture->bending->speed_slope, 0);
-  EXPECT_EQ(name_of(plain.fracture->splitting->model), "seed-geometric");
+  EXPECT_EQ(name_of(plain.fracture->splitting->model), "geometric");
   EXPECT_EQ(plain.fracture->splitting->multiplier, 2.5);
   EXPECT_EQ(name_of(plain.fracture->small_pieces), "brash");
   const Scene given =

@@ -27,7 +27,7 @@ Scene with(const Scene& scene, Simplification which, const Overrides& more = {})
 }
 
 TEST(Simplification, NoneOfTheOlderToolsIsLeftInItsOwnScene) {
-  const Scene bare = without(shipped("seed-2014.xml"));
+  const Scene bare = without(shipped("metrikin-2014.xml"));
   EXPECT_EQ(name_of(bare.contact.law), "coulomb");
   EXPECT_EQ(name_of(bare.contact.solver), "auto");
   EXPECT_GT(bare.contact.tolerance, 0);
@@ -48,12 +48,12 @@ TEST(Simplification, NoneOfTheOlderToolsIsLeftInItsOwnScene) {
 }
 
 TEST(Simplification, EachIsPutBackAlone) {
-  const Scene scene = shipped("seed-2014.xml");
-  EXPECT_EQ(name_of(with(scene, crushing_limit).fracture->crushing->model), "seed-limit");
+  const Scene scene = shipped("metrikin-2014.xml");
+  EXPECT_EQ(name_of(with(scene, crushing_limit).fracture->crushing->model), "explicit");
   EXPECT_TRUE(with(scene, crushing_limit).fracture->crushing->between_floes);
   EXPECT_FALSE(with(scene, rigid_floes).fracture->crushing->between_floes);
   EXPECT_GT(with(scene, no_extrusion).fracture->crushing->clear_volume.value(), 1e20);
-  EXPECT_EQ(name_of(with(scene, geometric_splitting).fracture->splitting->model), "seed-geometric");
+  EXPECT_EQ(name_of(with(scene, geometric_splitting).fracture->splitting->model), "geometric");
   EXPECT_EQ(name_of(with(scene, straight_cracks).fracture->cracks->path), "straight");
   EXPECT_EQ(with(scene, uniform_ice).ice->vary.at(0).cov, 0);
   EXPECT_EQ(name_of(with(scene, uniform_ice).fracture->splitting->model), "lefm");
@@ -64,7 +64,7 @@ TEST(Simplification, WhatASceneSaysItselfStays) {
                       {"fracture/crushing/@clear_volume", "1e-3"},
                       {"ice/vary[+]/@property", "thickness"},
                       {"ice/vary[+]/@cov", "0.1"}};
-  const Scene scene = shipped("seed-2014.xml", own);
+  const Scene scene = shipped("metrikin-2014.xml", own);
   const Scene bare = without(scene, own);
   EXPECT_EQ(name_of(bare.fracture->crushing->model), "pressure-area");
   EXPECT_EQ(bare.fracture->crushing->clear_volume, 1e-3);
@@ -72,7 +72,7 @@ TEST(Simplification, WhatASceneSaysItselfStays) {
   EXPECT_EQ(name_of(bare.ice->vary[0].property), "thickness");
   EXPECT_EQ(bare.ice->vary[0].cov, 0.1);
   EXPECT_EQ(with(scene, uniform_ice, own).ice->vary.at(0).cov, 0);
-  EXPECT_EQ(name_of(with(scene, crushing_limit, own).fracture->crushing->model), "seed-limit");
+  EXPECT_EQ(name_of(with(scene, crushing_limit, own).fracture->crushing->model), "explicit");
 }
 
 TEST(Simplification, HasARowOnlyWhereTheSceneHasWhatItConcerns) {
@@ -84,7 +84,7 @@ TEST(Simplification, HasARowOnlyWhereTheSceneHasWhatItConcerns) {
   }
   GridRequest request;
   request.ablate = true;
-  const Grid grid = make_grid(shipped("seed-2014.xml"), {}, request);
+  const Grid grid = make_grid(shipped("metrikin-2014.xml"), {}, request);
   std::set<Simplification> rows;
   for (const CompareSetting& setting : grid.settings)
     if (setting.simplifications.size() == 1) rows.insert(setting.simplifications.front());

@@ -223,7 +223,7 @@ TEST(ReadScene, ASceneWithSubstepsIsSteppedByEulerUnlessItSaysOtherwise) {
 
 TEST(ReadScene, ThePresetSetsTheOlderChoicesAndWhatIsGivenWins) {
   const SceneFolder folder;
-  const ContactScene preset = folder.read(in_scene("<contact preset='seed-2014'/>")).contact;
+  const ContactScene preset = folder.read(in_scene("<contact preset='metrikin-2014'/>")).contact;
   EXPECT_EQ(name_of(preset.law), "pyramid");
   EXPECT_EQ(name_of(preset.solver), "pgs");
   EXPECT_EQ(preset.tolerance, 0);
@@ -233,7 +233,7 @@ TEST(ReadScene, ThePresetSetsTheOlderChoicesAndWhatIsGivenWins) {
   EXPECT_EQ(name_of(preset.integrator), "semi-implicit-euler");
   EXPECT_FALSE(preset.gyroscopic);
   const ContactScene given =
-      folder.read(in_scene("<contact max_iterations='10' law='coulomb' preset='seed-2014'/>")).contact;
+      folder.read(in_scene("<contact max_iterations='10' law='coulomb' preset='metrikin-2014'/>")).contact;
   EXPECT_EQ(given.max_iterations, 10);
   EXPECT_EQ(name_of(given.law), "coulomb");
   EXPECT_EQ(given.tolerance, 0);
@@ -266,7 +266,7 @@ TEST(ReadScene, GeneratedHullHasTheParametersThatAreNamed) {
 TEST(ReadScene, WhatHasNoEffectIsNoted) {
   const SceneFolder folder;
   const auto notes = folder
-                         .read(in_scene("<contact preset='seed-2014' theta='0.5'/>"
+                         .read(in_scene("<contact preset='metrikin-2014' theta='0.5'/>"
                                         "<body shape='sphere' size='1 1 1'/>"
                                         "<ice><field kind='grid' region='0 0 1 1'><size mean='1'/></field></ice>"
                                         "<output contacts='none'/>"))
@@ -281,7 +281,7 @@ TEST(ReadScene, APathTakesThePlaceOfTheSpeed) {
   const SceneFolder folder;
   folder.write("track.csv", "t_s,x_m,y_m,yaw_deg\n");
   const Scene scene =
-      folder.read(in_scene("<contact preset='seed-2014'/><output contacts='none'/><vessel><hull/>"
+      folder.read(in_scene("<contact preset='metrikin-2014'/><output contacts='none'/><vessel><hull/>"
                            "<mass value='1'/><carriage speed='0.3' ramp='0' ramp_shape='smooth'>"
                            "<path file='track.csv'/></carriage></vessel>"));
   EXPECT_EQ(scene.vessel->carriage->path, (folder.path() / "track.csv").string());
