@@ -7,21 +7,7 @@
 
 namespace nilas {
 
-const char* to_string(Law law) {
-  switch (law) {
-    case Law::coulomb:
-      return "coulomb";
-    case Law::ccp:
-      return "ccp";
-    case Law::pyramid:
-      return "pyramid";
-    case Law::pyramid_k:
-      return "pyramid-k";
-    case Law::frictionless:
-      return "frictionless";
-  }
-  return "unknown";
-}
+const char* to_string(Law law) { return choice_text(law).name.data(); }
 
 ContactProblem::ConstMatrix ContactProblem::mass(int k) const {
   const int n = block_size(k);

@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "core/base/math.h"
+#include "core/choices/law.h"
 
 namespace nilas {
 
-/// Contact law, a property of the problem. See docs/theory/contact.md.
-enum class Law { coulomb, ccp, pyramid, pyramid_k, frictionless };
+/// Its name in scene files.
 const char* to_string(Law law);
 
 struct ContactProblem {

@@ -1,6 +1,6 @@
 #pragma once
 /// The tables of `./dev bench collision`. Each prints itself and returns false where something that must hold does not.
-#include "contact/detect/narrow_phase_choice.h"
+#include "core/choices/contact_choices.h"
 
 namespace nilas::bench {
 
