@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "apps/compare/scenes/csv_columns.h"
+#include "apps/compare/scenes/run/csv_columns.h"
 #include "apps/report/floe_outlines.h"
 #include "core/base/error.h"
 #include "core/output/loads/ice_load_text.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "apps/compare/statistics.h"
+#include "apps/compare/workshop/statistics.h"
 
 namespace nilas {
 

@@ -14,11 +14,11 @@
 #include <sstream>
 #include <tuple>
 
-#include "apps/compare/child.h"
 #include "apps/compare/problems/problem_study_page.h"
 #include "apps/compare/problems/problem_study_plan.h"
 #include "apps/compare/problems/problem_study_run.h"
 #include "apps/compare/problems/problem_study_table.h"
+#include "apps/compare/workshop/child.h"
 #include "core/base/error.h"
 #include "core/output/file/output_file.h"
 #include "core/output/run/claim_folder.h"
