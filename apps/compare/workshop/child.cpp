@@ -23,8 +23,6 @@ namespace {
 
 constexpr double k_patience_s = 10;  // between SIGTERM and SIGKILL
 constexpr auto k_poll = std::chrono::milliseconds(3);
-constexpr int k_not_started = 127;  // as a shell has it
-constexpr int k_signal_base = 128;  // as a shell has it
 
 using Clock = std::chrono::steady_clock;
 
@@ -53,7 +51,7 @@ int open_for_child(const std::filesystem::path& file) {
   // a group of its own: Ctrl-C on the terminal reaches this program, which ends its children in order
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != parent) ::_exit(k_not_started);
+  if (::getppid() != parent) ::_exit(k_exit_not_started);
   cpu_set_t set;
   CPU_ZERO(&set);
   CPU_SET(core, &set);
@@ -64,7 +62,7 @@ int open_for_child(const std::filesystem::path& file) {
   ::signal(SIGTERM, SIG_DFL);
   ::sigprocmask(SIG_SETMASK, &unblocked, nullptr);
   ::execv(arguments[0], arguments);
-  ::_exit(k_not_started);
+  ::_exit(k_exit_not_started);
 }
 
 /// A process that runs.
@@ -119,7 +117,7 @@ bool ended(Running& child, ChildResult& result) {
   const auto seconds = [](const timeval& t) {
     return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
   };
-  result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : k_signal_base + WTERMSIG(status);
+  result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : k_exit_signal + WTERMSIG(status);
   result.timed_out = child.timed_out;
   result.stopped = child.stopped;
   result.cpu_s = seconds(usage.ru_utime) + seconds(usage.ru_stime);

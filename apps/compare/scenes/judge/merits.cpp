@@ -7,13 +7,14 @@
 #include <limits>
 #include <tuple>
 
+#include "apps/compare/scenes/judge/chance.h"
 #include "apps/compare/scenes/judge/load_errors.h"
 #include "apps/compare/scenes/judge/pairing.h"
 #include "apps/compare/scenes/judge/ranking.h"
 #include "apps/compare/scenes/judge/row_loads.h"
 #include "apps/compare/scenes/judge/shared_realisations.h"
 #include "apps/compare/scenes/run/motion.h"
-#include "apps/compare/workshop/statistics.h"
+#include "core/base/statistics.h"
 
 namespace nilas {
 
@@ -359,7 +360,7 @@ class Judge {
     for (auto& m : found_.merits) {
       const int count = m.load_difference.count;
       const double own = variance_of_difference(m);
-      const bool wild = !std::isnan(own) && own > scatter_95(count - 1, pooled.degrees) * runs;
+      const bool wild = !std::isnan(own) && own > fisher_95(count - 1, pooled.degrees) * runs;
       m.floor = wild ? limit(own, count - 1, count) : limit(runs, pooled.degrees, count);
       if (m.done == 0) m.floor = k_nan;
       m.told = m.error > m.floor;

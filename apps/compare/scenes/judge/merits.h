@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "apps/compare/scenes/judge/chance.h"
 #include "apps/compare/scenes/judge/paired.h"
 #include "apps/compare/scenes/plan/plan.h"
 #include "apps/compare/scenes/run/load_series.h"
 #include "apps/compare/scenes/run/run_result.h"
-#include "apps/compare/workshop/statistics.h"
 
 namespace nilas {
 

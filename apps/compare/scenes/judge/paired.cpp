@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "apps/compare/workshop/statistics.h"
+#include "core/base/statistics.h"
 
 namespace nilas {
 

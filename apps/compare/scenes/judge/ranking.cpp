@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "apps/compare/workshop/statistics.h"
+#include "core/base/statistics.h"
 
 namespace nilas {
 

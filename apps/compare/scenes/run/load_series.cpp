@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "apps/compare/scenes/run/csv_columns.h"
+#include "core/base/csv.h"
 #include "core/output/file/csv_row.h"
 #include "core/output/file/output_file.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "apps/compare/scenes/run/csv_columns.h"
+#include "core/base/csv.h"
 
 namespace nilas {
 

@@ -7,9 +7,9 @@
 #include <fstream>
 #include <limits>
 
-#include "apps/compare/scenes/run/csv_columns.h"
-#include "apps/compare/workshop/statistics.h"
+#include "core/base/csv.h"
 #include "core/base/error.h"
+#include "core/base/statistics.h"
 #include "core/sim/account/step_record.h"
 
 namespace nilas {
@@ -19,7 +19,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
-constexpr int k_signal_base = 128;
 
 /// The last line of a log that says what went wrong.
 std::string last_words(const std::filesystem::path& log) {
@@ -37,9 +36,9 @@ void judge(const ChildResult& ended, const std::filesystem::path& log, RunResult
   } else if (ended.timed_out) {
     result.status = "budget";
     result.cause = fmt::format("the budget ended it after {:.3g} s", ended.wall_s);
-  } else if (ended.exit_code > k_signal_base && ended.exit_code != 130) {
+  } else if (ended.exit_code > k_exit_signal && ended.exit_code != exit_interrupted) {
     result.status = "crashed";
-    result.cause = fmt::format("signal {}", ended.exit_code - k_signal_base);
+    result.cause = fmt::format("signal {}", ended.exit_code - k_exit_signal);
   } else if (ended.exit_code != 0) {
     result.status = "failed";
     result.cause = fmt::format("exit code {}: {}", ended.exit_code, last_words(log));

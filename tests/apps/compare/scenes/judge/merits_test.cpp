@@ -7,7 +7,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "apps/compare/workshop/statistics.h"
+#include "core/base/statistics.h"
 #include "tests/support/scratch_folder.h"
 
 namespace {

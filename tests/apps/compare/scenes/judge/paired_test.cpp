@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "apps/compare/workshop/statistics.h"
+#include "core/base/statistics.h"
 
 namespace {
 

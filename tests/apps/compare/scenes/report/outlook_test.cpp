@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "apps/compare/workshop/statistics.h"
+#include "core/base/statistics.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "apps/compare/scenes/run/csv_columns.h"
+#include "core/base/csv.h"
 #include "core/base/error.h"
 #include "tests/support/scratch_folder.h"
 

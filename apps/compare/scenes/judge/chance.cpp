@@ -1,33 +1,11 @@
-#include "apps/compare/workshop/statistics.h"
+#include "apps/compare/scenes/judge/chance.h"
 
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/fisher_f.hpp>
-#include <boost/math/distributions/students_t.hpp>
-#include <cmath>
-#include <limits>
-#include <numeric>
+
+#include "core/base/statistics.h"
 
 namespace nilas {
-
-double mean_of(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-double variance_of(const std::vector<double>& values) {
-  if (values.size() < 2) return std::numeric_limits<double>::quiet_NaN();
-  const double mean = mean_of(values);
-  double squares = 0;
-  for (const double value : values) squares += (value - mean) * (value - mean);
-  return squares / static_cast<double>(values.size() - 1);
-}
-
-double median_of(std::vector<double> values) {
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
 
 PooledVariance pooled_variance(const std::vector<double>& twin_differences,
                                const std::vector<std::vector<double>>& settings) {
@@ -56,18 +34,6 @@ PooledVariance pooled_variance(const std::vector<double>& twin_differences,
   const PooledVariance of_settings{median_of(variances) * degrees / boost::math::quantile(spread, 0.5),
                                    std::max(degrees, k_worth * degrees * (count - 1)), true};
   return of_settings.value >= pooled.value ? of_settings : pooled;
-}
-
-double scatter_95(double degrees, double degrees_below) {
-  constexpr double k_upper = 0.95;
-  if (!(degrees > 0) || !(degrees_below > 0)) return std::numeric_limits<double>::infinity();
-  return boost::math::quantile(boost::math::fisher_f(degrees, degrees_below), k_upper);
-}
-
-double student_95(double degrees) {
-  constexpr double k_upper = 0.975;
-  if (!(degrees > 0)) return std::numeric_limits<double>::infinity();
-  return boost::math::quantile(boost::math::students_t(degrees), k_upper);
 }
 
 }  // namespace nilas

@@ -1,5 +1,5 @@
-/// Numbers from a handful of runs, by hand and against tables of Student's t and chi^2.
-#include "apps/compare/workshop/statistics.h"
+/// The variance of chance from a handful of runs, by hand and against drawn numbers.
+#include "apps/compare/scenes/judge/chance.h"
 
 #include <gtest/gtest.h>
 
@@ -10,27 +10,6 @@
 namespace {
 
 using namespace nilas;
-
-TEST(Statistics, OfAFewValuesByHand) {
-  EXPECT_DOUBLE_EQ(mean_of({1, 2, 6}), 3);
-  EXPECT_DOUBLE_EQ(variance_of({1, 2, 6}), 7);
-  EXPECT_TRUE(std::isnan(variance_of({1})));
-  EXPECT_DOUBLE_EQ(median_of({5, 1, 2}), 2);
-  EXPECT_DOUBLE_EQ(median_of({5, 1, 2, 4}), 3);
-}
-
-TEST(Statistics, StudentsQuantilesAreThoseOfTheTable) {
-  EXPECT_NEAR(student_95(1), 12.706, 5e-4);
-  EXPECT_NEAR(student_95(4), 2.776, 5e-4);
-  EXPECT_NEAR(student_95(30), 2.042, 5e-4);
-  EXPECT_TRUE(std::isinf(student_95(0)));
-}
-
-TEST(Statistics, FishersQuantilesAreThoseOfTheTable) {
-  EXPECT_NEAR(scatter_95(2, 10), 4.103, 5e-4);
-  EXPECT_NEAR(scatter_95(1, 30), 4.171, 5e-4);
-  EXPECT_TRUE(std::isinf(scatter_95(0, 3)));
-}
 
 TEST(PooledVariance, OfTwinsAloneIsTheMeanSquareOfTheirDifferences) {
   for (const auto& settings : {std::vector<std::vector<double>>{}, {{1}, {2}}}) {
