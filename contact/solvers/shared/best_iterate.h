@@ -1,7 +1,7 @@
 #pragma once
 /// The stop of methods that know their residual up to rounding in every iteration: measures when that is small enough,
 /// keeps the best impulses measured, and writes the solution.
-#include "contact/solvers/shared/island_operator.h"
+#include "contact/solvers/island_operator.h"
 #include "contact/solvers/shared/progress.h"
 
 namespace nilas {

@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/field/field.h"
+#include "core/field/outline_library.h"
 #include "core/field/spec/keep_out.h"
 #include "core/geometry/orientation.h"
 #include "core/geometry/polygon.h"

@@ -2,6 +2,7 @@
 /// What moves the vessel: one class per way of holding it, each with the step of vessel_system.h.
 #include <memory>
 
+#include "core/base/state.h"
 #include "core/vessel/model/vessel_model.h"
 
 namespace nilas {

@@ -1,10 +1,11 @@
-#include "contact/solvers/shared/island_operator.h"
+#include "contact/solvers/island_operator.h"
 
 #include <cmath>
 
 #include "contact/solvers/shared/block_sums.h"
 #include "contact/solvers/shared/contact_sides.h"
 #include "contact/solvers/shared/order_free_velocities.h"
+#include "contact/solvers/solver.h"
 #include "core/base/parallel.h"
 
 namespace nilas {
