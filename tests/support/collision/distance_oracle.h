@@ -1,6 +1,6 @@
 #pragma once
 /// Distance of two convex solids that are apart, feature by feature; shares no code with contact/detect.
-#include "tests/support/sat_oracle.h"
+#include "tests/support/collision/sat_oracle.h"
 
 namespace nilas::oracle {
 

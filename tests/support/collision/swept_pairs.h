@@ -8,7 +8,7 @@
 
 #include "core/base/random.h"
 #include "core/bodies/bodies.h"
-#include "tests/support/sat_oracle.h"
+#include "tests/support/collision/sat_oracle.h"
 
 namespace nilas::oracle {
 

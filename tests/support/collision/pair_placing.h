@@ -1,7 +1,7 @@
 #pragma once
 /// Pairs of a class, drawn at random and placed at a known depth or distance.
-#include "tests/support/distance_oracle.h"
-#include "tests/support/pair_classes.h"
+#include "tests/support/collision/distance_oracle.h"
+#include "tests/support/collision/pair_classes.h"
 
 namespace nilas::pairs {
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "contact/detect/detector.h"
-#include "tests/support/pair_placing.h"
+#include "tests/support/collision/pair_placing.h"
 
 namespace nilas::pairs {
 
