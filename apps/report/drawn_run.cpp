@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "apps/compare/scenes/csv_columns.h"
 #include "apps/report/floe_outlines.h"
+#include "core/base/csv.h"
 #include "core/base/error.h"
 #include "core/output/loads/ice_load_text.h"
 #include "core/output/tables/contact_rows.h"
@@ -118,7 +118,7 @@ ContactPictureInput contact_picture(const std::filesystem::path& run_folder, con
                                     const std::vector<double>& times, double half_width,
                                     std::vector<std::string>& notes) {
   const Choice choice = choose(run_folder.string(), simulation, body);
-  if (scene.output.contacts == "none")
+  if (scene.output.contacts == StoredContacts::none)
     throw InputError(run_folder.string() +
                      ": the run stored no contacts; set <output contacts=\"hull\"> and run it "
                      "again");

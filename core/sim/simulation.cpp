@@ -11,7 +11,7 @@ namespace nilas {
 Simulation::Simulation(const Scene& scene, int threads, WarningCounts& warnings, const ModuleList& modules)
     : world_(std::make_unique<World>(scene, threads, warnings, build_world(scene, threads, warnings, modules))) {
   step_ = take_step;
-  if (scene.contact.integrator != "reference") return;
+  if (scene.contact.integrator != Integrator::reference) return;
   const auto reference = std::make_shared<ReferenceIntegrator>(scene, threads, world_->parts, world_->model);
   step_ = [reference](World& world) { return take_reference_step(world, *reference); };
 }

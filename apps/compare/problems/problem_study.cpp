@@ -1,25 +1,23 @@
 #include "apps/compare/problems/problem_study.h"
 
 #include <fmt/format.h>
-#include <sys/utsname.h>
 
 #include <algorithm>
 #include <cmath>
-#include <csignal>
-#include <fstream>
 #include <iostream>
 #include <optional>
 #include <regex>
 #include <set>
-#include <sstream>
 #include <tuple>
 
-#include "apps/compare/child.h"
 #include "apps/compare/problems/problem_study_page.h"
 #include "apps/compare/problems/problem_study_plan.h"
 #include "apps/compare/problems/problem_study_run.h"
 #include "apps/compare/problems/problem_study_table.h"
+#include "apps/compare/workshop/child.h"
 #include "core/base/error.h"
+#include "core/base/file_bytes.h"
+#include "core/base/machine.h"
 #include "core/output/file/output_file.h"
 #include "core/output/run/claim_folder.h"
 #include "core/output/text/console.h"
@@ -32,15 +30,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double k_usual_budget = 1200;  // [s]
-constexpr int k_done = 0, k_interrupted = 130;
 constexpr const char* k_work = ".runs";  // what runs print, each until it is judged
 
-std::string contents(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
+/// A run that was ended early may have left no file.
+std::string contents(const fs::path& file) { return fs::exists(file) ? file_bytes(file) : ""; }
 
 fs::path usual_folder(const fs::path& problems) {
   const fs::path plain = fs::absolute(problems).lexically_normal();
@@ -49,13 +42,8 @@ fs::path usual_folder(const fs::path& problems) {
 }
 
 std::string machine() {
-  utsname name{};
-  uname(&name);
-  std::string processor;
-  std::ifstream in("/proc/cpuinfo");
-  for (std::string line; processor.empty() && std::getline(in, line);)
-    if (line.rfind("model name", 0) == 0) processor = ", " + line.substr(line.find(':') + 2);
-  return fmt::format("{} {} {}{}, {} cores", name.sysname, name.release, name.machine, processor, usable_cores());
+  const std::string processor = processor_text();
+  return fmt::format("{}{}{}, {} cores", system_text(), processor.empty() ? "" : ", ", processor, usable_cores());
 }
 
 /// What an earlier study left, from its own files.
@@ -287,7 +275,7 @@ class Study {
     fs::remove(options_.out / "nilas.log");
     tell_end();
     if (!no_pictures_.empty()) std::cerr << "warning: " << no_pictures_ << "\n";
-    return stopped ? k_interrupted : k_done;
+    return stopped ? exit_interrupted : exit_done;
   }
 
   void tell_end() const {
@@ -318,7 +306,6 @@ class Study {
 }  // namespace
 
 int run_problem_study(const ProblemStudyOptions& options, const std::function<bool()>& stop) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is then an error of the write, with a message
   return Study(options, stop).execute();
 }
 

@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <set>
-#include <sstream>
 
 #include "apps/compare/problems/problem_study_run.h"
 #include "core/output/file/output_file.h"
@@ -46,12 +44,7 @@ std::string scientific(double x) { return std::isfinite(x) ? fmt::format("{:.1e}
 
 /// The drawing itself. What gnuplot names in it is the same in all of them.
 std::string drawing(const std::filesystem::path& folder, const StudyFigure& figure) {
-  std::ifstream in(folder / (figure.name + ".svg"));
-  std::ostringstream text;
-  text << in.rdbuf();
-  std::string svg = text.str();
-  svg.erase(0, std::min(svg.size(), svg.find("<svg")));
-  return fmt::format("<h3>{}</h3>\n{}\n", html_text(figure.title), svg);
+  return fmt::format("<h3>{}</h3>\n{}\n", html_text(figure.title), inline_svg(folder / (figure.name + ".svg")));
 }
 
 std::string drawings(const std::filesystem::path& folder, const std::vector<StudyFigure>& figures,

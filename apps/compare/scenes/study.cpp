@@ -8,16 +8,16 @@
 #include <iostream>
 #include <sstream>
 
-#include "apps/compare/scenes/allotment.h"
-#include "apps/compare/scenes/given_reference.h"
-#include "apps/compare/scenes/load_series.h"
-#include "apps/compare/scenes/merits.h"
-#include "apps/compare/scenes/outlook.h"
-#include "apps/compare/scenes/plan_text.h"
-#include "apps/compare/scenes/probe.h"
-#include "apps/compare/scenes/ranking.h"
-#include "apps/compare/scenes/study_folder.h"
-#include "apps/compare/scenes/study_outputs.h"
+#include "apps/compare/scenes/judge/merits.h"
+#include "apps/compare/scenes/judge/ranking.h"
+#include "apps/compare/scenes/report/outlook.h"
+#include "apps/compare/scenes/report/plan_text.h"
+#include "apps/compare/scenes/report/study_outputs.h"
+#include "apps/compare/scenes/run/allotment.h"
+#include "apps/compare/scenes/run/given_reference.h"
+#include "apps/compare/scenes/run/load_series.h"
+#include "apps/compare/scenes/run/probe.h"
+#include "apps/compare/scenes/run/study_folder.h"
 #include "core/base/error.h"
 #include "core/output/run/claim_folder.h"
 #include "core/output/text/console.h"
@@ -26,7 +26,6 @@ namespace nilas {
 
 namespace {
 
-constexpr int k_done = 0, k_bad_input = 2, k_numerics = 3, k_interrupted = 130;
 /// Status of a run that took far longer than was expected of it.
 constexpr const char* k_too_slow = "too slow";
 
@@ -55,7 +54,7 @@ class Comparison {
     if (stop_()) {  // nothing is known yet that could go on
       folder_->abandon();
       say("interrupted before it began");
-      return k_interrupted;
+      return exit_interrupted;
     }
     for (const auto& line : plan_lines(study_)) tell(line);
     return execute();
@@ -150,7 +149,7 @@ class Comparison {
     study_.probe_steps = first.steps;
     study_.probe_ms = first.total_ms();
     trouble_ = first.trouble;
-    if (first.exit_code == k_bad_input) throw InputError(first.trouble);
+    if (first.exit_code == exit_bad_input) throw InputError(first.trouble);
     PlanInput input;
     PlanRequest& request = input.request;
     request.stated_budget_s = study_.budget_s;
@@ -263,8 +262,7 @@ class Comparison {
       if (times.ms.size() < study_.probe_steps) result.first_steps_ms = 0;
     }
     judge_end(run, result);
-    constexpr int k_file_error = 4;
-    if (ended.exit_code == k_file_error) {
+    if (ended.exit_code == exit_file) {
       if (file_error_.empty()) file_error_ = "run " + run.id + ": " + result.cause;
       result.status = "interrupted";
     }
@@ -392,8 +390,8 @@ class Comparison {
     if (options_.json)
       std::cout << outputs.json().dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
     if (!file_error_.empty()) throw FileError(file_error_);
-    if (stop_()) return k_interrupted;
-    return outputs.compared() ? k_done : k_numerics;
+    if (stop_()) return exit_interrupted;
+    return outputs.compared() ? exit_done : exit_numerics;
   }
 
   /// Why not all was run; empty: the comparison came to its end.

@@ -11,7 +11,6 @@
 #include "core/base/random.h"
 #include "core/sim/build/implausible.h"
 #include "core/sim/build/vessel_doubts.h"
-#include "core/sim/reference/reference.h"
 #include "core/sim/world/contact_model.h"
 #include "core/sim/world/course.h"
 #include "core/sim/world/load_axes.h"
@@ -22,11 +21,11 @@ namespace nilas {
 /// The line of the contact model in the list of what was built.
 static void list_contact(const Scene& scene, RunInfo& info) {
   const ContactScene& contact = scene.contact;
-  const bool two_coefficients = build_contact_model(contact, 1).static_friction.has_value();
   info.modules.emplace_back(
-      "contact", "law " + contact.law + ", solver " + contact.solver + ", stabilisation " + contact.stabilisation +
-                     ", detection " + contact.detection + ", narrow phase " + contact.narrow_phase + ", integrator " +
-                     contact.integrator + (two_coefficients ? ", static friction above kinetic" : ""));
+      "contact", "law " + name_of(contact.law) + ", solver " + name_of(contact.solver) + ", stabilisation " +
+                     name_of(contact.stabilisation) + ", detection " + name_of(contact.detection) + ", narrow phase " +
+                     name_of(contact.narrow_phase) + ", integrator " + name_of(contact.integrator) +
+                     (has_static_friction(contact) ? ", static friction above kinetic" : ""));
 }
 
 static void build_modules(const ModuleSources& from, const ModuleList& modules, WorldParts& parts) {
@@ -47,15 +46,13 @@ static void build_modules(const ModuleSources& from, const ModuleList& modules, 
 
 static void build_water(const Scene& scene, WorldParts& parts) {
   const bool needs_water = scene.hydro && (scene.hydro->buoyancy || scene.hydro->drag);
-  if (needs_water && !scene.water)
-    throw InputError(scene.file.string() + ": <hydro> asks for buoyancy or drag, but the scene has no <water>");
+  NILAS_DEMAND(!needs_water || scene.water);
   if (!scene.water) return;
   Water water;
   water.density = scene.water->density;
   water.level = scene.water->level;
   if (scene.water->current) water.current = scene.water->current->velocity;
-  if (needs_water && (scene.gravity.x() != 0 || scene.gravity.y() != 0 || scene.gravity.z() > 0))
-    throw InputError(scene.file.string() + ": <gravity>: with <hydro>, gravity must point along -Z");
+  NILAS_DEMAND(!needs_water || (scene.gravity.x() == 0 && scene.gravity.y() == 0 && scene.gravity.z() <= 0));
   water.gravity = scene.gravity.norm();
   parts.water = water;
 }
@@ -84,9 +81,15 @@ constexpr std::array k_judged{BodyKind::floe, BodyKind::vessel};
 void refuse_overlaps(const Scene& scene, const WorldParts& parts) {
   const Bodies& bodies = parts.bodies;
   const auto kind = [&](int b) { return bodies.kind[static_cast<std::size_t>(b)]; };
-  double tolerance = FieldScene{}.overlap_tolerance;
+  double tolerance = PackedFieldScene{}.overlap_tolerance;
+  const auto tolerate = [&](const PackedFieldScene& packed) {
+    tolerance = std::max(tolerance, packed.overlap_tolerance);
+  };
   if (scene.ice)
-    for (const auto& field : scene.ice->fields) tolerance = std::max(tolerance, field.overlap_tolerance);
+    for (const auto& field : scene.ice->fields) {
+      if (const auto* packed = std::get_if<PackedFieldScene>(&field.form)) tolerate(*packed);
+      if (const auto* channel = std::get_if<ChannelFieldScene>(&field.form)) tolerate(channel->ice);
+    }
   ContactDetector detector;
   const auto joined = [&](int a, int b) { return parts.are_joined(a, b); };
   for (const auto& c : detector.detect(bodies, 0, joined)) {
@@ -118,10 +121,8 @@ void set_aside(std::uint64_t twin, Bodies& bodies) {
 }
 
 WorldParts build_world(const Scene& scene, int threads, WarningCounts& warnings, const ModuleList& modules) {
-  demand_contact_choices(scene);
   WorldParts parts;
   parts.info.scene_name = scene.name;
-  if (scene.contact.integrator == "reference") demand_reference(scene);
   build_water(scene, parts);
   const FrictionTable friction = friction_table(scene);
   if (scene.vessel) parts.vessel_index = build_vessel(scene, parts);

@@ -74,30 +74,6 @@ double moment_of(const Vec3& p, const Wrench& load) { return (p.cross(load.force
 
 }  // namespace
 
-void demand_reference(const Scene& scene) {
-  const auto refuse = [&](const std::string& found, const std::string& allowed) {
-    throw InputError(scene.file.string() + ": <contact integrator>: 'reference' does not take " + found +
-                     "; allowed: " + allowed);
-  };
-  const ContactScene& contact = scene.contact;
-  if (contact.law != "coulomb" && contact.law != "frictionless")
-    refuse("law '" + contact.law + "'", "coulomb, frictionless");
-  if (scene.fracture) refuse("<fracture>", "ice that cannot break");
-  if (!contact.gyroscopic) refuse("gyroscopic=\"false\"", "true");
-  if (scene.output.checkpoint_every > 0)
-    refuse("checkpoints, since what CVODE remembers cannot be saved", "no checkpoint_every");
-  for (const auto& body : scene.bodies)
-    if (!body.fixed && body.shape == "cylinder")
-      refuse("the free cylinder '" + body.name + "'", "free spheres, boxes, meshes and floes; fixed cylinders");
-  if (scene.vessel)
-    for (const auto& part : scene.vessel->parts)
-      if (part.shape == "cylinder")
-        refuse("the cylinder '" + part.name + "' as a part of the vessel", "spheres, boxes and meshes");
-  for (const auto& pair : contact.friction)
-    if (pair.rolling > 0 || pair.spinning > 0)
-      refuse("rolling or spinning friction", "static, kinetic and restitution in <friction>");
-}
-
 ReferenceIntegrator::ReferenceIntegrator(const Scene& scene, int threads, WorldParts& parts, const ContactModel& model)
     : parts_(parts),
       model_(model),
@@ -106,7 +82,7 @@ ReferenceIntegrator::ReferenceIntegrator(const Scene& scene, int threads, WorldP
       no_vessel_loads_(parts.num_parts, vessel_ && vessel_->is_towed()),
       state_(parts.bodies, parts.info.work_names.size(), vessel_ ? &*vessel_ : nullptr,
              parts.vessel ? &no_vessel_loads_ : nullptr),
-      contacts_(parts.friction, acceleration_solver(scene.contact, threads), scene.contact.law == "frictionless",
+      contacts_(parts.friction, acceleration_solver(scene.contact, threads), scene.contact.law.law == Law::frictionless,
                 rest_speed(scene.contact.tolerance), vessel_ ? &*vessel_ : nullptr,
                 [&parts](int a, int b) { return parts.are_joined(a, b); }),
       module_loads_(parts.forces.size(), Wrenches(parts.bodies.id.size())),

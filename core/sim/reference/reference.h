@@ -29,9 +29,6 @@ struct ReferenceStep {
   std::vector<ContactPoint> met;  ///< contacts that closed, and those that stay closed
 };
 
-/// Throws InputError naming what integrator="reference" does not take and what it does.
-void demand_reference(const Scene& scene);
-
 class ReferenceIntegrator {
  public:
   /// Moves the bodies of `parts`; impacts by `model`. Throws InputError where too many contacts are closed.

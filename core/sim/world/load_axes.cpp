@@ -75,7 +75,7 @@ void describe_loads(const Scene& scene, WorldParts& parts) {
   const bool crushes = scene.fracture && scene.fracture->crushing && scene.ice;
   info.rigid_contacts = !crushes || !all_breakable(*scene.ice);
   // its impacts within a step leave no contacts to sum
-  if (scene.contact.integrator == "reference") return;
+  if (scene.contact.integrator == Integrator::reference) return;
   for (std::size_t b = 0; b < parts.bodies.id.size(); ++b)
     if (is_structure(parts.bodies, b))
       info.structures.push_back({parts.bodies.name[b], horizontal_extent(parts.bodies, b)});

@@ -18,7 +18,7 @@ World::World(const Scene& scene, int thread_count, WarningCounts& warning_counts
       gravity(scene.gravity),
       gyroscopic(scene.contact.gyroscopic),
       model(build_contact_model(scene.contact, thread_count)),
-      detector(thread_count, narrow_phase(scene.contact)),
+      detector(thread_count, scene.contact.narrow_phase),
       energy(parts.info.work_names, 0, 0) {
   follow_bodies({});
   energy = EnergyAccount(parts.info.work_names, kinetic_energy(parts.bodies), potential());

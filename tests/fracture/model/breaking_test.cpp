@@ -103,7 +103,7 @@ TEST(Breaking, AFreeFloeKeepsMassMomentumAndEnergy) {
 TEST(Breaking, SmallPiecesAreBrashOrStopIt) {
   const auto with = [](const std::string& small, double min_area) {
     return bow() + "<fracture flexural_strength='5e4' compressive_strength='2e5' min_area='" + text(min_area) +
-           "' small_pieces='" + small + "'><crushing model='seed-limit'/><bending/></fracture>";
+           "' small_pieces='" + small + "'><crushing model='explicit'/><bending/></fracture>";
   };
   Rig brash(with("brash", 0.03));
   const double mass = brash.bodies().mass[1];
