@@ -1,7 +1,6 @@
 #include "contact/registry.h"
 
 #include <algorithm>
-#include <charconv>
 
 #include "contact/solvers/admm.h"
 #include "contact/solvers/apgd.h"
@@ -20,10 +19,6 @@
 #include "core/base/error.h"
 
 namespace nilas {
-
-/// Bounds of pyramid-k; at the upper one its friction is within 5e-6 of the cone's.
-constexpr int k_fewest_facets = 3;
-constexpr int k_most_facets = 1000;
 
 template <class Solver, class Settings>
 static std::unique_ptr<ContactSolver> make(const SolverSettings& shared) {
@@ -47,59 +42,51 @@ static std::unique_ptr<ContactSolver> make_siconos(const SolverSettings& shared)
 }
 #endif
 
-const std::vector<SolverEntry>& solver_registry() {
-  static const std::vector<Law> pgs_laws{Law::pyramid, Law::coulomb, Law::frictionless};
-  static const std::vector<Law> all_laws{Law::coulomb, Law::ccp, Law::pyramid, Law::pyramid_k, Law::frictionless};
-  static const std::vector<Law> cone_laws{Law::coulomb, Law::ccp, Law::frictionless};
-  static const std::vector<Law> convex_sets{Law::coulomb, Law::ccp, Law::pyramid_k, Law::frictionless};
-  static const std::vector<SolverEntry> entries{
-      {"pgs",
-       "Projected Gauss-Seidel on single rows, about 25 ns per contact and sweep; for loose packings and comparison "
-       "with earlier tools, slow for stacks and heavy-on-light contact.",
-       pgs_laws, make<PgsSolver, PgsSettings>},
-      {"nsgs",
-       "Block Gauss-Seidel with the exact solution of each contact, 1.3 to 1.7 times the cost of a sweep of pgs; for "
-       "loose fields and as a first stage, slow for stacks and heavy-on-light contact.",
-       all_laws, make<NsgsSolver, NsgsSettings>, true},
-      {"eg",
-       "Self-adaptive extragradient, two products with W per iteration, O(contacts); for sliding fields, slow for "
-       "stacks and redundant contacts.",
-       convex_sets, make<EgSolver, EgSettings>},
-      {"eg-order-free",
-       "eg with exact cuts of every sum: mirror images, permuted bodies and contacts and any number of threads give "
-       "the same bits, at about twice the cost of eg; for sliding fields, newton-order-free elsewhere.",
-       convex_sets, make_order_free, false, true},
-      {"apgd",
-       "Accelerated projected gradient with De Saxce's outer loop, one product with W per iteration, O(contacts); 100 "
-       "to 20000 iterations; for mass ratios and fields where 1e-8 m/s is enough, may stall at 1e-5 m/s on tall "
-       "stacks.",
-       convex_sets, make<ApgdSolver, ApgdSettings>},
-      {"enumerate",
-       "Tries every combination of open, sticking and slipping of up to 8 contacts, 3^n dense systems; an oracle to "
-       "check others by.",
-       cone_laws, make<EnumerateSolver, EnumerateSettings>},
-      {"admm",
-       "Alternating directions with De Saxce's shift; few factorisations, two triangular solves per iteration, 30 to "
-       "1000 iterations; for sticking contact of any masses, stalls where slipping contacts are redundant.",
-       cone_laws, make<AdmmSolver, AdmmSettings>},
-      {"ipm",
-       "Interior point with a De Saxce outer loop and a Newton finish; 10 to 200 factorisations whatever the masses; "
-       "for extreme mass ratios, stacks and redundant contacts, costly for large loose fields.",
-       cone_laws, make<IpmSolver, IpmSettings>},
-      {"newton",
-       "Proximal semismooth Newton, one sparse factorisation of the loaded contacts per iteration, 5 to 30 iterations; "
-       "the reference: for accuracy, stacks, jams, redundant contacts and mass ratios.",
-       all_laws, make<NewtonSolver, NewtonSettings>},
-      {"newton-order-free",
-       "newton whose steps are solved to many more digits than are kept: mirror images, permuted bodies and contacts "
-       "and any number of threads give the same bits, at one to three times the cost of newton; the first choice for "
-       "studies of symmetry.",
-       convex_sets, make_order_free_newton, false, true},
-      {"auto",
-       "Climbs from nsgs over admm and newton to ipm until the tolerance holds, island by island, and says what it "
-       "used; the "
-       "default for every problem.",
-       all_laws, make<AutoSolver, AutoSettings>, true},
+/// What builds the solver that a scene asks for by this name.
+static std::unique_ptr<ContactSolver> make_named(SolverName name, const SolverSettings& settings) {
+  switch (name) {
+    case SolverName::pgs:
+      return make<PgsSolver, PgsSettings>(settings);
+    case SolverName::nsgs:
+      return make<NsgsSolver, NsgsSettings>(settings);
+    case SolverName::eg:
+      return make<EgSolver, EgSettings>(settings);
+    case SolverName::eg_order_free:
+      return make_order_free(settings);
+    case SolverName::apgd:
+      return make<ApgdSolver, ApgdSettings>(settings);
+    case SolverName::enumerate:
+      return make<EnumerateSolver, EnumerateSettings>(settings);
+    case SolverName::admm:
+      return make<AdmmSolver, AdmmSettings>(settings);
+    case SolverName::ipm:
+      return make<IpmSolver, IpmSettings>(settings);
+    case SolverName::newton:
+      return make<NewtonSolver, NewtonSettings>(settings);
+    case SolverName::newton_order_free:
+      return make_order_free_newton(settings);
+    case SolverName::automatic:
+      return make<AutoSolver, AutoSettings>(settings);
+  }
+  return nullptr;
+}
+
+static SolverEntry entry_of(SolverName name) {
+  const ChoiceText text = choice_text(name);
+  SolverTraits traits = traits_of(name);
+  const auto make_it = [name](const SolverSettings& settings) { return make_named(name, settings); };
+  return {std::string(text.name),
+          std::string(text.doc),
+          std::move(traits.laws),
+          make_it,
+          traits.moments,
+          traits.order_free,
+          name};
+}
+
+/// Other people's solvers, where this build has them.
+static std::vector<SolverEntry> peer_entries() {
+  return {
 #ifdef NILAS_PEER_SOLVERS
       {"siconos-nsgs",
        "Siconos' block Gauss-Seidel, run down a ladder of its own relative tolerances; for comparison only.",
@@ -123,6 +110,15 @@ const std::vector<SolverEntry>& solver_registry() {
        make<SimbodyPgsSolver, SimbodyPgsSettings>},
 #endif
   };
+}
+
+const std::vector<SolverEntry>& solver_registry() {
+  static const std::vector<SolverEntry> entries = [] {
+    std::vector<SolverEntry> all;
+    for (const SolverName name : all_choices<SolverName>()) all.push_back(entry_of(name));
+    for (SolverEntry& peer : peer_entries()) all.push_back(std::move(peer));
+    return all;
+  }();
   return entries;
 }
 
@@ -142,50 +138,26 @@ const SolverEntry& find_solver(const std::string& name) {
   throw InputError("unknown contact solver '" + name + "'" + suggestion(name, known));
 }
 
+const SolverEntry& find_solver(SolverName name) {
+  return solver_registry().at(static_cast<std::size_t>(name));  // they begin with these, in their order
+}
+
 void demand_law(const SolverEntry& entry, Law law) {
-  const auto takes = [law](const SolverEntry& other) {
-    return std::find(other.laws.begin(), other.laws.end(), law) != other.laws.end();
-  };
-  if (takes(entry)) return;
-  std::string laws, others;
-  for (const Law known : entry.laws) laws += (laws.empty() ? "" : ", ") + std::string(to_string(known));
-  for (const auto& other : solver_registry())
-    if (takes(other)) others += (others.empty() ? "" : ", ") + other.name;
-  throw InputError("solver '" + entry.name + "' does not take the law '" + to_string(law) + "'; it takes: " + laws +
-                   "; solvers for this law: " + others);
+  if (entry.in_scenes) {
+    if (const auto problem = law_problem(*entry.in_scenes, law)) throw InputError(*problem);
+    return;
+  }
+  if (std::find(entry.laws.begin(), entry.laws.end(), law) != entry.laws.end()) return;
+  std::string laws;
+  for (const Law known : entry.laws) laws += (laws.empty() ? "" : ", ") + name_of(known);
+  throw InputError("solver '" + entry.name + "' does not take the law '" + name_of(law) + "'; it takes: " + laws);
 }
 
 void demand_moments(const SolverEntry& entry, Law law) {
-  std::string solvers;
-  for (const auto& other : solver_registry())
-    if (other.moments) solvers += (solvers.empty() ? "" : ", ") + other.name;
-  if (!entry.moments)
-    throw InputError("solver '" + entry.name + "' does not take rolling and spinning friction; these do: " + solvers);
-  if (law != Law::coulomb && law != Law::pyramid && law != Law::frictionless)
-    throw InputError("rolling and spinning friction go with the laws coulomb, pyramid and frictionless, not with '" +
-                     std::string(to_string(law)) + "'");
-}
-
-/// The k of "pyramid-k", 0 when the name has another form.
-static int parse_facets(const std::string& name) {
-  const std::string stem = "pyramid-";
-  if (name.rfind(stem, 0) != 0) return 0;
-  int facets = 0;
-  const char* const end = name.data() + name.size();
-  const auto [stop, error] = std::from_chars(name.data() + stem.size(), end, facets);
-  return error == std::errc() && stop == end ? facets : 0;
-}
-
-ParsedLaw parse_law(const std::string& name) {
-  for (const Law law : {Law::coulomb, Law::ccp, Law::pyramid, Law::frictionless})
-    if (name == to_string(law)) return {law, 0};
-  const int facets = parse_facets(name);
-  if (facets >= k_fewest_facets && facets <= k_most_facets) return {Law::pyramid_k, facets};
-  if (facets != 0 || name == to_string(Law::pyramid_k))
-    throw InputError("contact law '" + name + "': a pyramid has " + std::to_string(k_fewest_facets) + " to " +
-                     std::to_string(k_most_facets) + " facets, e.g. pyramid-8");
-  throw InputError("unknown contact law '" + name + "'" +
-                   suggestion(name, {"coulomb", "ccp", "pyramid", "pyramid-8", "frictionless"}));
+  const auto problem = entry.in_scenes
+                           ? moment_problem(*entry.in_scenes, law)
+                           : std::optional("solver '" + entry.name + "' does not take rolling and spinning friction");
+  if (problem) throw InputError(*problem);
 }
 
 }  // namespace nilas

@@ -147,9 +147,9 @@ std::optional<FailureRules::SplittingState> FailureRules::splitting_state(const 
   return SplittingState{contact.opening / bearable_force(path, floe), std::move(path.points)};
 }
 
-std::optional<Failure> FailureRules::seed_split(const std::vector<Vec2>& outline, const EdgeContact& contact,
-                                                const BendingState& state, const IceAtContact& ice,
-                                                double least) const {
+std::optional<Failure> FailureRules::geometric_split(const std::vector<Vec2>& outline, const EdgeContact& contact,
+                                                     const BendingState& state, const IceAtContact& ice,
+                                                     double least) const {
   if (state.radial < least || !contact.pushes_in) return std::nullopt;
   const SplitRule rule{state.radius, settings_.multiplier, settings_.min_area, settings_.max_aspect};
   const Split split = split_along(outline, contact.edge_point, angle_of(contact.inward), rule);
@@ -170,8 +170,8 @@ std::vector<Failure> FailureRules::failures(const std::vector<Vec2>& outline, co
   // in the middle of the ice it is no load on an edge
   if (contact.from_edge > link(ice) + 0.5 * contact.depth) return found;
   const BendingState state = bending_state(outline, contact, ice);
-  if (settings_.splitting == SplittingModel::seed_geometric)
-    if (auto split = seed_split(outline, contact, state, ice, least)) found.push_back(std::move(*split));
+  if (settings_.splitting == SplittingModel::geometric)
+    if (auto split = geometric_split(outline, contact, state, ice, least)) found.push_back(std::move(*split));
   if (settings_.splitting == SplittingModel::lefm)
     if (auto split = splitting_state(outline, contact, ice); split && split->ratio >= least)
       found.push_back({FailureKind::splitting, split->ratio, contact.edge_point, 0, {std::move(split->crack)}});

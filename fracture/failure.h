@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/choices/defaults.h"
+#include "core/choices/fracture_choices.h"
 #include "fracture/bend/edge_contact.h"
 #include "fracture/bend/edge_load.h"
 #include "fracture/bend/plate.h"
@@ -16,22 +18,20 @@
 
 namespace nilas {
 
-enum class SplittingModel { none, seed_geometric, lefm };
-
 struct FailureSettings {
   double youngs_modulus = 5e9;  ///< [Pa]
   double poisson = 0.3;
-  double water_density = 1025;  ///< [kg/m^3]
-  double gravity = 9.81;        ///< [m/s^2]
+  double water_density = defaults::k_water_density;  ///< [kg/m^3]
+  double gravity = defaults::k_gravity;              ///< [m/s^2]
   bool bending = false;
-  double wedge_angle = k_pi / 4;  ///< alpha_wedge [rad]
-  SpeedRule speed;                ///< of the breaking length
-  SplittingModel splitting = SplittingModel::none;
-  double multiplier = 2.5;  ///< S_k of seed_geometric
-  double min_area = 0;      ///< of a piece that splitting leaves [m^2]
-  double max_aspect = 8;    ///< R_size, of seed_geometric
-  bool curved = false;      ///< cracks go where the ice around the contact is weak
-  double segment = 2;       ///< longest segment of curved splitting cracks [thicknesses]
+  double wedge_angle = defaults::k_wedge_angle_deg * k_deg;  ///< alpha_wedge [rad]
+  SpeedRule speed;                                           ///< of the breaking length
+  std::optional<SplittingModel> splitting;
+  double multiplier = defaults::k_split_multiplier;  ///< S_k of splitting by geometry
+  double min_area = 0;                               ///< of a piece that splitting leaves [m^2]
+  double max_aspect = defaults::k_max_aspect;        ///< R_size, of the same
+  bool curved = false;                               ///< cracks go where the ice around the contact is weak
+  double segment = defaults::k_segment_thicknesses;  ///< longest segment of curved splitting cracks [thicknesses]
 };
 
 /// What a floe bears near a contact.
@@ -97,7 +97,7 @@ class FailureRules {
   /// from the edge than link() and half its depth.
   ///   bending: both stages at their strength, where the ice goes farther than R_bending from the contact in the
   ///     middle of one of the wedges at least (a tongue breaks off, however narrow it is across the load);
-  ///   seed-geometric: radial cracks, and a chord along the load's direction that split_along takes; bending then
+  ///   geometric: radial cracks, and a chord along the load's direction that split_along takes; bending then
   ///     only where that cut is refused;
   ///   lefm: F_Y at what the floe bears. It competes with bending by the ratios: small floes split first.
   std::vector<Failure> failures(const std::vector<Vec2>& outline, const EdgeContact& contact, const IceAtContact& ice,
@@ -109,8 +109,8 @@ class FailureRules {
   CrackPath path_from(const Vec2& start, const std::vector<Vec2>& outline, const EdgeContact& contact,
                       const IceAtContact& ice) const;
   double bearable_force(const CrackPath& path, const SplittingFloe& floe) const;
-  std::optional<Failure> seed_split(const std::vector<Vec2>& outline, const EdgeContact& contact,
-                                    const BendingState& state, const IceAtContact& ice, double least) const;
+  std::optional<Failure> geometric_split(const std::vector<Vec2>& outline, const EdgeContact& contact,
+                                         const BendingState& state, const IceAtContact& ice, double least) const;
 
   FailureSettings settings_;
   EdgeLoad edge_;

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "core/bodies/module.h"
+#include "core/choices/defaults.h"
 #include "hydro/water.h"
 
 namespace nilas {
@@ -23,8 +24,8 @@ std::unique_ptr<ForceModule> make_buoyancy(const Water& water, int threads);
 /// over the face: a floe that rocks about a horizontal axis through its centre gets no form drag on its caps, only on
 /// its sides.
 struct DragCoefficients {
-  double form = 1.0;    ///< C_f
-  double skin = 0.005;  ///< C_s
+  double form = defaults::k_form_drag;      ///< C_f
+  double skin = defaults::k_skin_friction;  ///< C_s
 };
 /// For slivers at great speeds a quadratic force is too much for an explicit step: limit() scales the wrench W of a
 /// free body down to W P / (h W . M^-1 W) where that is less than W, P being the power that it takes from the motion

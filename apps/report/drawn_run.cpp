@@ -118,7 +118,7 @@ ContactPictureInput contact_picture(const std::filesystem::path& run_folder, con
                                     const std::vector<double>& times, double half_width,
                                     std::vector<std::string>& notes) {
   const Choice choice = choose(run_folder.string(), simulation, body);
-  if (scene.output.contacts == "none")
+  if (scene.output.contacts == StoredContacts::none)
     throw InputError(run_folder.string() +
                      ": the run stored no contacts; set <output contacts=\"hull\"> and run it "
                      "again");

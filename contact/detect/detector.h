@@ -9,10 +9,10 @@
 #include "contact/detect/broad/contact_point.h"
 #include "contact/detect/broad/fast_pairs.h"
 #include "contact/detect/detector_counts.h"
-#include "contact/detect/narrow_phase_choice.h"
 #include "contact/detect/swept.h"
 #include "core/base/state.h"
 #include "core/bodies/bodies.h"
+#include "core/choices/contact_choices.h"
 
 namespace nilas {
 

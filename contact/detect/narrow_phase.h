@@ -4,9 +4,9 @@
 
 #include "contact/detect/broad/contact_key.h"
 #include "contact/detect/broad/contact_point.h"
-#include "contact/detect/narrow_phase_choice.h"
 #include "contact/detect/search/axis_search.h"
 #include "contact/detect/surface/point_reduction.h"
+#include "core/choices/contact_choices.h"
 
 namespace nilas {
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/measure/measure.h"
+
 namespace nilas {
 
 namespace {

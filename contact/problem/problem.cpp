@@ -7,22 +7,6 @@
 
 namespace nilas {
 
-const char* to_string(Law law) {
-  switch (law) {
-    case Law::coulomb:
-      return "coulomb";
-    case Law::ccp:
-      return "ccp";
-    case Law::pyramid:
-      return "pyramid";
-    case Law::pyramid_k:
-      return "pyramid-k";
-    case Law::frictionless:
-      return "frictionless";
-  }
-  return "unknown";
-}
-
 ContactProblem::ConstMatrix ContactProblem::mass(int k) const {
   const int n = block_size(k);
   return ConstMatrix(mass_data.data() + mass_offset[static_cast<std::size_t>(k)], n, n);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/math.h"
+#include "core/choices/defaults.h"
 
 namespace nilas {
 
@@ -28,8 +29,9 @@ struct ContactSolution {
 struct SolverSettings {
   using Clock = std::chrono::steady_clock;
 
-  double tolerance = 1e-6;  ///< on law_map_m_s [m/s]; 0: sweeps do all max_iterations, others go on until they stall
-  int max_iterations = 1000;
+  double tolerance =
+      defaults::k_tolerance;  ///< on law_map_m_s [m/s]; 0: sweeps do all max_iterations, others go on until they stall
+  int max_iterations = defaults::k_max_iterations;
   double max_seconds = 0;  ///< stop with iteration_limit after this wall time; 0: no limit [s]
   bool keep_history = false;
   int threads = 1;

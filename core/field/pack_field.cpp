@@ -53,7 +53,7 @@ constexpr double k_cell_tolerance = 1e-3;
 constexpr double k_shrink = 0.99;  ///< of the areas per step, to find what concentration can be reached
 constexpr int k_shrink_rounds = 15;
 
-const char* name_of(FloeShape shape) {
+const char* plural_of(FloeShape shape) {
   switch (shape) {
     case FloeShape::rectangle:
       return "rectangles";
@@ -237,7 +237,7 @@ class Packing {
     throw InputError(
         fmt::format("packed field: concentration: found {}, but {} {} block each other at about {:.2f} (after {} "
                     "passes); {}",
-                    spec_.concentration, wanted, name_of(spec_.shape), reached, passes_, cure));
+                    spec_.concentration, wanted, plural_of(spec_.shape), reached, passes_, cure));
   }
 
   std::string cure_of_blocking() const {

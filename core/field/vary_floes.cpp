@@ -19,14 +19,12 @@ std::vector<std::size_t> sorted_order(const std::vector<PropertySpread>& spreads
             [&](std::size_t a, std::size_t b) { return spreads[a].property < spreads[b].property; });
   for (std::size_t k = 1; k < order.size(); ++k)
     if (spreads[order[k]].property == spreads[order[k - 1]].property)
-      throw InputError("variation of floes: found two spreads of " + std::string(name_of(spreads[order[k]].property)) +
+      throw InputError("variation of floes: found two spreads of " + name_of(spreads[order[k]].property) +
                        ", allowed one");
   return order;
 }
 
-std::string stream_name(FloeProperty property, const std::string& rest) {
-  return std::string(name_of(property)) + " " + rest;
-}
+std::string stream_name(FloeProperty property, const std::string& rest) { return name_of(property) + " " + rest; }
 
 }  // namespace
 

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "core/choices/defaults.h"
+#include "core/choices/vessel_choices.h"
 #include "core/geometry/mesh.h"
 #include "core/geometry/shape.h"
 
@@ -29,21 +31,24 @@ void write_hull(const Hull& hull, const std::filesystem::path& folder, const std
 /// at the keel. Waterlines, flare, stem and bilge are built so that the solid is convex; docs/theory/vessel.md has the
 /// construction.
 struct HullForm {
-  std::string kind = "icebreaker";     ///< icebreaker, or wedge: vertical sides, straight wedge bow, flat bottom
-  double length = 6.0;                 ///< over all, at the deck [m]
-  double beam = 1.2;                   ///< at the design waterline [m]
-  double draught = 0.35;               ///< design waterline above the keel [m]
-  double depth = 0.6;                  ///< keel to deck [m]
-  double stem_angle = 25 * k_deg;      ///< between the stem and still water, icebreaker [rad]
-  double entrance_angle = 30 * k_deg;  ///< half angle of the design waterline at the stem, icebreaker [rad]
-  double bow_length = 1.8;             ///< of the forebody at the design waterline [m]
-  double stern_length = 1.0;           ///< of the run at the design waterline, icebreaker [m]
-  double flare_angle = 8 * k_deg;      ///< of the sides from vertical, icebreaker [rad]
-  int triangles = 6000;                ///< wanted count of the fluid mesh; the made count is within 5 %
+  HullKind kind = HullKind::icebreaker;
+  double length = defaults::k_hull_length;                 ///< over all, at the deck [m]
+  double beam = defaults::k_hull_beam;                     ///< at the design waterline [m]
+  double draught = defaults::k_hull_draught;               ///< design waterline above the keel [m]
+  double depth = defaults::k_hull_depth;                   ///< keel to deck [m]
+  double stem_angle = defaults::k_stem_angle_deg * k_deg;  ///< between the stem and still water, icebreaker [rad]
+  double entrance_angle =
+      defaults::k_entrance_angle_deg * k_deg;      ///< half angle of the design waterline at the stem, icebreaker [rad]
+  double bow_length = defaults::k_bow_length;      ///< of the forebody at the design waterline [m]
+  double stern_length = defaults::k_stern_length;  ///< of the run at the design waterline, icebreaker [m]
+  double flare_angle = defaults::k_flare_angle_deg * k_deg;  ///< of the sides from vertical, icebreaker [rad]
+  int triangles = defaults::k_hull_triangles;  ///< wanted count of the fluid mesh; the made count is within 5 %
 };
 
 /// Form from XML or flag names: length beam draught depth stem_angle_deg entrance_angle_deg bow_length stern_length
 /// flare_angle_deg triangles. Lengths that are not named scale with the length. Throws InputError for an unknown name.
+HullForm hull_form(HullKind kind, const std::map<std::string, double>& parameters);
+/// The same by the name of the kind. Throws InputError for an unknown one, too.
 HullForm hull_form(const std::string& kind, const std::map<std::string, double>& parameters);
 
 /// Closed, outward, exactly mirror-symmetric about y = 0, convex, coordinates rounded as a binary STL stores them.

@@ -66,7 +66,7 @@ double bow_fullness(const HullForm& form) {
 }
 
 std::vector<BowPoint> bow_points(const HullForm& form, int edges) {
-  if (form.kind == "wedge") return parabola_and_line(1, edges);
+  if (form.kind == HullKind::wedge) return parabola_and_line(1, edges);
   const double fullness = bow_fullness(form);
   constexpr double k_parabola = 0.5;
   return fullness >= k_parabola ? parabola_and_line(fullness, edges)

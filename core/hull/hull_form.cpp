@@ -9,8 +9,6 @@ namespace nilas {
 
 namespace {
 
-const std::vector<std::string> k_kinds{"icebreaker", "wedge"};
-
 [[noreturn]] void refuse(const std::string& what, const std::string& word, const std::vector<std::string>& known) {
   const std::string nearest = nearest_name(word, known);
   std::string list;
@@ -24,7 +22,7 @@ struct NamedMembers {
   std::vector<std::pair<std::string, double*>> lengths, angles;
 
   explicit NamedMembers(HullForm& form) {
-    const bool icebreaker = form.kind == "icebreaker";
+    const bool icebreaker = form.kind == HullKind::icebreaker;
     lengths = {{"length", &form.length},
                {"beam", &form.beam},
                {"draught", &form.draught},
@@ -60,9 +58,14 @@ int count_of(double value) {
 }  // namespace
 
 HullForm hull_form(const std::string& kind, const std::map<std::string, double>& parameters) {
+  const auto known = find_choice<HullKind>(kind);
+  if (!known) refuse("unknown kind", kind, choice_names<HullKind>());
+  return hull_form(*known, parameters);
+}
+
+HullForm hull_form(HullKind kind, const std::map<std::string, double>& parameters) {
   HullForm form;
   form.kind = kind;
-  if (std::find(k_kinds.begin(), k_kinds.end(), kind) == k_kinds.end()) refuse("unknown kind", kind, k_kinds);
   const NamedMembers members(form);
   const auto length = parameters.find("length");
   const double scale = length == parameters.end() ? 1 : length->second / form.length;
@@ -75,7 +78,7 @@ HullForm hull_form(const std::string& kind, const std::map<std::string, double>&
     else if (name == "triangles")
       form.triangles = count_of(value);
     else
-      refuse("a form of kind '" + kind + "' has no parameter", name, members.names());
+      refuse("a form of kind '" + name_of(kind) + "' has no parameter", name, members.names());
   }
   return form;
 }

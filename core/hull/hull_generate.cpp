@@ -85,8 +85,8 @@ TriangleMesh surface(const HullForm& form, const HullFineness& fineness) {
 /// Triangles of surface(): four per cell of the sides, and both caps.
 struct Count {
   explicit Count(const HullForm& form, const HullFineness& n)
-      : rows(n.side + (form.kind == "wedge" ? 0 : n.bilge)),
-        points((form.kind == "wedge" ? 2 : n.stern + 2) + n.middle + n.bow) {}
+      : rows(n.side + (form.kind == HullKind::wedge ? 0 : n.bilge)),
+        points((form.kind == HullKind::wedge ? 2 : n.stern + 2) + n.middle + n.bow) {}
   int rows, points;  ///< bands between waterlines; points of a waterline
   int triangles() const { return 4 * rows * (points - 1) + 4 * (2 * (points - 2) - 1); }
 };
@@ -129,7 +129,7 @@ Hull generate_hull(const HullForm& form) {
   HullFineness coarse = fine;
   coarse.middle = 1;
   coarse.side = 1;
-  if (form.kind == "wedge") coarse.bow = 1;
+  if (form.kind == HullKind::wedge) coarse.bow = 1;
   hull.parts.push_back(surface(form, coarse));
   return hull;
 }

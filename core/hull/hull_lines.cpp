@@ -16,7 +16,7 @@ constexpr double k_transom_share = 0.6;  ///< transom's beam over the beam, desi
 constexpr double k_transom_rake = 1.0;   ///< horizontal over vertical: 45 degrees
 constexpr double k_bilge_share = 0.25;   ///< bilge radius over the draught
 
-bool wedge(const HullForm& form) { return form.kind == "wedge"; }
+bool wedge(const HullForm& form) { return form.kind == HullKind::wedge; }
 
 /// Abscissae at the design waterline.
 struct Stations {

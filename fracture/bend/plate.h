@@ -1,15 +1,16 @@
 #pragma once
 /// Stiffness of a floating ice sheet as an elastic plate (or beam) on water, a Winkler foundation of modulus k.
+#include "core/choices/defaults.h"
 
 namespace nilas {
 
 /// Elastic ice sheet on water.
 struct IcePlate {
-  double thickness = 1;         ///< h [m]
-  double youngs_modulus = 5e9;  ///< E [Pa]
-  double poisson = 0.3;         ///< nu, in [0, 0.5]
-  double water_density = 1025;  ///< [kg/m^3]
-  double gravity = 9.81;        ///< [m/s^2]
+  double thickness = 1;                              ///< h [m]
+  double youngs_modulus = 5e9;                       ///< E [Pa]
+  double poisson = 0.3;                              ///< nu, in [0, 0.5]
+  double water_density = defaults::k_water_density;  ///< [kg/m^3]
+  double gravity = defaults::k_gravity;              ///< [m/s^2]
 };
 
 /// All three throw ContractError unless thickness, modulus, density and gravity are positive and 0 <= nu <= 0.5.

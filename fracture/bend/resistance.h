@@ -1,18 +1,19 @@
 #pragma once
 /// Ice resistance of ships by published formulas, for comparison with simulations.
+#include "core/choices/defaults.h"
 
 namespace nilas {
 
 /// Level ice as these formulas take it.
 struct LevelIce {
-  double thickness = 1;            ///< h [m]
-  double flexural_strength = 5e5;  ///< [Pa]
-  double youngs_modulus = 2e9;     ///< E [Pa]
-  double poisson = 0.3;            ///< nu
-  double density = 920;            ///< [kg/m^3]
-  double water_density = 1025;     ///< [kg/m^3]
-  double friction = 0.1;           ///< mu, hull on ice
-  double gravity = 9.81;           ///< [m/s^2]
+  double thickness = 1;                              ///< h [m]
+  double flexural_strength = 5e5;                    ///< [Pa]
+  double youngs_modulus = 2e9;                       ///< E [Pa]
+  double poisson = 0.3;                              ///< nu
+  double density = 920;                              ///< [kg/m^3]
+  double water_density = defaults::k_water_density;  ///< [kg/m^3]
+  double friction = 0.1;                             ///< mu, hull on ice
+  double gravity = defaults::k_gravity;              ///< [m/s^2]
 };
 
 /// Ship in the letters of Lindqvist; lengths [m], angles [rad].

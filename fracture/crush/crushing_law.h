@@ -1,18 +1,16 @@
 #pragma once
 /// How hard crushing ice presses. docs/theory/fracture-crushing.md
+#include "core/choices/fracture_choices.h"
+
 namespace nilas {
 
-/// seed_limit: strength times the area at the step's start, explicit. compliant: the same, with the growth of the area
-/// within the step taken implicitly. pressure_area: implicit too, with a pressure that depends on the area.
-enum class CrushingModel { seed_limit, pressure_area, compliant };
-
 struct CrushingLaw {
-  CrushingModel model = CrushingModel::seed_limit;
+  CrushingModel model = CrushingModel::explicit_area;
   double coefficient = 0;         ///< of pressure_area: pressure on 1 m^2 [Pa m^(-2 exponent)]
   double exponent = 0;            ///< of pressure_area, above -1
   double reference_strength = 1;  ///< compressive strength that the coefficient belongs to [Pa]
 
-  bool is_implicit() const { return model != CrushingModel::seed_limit; }
+  bool is_implicit() const { return model != CrushingModel::explicit_area; }
   /// Of ice with this compressive strength [Pa] that crushes on `area` in all [m^2]: the strength; for pressure_area
   ///   p = coefficient (strength / reference_strength) area^exponent,
   /// so that the force p area grows with the area to 1 + exponent (ISO 19906 form; Popov's collision with -0.1 in Daley

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/math.h"
+#include "core/choices/fracture_choices.h"
 #include "fracture/crush/ice_columns.h"
 #include "fracture/cut/cut_outline.h"
 
@@ -31,15 +32,10 @@ struct MotionAccount {
 };
 MotionAccount motion_account(const FloeState& floe, const Vec3& about_G);
 
-/// What becomes of pieces below min_area or longer than max_aspect.
-enum class SmallPieces {
-  refuse,  ///< there is no cut
-  brash    ///< they leave the bodies; their mass and motion are told
-};
 struct PieceLimits {
   double min_area = 0;                                          ///< [m^2]
   double max_aspect = std::numeric_limits<double>::infinity();  ///< of the smallest box around a piece
-  SmallPieces small = SmallPieces::refuse;
+  SmallPieces small = SmallPieces::refuse;                      ///< what becomes of pieces beyond these limits
 };
 
 enum class FloeCutStatus {

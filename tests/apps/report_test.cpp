@@ -56,7 +56,7 @@ TEST(Report, DrawsThePiecesOfBrokenFloes) {
   </vessel>
   <ice thickness="0.02"><floe name="sheet" fixed="true" breakable="true" outline="3.1 -2 6 -2 6 2 3.1 2"/></ice>
   <fracture flexural_strength="4e4" compressive_strength="1e5">
-    <crushing model="seed-limit"/><bending model="nevel"/>
+    <crushing model="explicit"/><bending model="nevel"/>
   </fracture>
 </scene>
 )");

@@ -204,7 +204,7 @@ void broken_field(int twins, int threads) {
   std::printf("|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   for (const char* breakable : {"false", "true"}) {
     const std::vector<Course> courses = with_twins(twins, threads, [&](std::uint64_t twin) {
-      Scene scene = read_scene(std::string(NILAS_SOURCE_DIR) + "/apps/scenes/seed-2014.xml",
+      Scene scene = read_scene(std::string(NILAS_SOURCE_DIR) + "/apps/scenes/metrikin-2014.xml",
                                {{"ice/field/@breakable", breakable}});
       scene.vessel->position.y() += aside(twin);
       return run(scene, 1e9, 0);

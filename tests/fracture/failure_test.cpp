@@ -162,7 +162,7 @@ TEST(Failure, WedgesBreakShorterUnderASpeedThatShortensThem) {
 
 TEST(Failure, SeedRuleSplitsByTheChord) {
   FailureSettings settings = bending();
-  settings.splitting = SplittingModel::seed_geometric;
+  settings.splitting = SplittingModel::geometric;
   const FailureRules rules(settings);
   const BendingState at_one = rules.bending_state(k_sheet, load(1), ice());
   const double R = at_one.radius, P = 1.001 / at_one.radial;  // radial cracks alone

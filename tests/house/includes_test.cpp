@@ -1,7 +1,7 @@
 /// Rules of the house that a file's includes show. The top rooms point one way only:
 ///   apps -> core/output -> core/sim -> fracture -> contact -> core/{bodies, hdf5};
 ///   core/sim -> {hydro, core/vessel, core/hull, core/field, core/scene}; apps -> core/mesh -> core/geometry ->
-///   core/base.
+///   core/base. Choices and defaults that the scene and the modules share lie in core/choices, above core/base.
 /// No two folders at any depth include each other, be it over others, and no folder is crowded.
 #include <gtest/gtest.h>
 
@@ -28,8 +28,8 @@ Rooms joined(Rooms rooms, const Rooms& more) {
 
 /// What a top room may include besides itself.
 const std::map<std::string, Rooms>& allowed() {
-  static const Rooms base{"core/base"};
-  static const Rooms geometry{"core/base", "core/geometry"};
+  static const Rooms base{"core/base", "core/choices"};
+  static const Rooms geometry = joined(base, {"core/geometry"});
   static const Rooms bodies = joined(geometry, {"core/bodies"});
   static const Rooms solving = joined(bodies, {"core/numerics"});
   static const Rooms contact = joined(bodies, {"core/hdf5"});
@@ -39,10 +39,11 @@ const std::map<std::string, Rooms>& allowed() {
   static const Rooms output = joined(sim, {"core/sim"});
   static const Rooms apps = joined(output, {"core/output", "core/mesh"});
   static const std::map<std::string, Rooms> table{
-      {"core/base", {}},         {"core/numerics", base}, {"core/hdf5", base},     {"core/geometry", base},
-      {"core/bodies", geometry}, {"core/mesh", bodies},   {"core/scene", bodies},  {"core/hull", bodies},
-      {"core/vessel", solving},  {"core/field", bodies},  {"contact", contact},    {"hydro", solving},
-      {"fracture", fracture},    {"core/sim", sim},       {"core/output", output}, {"apps", apps}};
+      {"core/base", {}},       {"core/choices", {"core/base"}}, {"core/numerics", base}, {"core/hdf5", base},
+      {"core/geometry", base}, {"core/bodies", geometry},       {"core/mesh", bodies},   {"core/scene", bodies},
+      {"core/hull", bodies},   {"core/vessel", solving},        {"core/field", bodies},  {"contact", contact},
+      {"hydro", solving},      {"fracture", fracture},          {"core/sim", sim},       {"core/output", output},
+      {"apps", apps}};
   return table;
 }
 

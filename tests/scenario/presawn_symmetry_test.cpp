@@ -101,7 +101,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, PresawnImages, testing::Values(Exact{'a', 5}, Ex
 
 TEST_P(PresawnImages, StayImagesToTheLastBitWithoutRoundingInTheOrderOfContacts) {
   Scene scene = test::shipped_presawn(GetParam().letter);
-  scene.contact.solver = "newton-order-free";
+  scene.contact.solver = SolverName::newton_order_free;
   WarningCounts warnings(make_logger("off", ""));
   Simulation simulation(scene, 1, warnings);
   const test::MirrorImages images(simulation.bodies());

@@ -84,7 +84,7 @@ TEST_P(ShippedScene, KeepsItsInvariantsWithMoreau) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ShippedScene,
-                         ::testing::Values(Case{"towing.xml", 4, 0.04, 0.05}, Case{"seed-2014.xml", 4, 0.04, 0.05},
+                         ::testing::Values(Case{"towing.xml", 4, 0.04, 0.05}, Case{"metrikin-2014.xml", 4, 0.04, 0.05},
                                            Case{"presawn-a.xml", 4, 0.04, 0.01}, Case{"presawn-b.xml", 4, 0.04, 0.01},
                                            Case{"presawn-c.xml", 3, 0.04, 0.01}, Case{"mirror-25.xml", 3, 0.05, 0.05},
                                            Case{"oblique-towing.xml", 4, 0.04, 0.05},

@@ -13,7 +13,7 @@
 #include "core/field/field.h"
 #include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
-#include "tests/support/sat_oracle.h"
+#include "tests/support/collision/sat_oracle.h"
 
 namespace nilas::test {
 
@@ -31,14 +31,15 @@ inline Scene presawn(char letter, std::uint64_t seed = 0, double amount = 0, std
     scene.vessel->generate = {"icebreaker", {{"triangles", *triangles}}};
   }
   const FieldScene field = scene.ice->fields.at(0);
+  const auto& cut = std::get<GridFieldScene>(field.form);
   GridSpec grid;
-  grid.low = {field.region[0], field.region[1]};
-  grid.high = {field.region[2], field.region[3]};
-  grid.rows = field.rows;
-  grid.columns = field.columns;
-  grid.gap = field.gap;
-  grid.shear = field.shear_deg * k_deg;
-  grid.stagger = field.stagger;
+  grid.low = {cut.region[0], cut.region[1]};
+  grid.high = {cut.region[2], cut.region[3]};
+  grid.rows = cut.rows;
+  grid.columns = cut.columns;
+  grid.gap = cut.gap;
+  grid.shear = cut.shear_deg * k_deg;
+  grid.stagger = cut.stagger;
   RandomStream random(seed, "perturbation");
   for (const auto& piece : grid_field(grid).floes) {
     const Vec2 shift = seed == 0 ? Vec2(0, 0) : Vec2(random.uniform(-amount, amount), random.uniform(-amount, amount));

@@ -23,11 +23,11 @@ struct Box {
 };
 
 std::vector<Vec2> region_outline(const FieldScene& field) {
-  const auto& r = field.region;
+  const RegionScene& r = *field.region();
   return {{r[0], r[1]}, {r[2], r[1]}, {r[2], r[3]}, {r[0], r[3]}};
 }
 
-bool has_region(const PlannedIce& ice) { return ice.field && ice.field->kind != "file"; }
+bool has_region(const PlannedIce& ice) { return ice.field && ice.field->region() != nullptr; }
 
 Box box_of(const std::vector<PlannedIce>& ice) {
   Box box;

@@ -15,12 +15,19 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string size_in_words(const SizeScene& size) {
-  if (size.distribution == "fixed") return fmt::format("fixed {:g}", size.mean);
-  const std::string range = fmt::format("{:g} to {:g}", size.min, size.max);
-  if (size.distribution == "lognormal")
-    return fmt::format("lognormal, mean {:g}, sd {:g}, cut at {}", size.mean, size.sd, range);
-  if (size.distribution == "power-law") return fmt::format("power-law, exponent {:g}, {}", size.exponent, range);
-  return size.distribution + ", " + range;
+  const std::string name = name_of(kind_of<SizeDistribution>(size));
+  const auto range = [](const auto& of) { return fmt::format("{:g} to {:g}", of.min, of.max); };
+  return std::visit(Overloaded{[&](const FixedSizeScene& of) { return fmt::format("{} {:g}", name, of.mean); },
+                               [&](const UniformSizeScene& of) { return fmt::format("{}, {}", name, range(of)); },
+                               [&](const LognormalSizeScene& of) {
+                                 return fmt::format("{}, mean {:g}, sd {:g}, cut at {}", name, of.mean, of.sd,
+                                                    range(of));
+                               },
+                               [&](const PowerLawSizeScene& of) {
+                                 return fmt::format("{}, exponent {:g}, {}", name, of.exponent, range(of));
+                               },
+                               [&](const LibrarySizeScene&) { return name; }},
+                    size);
 }
 
 QuantityReport size_report(const PlannedIce& ice) {
@@ -28,7 +35,7 @@ QuantityReport size_report(const PlannedIce& ice) {
   report.column = "size_m";
   for (const auto& one : ice.floes) report.floes.push_back(std::sqrt(polygon_moments(one.floe.outline).area));
   if (ice.packed) {
-    report.asked_for = size_in_words(ice.field->size);
+    report.asked_for = size_in_words(*ice.field->size());
     report.asked = [spec = *ice.packed](double u) { return size_quantile(spec, u); };
   }
   return report;
@@ -44,7 +51,7 @@ double common_mean(const PlannedIce& ice, FloeProperty property) {
 }
 
 std::string spread_in_words(const VaryScene& vary, double mean) {
-  return fmt::format("{}, mean {:g}, cov {:g}{}", vary.distribution, mean, vary.cov,
+  return fmt::format("{}, mean {:g}, cov {:g}{}", name_of(vary.distribution), mean, vary.cov,
                      vary.correlation_length > 0 ? fmt::format(", correlation length {:g} m", vary.correlation_length)
                                                  : std::string());
 }
@@ -59,21 +66,20 @@ QuantityReport property_report(const Scene& scene, const PlannedIce& ice, FloePr
       if (textured.property == property) report.points.push_back(textured.texture.at(0, 0));
   }
   const double mean = common_mean(ice, property);
-  const bool from_file = ice.field && ice.field->kind == "file";
+  const bool from_file = ice.field && ice.field->kind() == FieldKind::file;
   if (mean <= 0 || from_file) return report;
   for (const PropertySpread& spread : variation.spreads())
     if (spread.property == property)
       report.asked = [mean, cut = spread.distribution](double u) { return mean * cut.quantile(u); };
   for (const VaryScene& vary : scene.ice->vary)
-    if (vary.property == name_of(property)) report.asked_for = spread_in_words(vary, mean);
+    if (vary.property == property) report.asked_for = spread_in_words(vary, mean);
   return report;
 }
 
 std::vector<CorrelationReport> correlation_reports(const Scene& scene, const FieldReport& report) {
-  const auto column = [](const std::string& name) { return std::string(column_of(floe_property(name))); };
-  const auto sample = [&](const std::string& name) {
+  const auto sample = [&](FloeProperty property) {
     return std::find_if(report.quantities.begin(), report.quantities.end(),
-                        [&](const auto& quantity) { return quantity.column == column(name); });
+                        [&](const auto& quantity) { return quantity.column == column_of(property); });
   };
   std::vector<CorrelationReport> all;
   for (const VaryScene& vary : scene.ice->vary)
@@ -89,7 +95,7 @@ std::vector<CorrelationReport> correlation_reports(const Scene& scene, const Fie
 FieldReport field_report(const Scene& scene, const PlannedIce& ice, const FloeVariation& variation) {
   FieldReport report;
   report.name = ice.name;
-  report.kind = ice.field ? ice.field->kind : "floe";
+  report.kind = ice.field ? name_of(ice.field->kind()) : "floe";
   report.floes = ice.floes.size();
   for (const auto& one : ice.floes) report.area += polygon_moments(one.floe.outline).area;
   if (ice.packed) report.asked_concentration = ice.packed->concentration;

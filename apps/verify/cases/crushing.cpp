@@ -21,7 +21,7 @@ Overrides ice(const Setting& s, const std::string& model) {
 /// The wedge is as wide as it is deep in the ice; its force is that of the area where the contacts are found.
 std::vector<Quantity> steady_wedge(const Setting& s) {
   const double speed = s["speed"], start = -0.0025;
-  Trial run = s.trial(ice(s, "seed-limit") + Overrides{{"vessel/carriage/@speed", text(speed)}});
+  Trial run = s.trial(ice(s, "explicit") + Overrides{{"vessel/carriage/@speed", text(speed)}});
   double worst = 0, largest = 0;
   const long n = s.steps(1);
   double work = 0;

@@ -10,6 +10,8 @@
 #include <optional>
 #include <vector>
 
+#include "contact/problem/local_problem.h"
+#include "contact/problem/problem.h"
 #include "contact/problem/solution.h"
 
 namespace nilas {

@@ -1,9 +1,8 @@
 #pragma once
 /// Distributions of the properties of ice, as shares of their mean, cut to physical limits.
+#include "core/choices/ice_choices.h"
 
 namespace nilas {
-
-enum class SpreadKind { normal, lognormal, uniform, weibull };
 
 /// A distribution of mean 1 and standard deviation `cov` before the cut. Of it the part within the limits remains,
 /// scaled to probability 1: nothing heaps up at the limits, and mean and deviation shift by what was cut off.

@@ -5,6 +5,8 @@
 
 #include "core/base/math.h"
 #include "core/bodies/ice_properties.h"
+#include "core/choices/defaults.h"
+#include "core/choices/ice_choices.h"
 
 namespace nilas {
 
@@ -18,20 +20,19 @@ struct FieldFloe {
   bool fixed = false;                                      ///< never moves, whatever the field says
 };
 
-enum class FloeShape { polygon, rectangle, square, parallelogram, disc, library };
-enum class SizeDistribution { fixed, uniform, lognormal, power_law, as_library };
-
 struct PackedSpec {
-  Vec2 low = Vec2::Zero(), high = Vec2::Ones();  ///< region [m]
-  double concentration = 0.8;                    ///< area of ice / free area of region
-  double overlap_tolerance = 1e-3;               ///< largest overlap depth left, as a fraction of the mean floe size
+  Vec2 low = Vec2::Zero(), high = Vec2::Ones();      ///< region [m]
+  double concentration = defaults::k_concentration;  ///< area of ice / free area of region
+  double overlap_tolerance =
+      defaults::k_overlap_tolerance;  ///< largest overlap depth left, as a fraction of the mean floe size
   SizeDistribution distribution = SizeDistribution::lognormal;
-  double mean = 0.8, sd = 0.3, min = 0.3, max = 1.6;  ///< of sqrt(area) [m]
-  double exponent = 1.5;                              ///< power law n(D) ~ D^-(1 + exponent)
+  double mean = defaults::k_floe_mean, sd = defaults::k_floe_sd;  ///< of sqrt(area) [m]
+  double min = defaults::k_floe_min, max = defaults::k_floe_max;  ///< of sqrt(area) [m]
+  double exponent = defaults::k_size_exponent;                    ///< power law n(D) ~ D^-(1 + exponent)
   FloeShape shape = FloeShape::polygon;
-  int vertices_min = 5, vertices_max = 9;
-  double aspect = 1.5;  ///< long side / short side of rectangle and parallelogram
-  double shear = 0;     ///< parallelogram, angle from a rectangle [rad]
+  int vertices_min = defaults::k_vertices_min, vertices_max = defaults::k_vertices_max;
+  double aspect = defaults::k_aspect;  ///< long side / short side of rectangle and parallelogram
+  double shear = 0;                    ///< parallelogram, angle from a rectangle [rad]
   std::vector<std::vector<Vec2>>
       library;  ///< simple counter-clockwise outlines to draw from, scaled to the drawn sizes
   std::vector<std::vector<Vec2>>

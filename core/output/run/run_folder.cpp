@@ -34,7 +34,7 @@ struct RunFolder::Outputs {
         problems(folder, scene.output.problems),
         snapshot_every(scene.output.trajectory_every),
         bodies_asked(scene.output.bodies),
-        contacts_of_all(scene.output.contacts == "all") {
+        contacts_of_all(scene.output.contacts == StoredContacts::all) {
     if (info.has_vessel) vessel.emplace(folder / "vessel.csv", channels, kept_bytes(from, "vessel.csv"));
     if (!info.parts.empty() || !info.rods.empty())
       vessel_parts.emplace(folder / "parts.csv", info, kept_bytes(from, "parts.csv"));

@@ -73,14 +73,21 @@ std::optional<Hdf5Columns::Length> kept(const StateReader* from) {
 }  // namespace
 
 bool ContactsH5::asked(const Scene& scene, const RunInfo& info) {
-  if (scene.contact.integrator == "reference") return false;  // its impacts lie within a step
-  return scene.output.contacts == "all" ||
-         (scene.output.contacts == "hull" && (info.has_vessel || !info.structures.empty()));
+  if (scene.contact.integrator == Integrator::reference) return false;  // its impacts lie within a step
+  switch (scene.output.contacts) {
+    case StoredContacts::all:
+      return true;
+    case StoredContacts::hull:
+      return info.has_vessel || !info.structures.empty();
+    case StoredContacts::none:
+      return false;
+  }
+  return false;
 }
 
 ContactsH5::ContactsH5(const std::filesystem::path& path, const Scene& scene, const RunInfo& info,
                        const StateReader* from)
-    : of_all_bodies_(scene.output.contacts == "all"),
+    : of_all_bodies_(scene.output.contacts == StoredContacts::all),
       has_vessel_(info.has_vessel),
       has_couples_(has_couples(scene)),
       columns_(path, layout(has_vessel_, has_couples_), kept(from)),

@@ -15,20 +15,26 @@ static std::string numbered(const char* kind, long step) { return fmt::format("{
 
 std::string kept_worst_name(long step) { return numbered("worst", step); }
 
-ProblemFiles::ProblemFiles(const std::filesystem::path& run_folder, const std::string& which)
+ProblemFiles::ProblemFiles(const std::filesystem::path& run_folder, StoredProblems which)
     : folder_(run_folder / "problems"), which_(which) {}
 
 void ProblemFiles::step(const StepRecord& record, const SolvedProblem& solved) {
-  if (which_ == "never" || solved.problem.num_contacts() == 0) return;
-  if (which_ == "failed" && record.status == SolveStatus::converged) return;
-  if (which_ == "worst") {
-    if (record.residuals.law_map_m_s <= worst_ || std::isnan(worst_)) return;  // the first NaN stays the worst
-    if (worst_step_ >= 0 && worst_step_ == saved_worst_step_) keep_worst();
-    worst_ = record.residuals.law_map_m_s;
-    worst_step_ = record.step;
-    return write(k_worst, solved);
+  if (solved.problem.num_contacts() == 0) return;
+  switch (which_) {
+    case StoredProblems::never:
+      return;
+    case StoredProblems::failed:
+      if (record.status != SolveStatus::converged) write(numbered("step", record.step), solved);
+      return;
+    case StoredProblems::every:
+      return write(numbered("step", record.step), solved);
+    case StoredProblems::worst:
+      if (record.residuals.law_map_m_s <= worst_ || std::isnan(worst_)) return;  // the first NaN stays the worst
+      if (worst_step_ >= 0 && worst_step_ == saved_worst_step_) keep_worst();
+      worst_ = record.residuals.law_map_m_s;
+      worst_step_ = record.step;
+      return write(k_worst, solved);
   }
-  write(numbered("step", record.step), solved);
 }
 
 void ProblemFiles::last(const SolvedProblem& solved) const {

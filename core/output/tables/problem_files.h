@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/base/state.h"
+#include "core/choices/output_choices.h"
 #include "core/sim/account/step_record.h"
 
 namespace nilas {
@@ -15,7 +16,7 @@ std::string kept_worst_name(long step);
 /// whose solver missed its tolerance (the same names); or the step with the largest law_map_m_s so far (worst.hdf5).
 class ProblemFiles {
  public:
-  ProblemFiles(const std::filesystem::path& run_folder, const std::string& which);
+  ProblemFiles(const std::filesystem::path& run_folder, StoredProblems which);
 
   /// Throws FileError.
   void step(const StepRecord& record, const SolvedProblem& solved);
@@ -36,7 +37,7 @@ class ProblemFiles {
   void write(const std::string& name, const SolvedProblem& solved) const;
 
   std::filesystem::path folder_;
-  std::string which_;
+  StoredProblems which_;
   double worst_ = -1;                             ///< law_map_m_s of the stored one [m/s]
   long worst_step_ = -1, saved_worst_step_ = -1;  ///< of worst.hdf5; of the one in the newest checkpoint
 };

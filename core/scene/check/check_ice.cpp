@@ -1,3 +1,4 @@
+#include "core/choices/ice_choices.h"
 #include "core/scene/check/cross_checks.h"
 #include "core/scene/schema/attribute_values.h"
 #include "core/scene/schema/values.h"
@@ -26,22 +27,24 @@ static void check_region(const SceneElement& field, std::vector<Fault>& faults) 
 }
 
 static void check_source(const SceneElement& field, std::vector<Fault>& faults) {
-  const auto kind = text_of(field, "kind");
+  const auto kind = choice_of<FieldKind>(field, "kind");
   if (!kind) return;
-  if (*kind != "file") return check_region(field, faults);
+  if (*kind != FieldKind::file) return check_region(field, faults);
   if (!is_named(field, "file"))
     faults.push_back(fault_of(field, "file", "the attribute is missing; allowed: the path of a GeoJSON file"));
 }
 
 /// Where both ends and the mean matter, they must be in order.
 static void check_size(const SceneElement& size, std::vector<Fault>& faults) {
-  const auto distribution = text_of(size, "distribution");
+  const auto distribution = choice_of<SizeDistribution>(size, "distribution");
   const auto mean = number_of(size, "mean"), min = number_of(size, "min"), max = number_of(size, "max");
-  if (!distribution || *distribution == "fixed" || *distribution == "as-library" || !min || !max) return;
+  const bool spread =
+      distribution && *distribution != SizeDistribution::fixed && *distribution != SizeDistribution::as_library;
+  if (!spread || !min || !max) return;
   if (*max < *min)
     faults.push_back(fault_of(
         size, "max", "found " + format_number(*max) + "; allowed: at least min, >= " + format_number(*min) + " [m]"));
-  else if (*distribution == "lognormal" && mean && (*mean < *min || *mean > *max))
+  else if (*distribution == SizeDistribution::lognormal && mean && (*mean < *min || *mean > *max))
     faults.push_back(fault_of(size, "mean",
                               "found " + format_number(*mean) + "; allowed: from min to max, >= " +
                                   format_number(*min) + " and <= " + format_number(*max) + " [m]"));
@@ -56,7 +59,7 @@ static void check_shape(const SceneElement& shape, std::vector<Fault>& faults) {
 static void check_library(const SceneElement& field, std::vector<Fault>& faults) {
   const SceneElement *size = child_of(field, "size"), *shape = child_of(field, "shape");
   const bool library = shape != nullptr && is_named(*shape, "library");
-  if (size != nullptr && text_of(*size, "distribution") == "as-library" && !library)
+  if (size != nullptr && choice_of<SizeDistribution>(*size, "distribution") == SizeDistribution::as_library && !library)
     faults.push_back(fault_of(*size, "distribution", "found as-library; it needs <shape library=...>"));
 }
 
@@ -80,7 +83,7 @@ static void check_points(const SceneElement& element, const std::string& attribu
 
 /// Floes that are frozen together leave no gaps. Other kinds take no notice of a bond, and are told so elsewhere.
 static void check_bond(const SceneElement& field, std::vector<Fault>& faults) {
-  if (text_of(field, "kind") != "voronoi") return;
+  if (choice_of<FieldKind>(field, "kind") != FieldKind::voronoi) return;
   const auto concentration = number_of(field, "concentration");
   if (child_of(field, "bond") && concentration != 1.0)
     faults.push_back(fault_of(field, "concentration",

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/choices/body_choices.h"
 #include "core/scene/check/cross_checks.h"
 #include "core/scene/schema/attribute_values.h"
 #include "core/scene/schema/schema.h"
@@ -25,7 +26,7 @@ static void check_joint(const SceneElement& part, std::vector<Fault>& faults) {
 static void check_part(const SceneElement& part, const std::vector<std::string>& before, std::vector<Fault>& faults) {
   if (is_named(part, "mass") && is_named(part, "density"))
     faults.push_back(fault_of(part, "density", "found a mass and a density; allowed: one of them"));
-  if (text_of(part, "shape") == "mesh" && !is_named(part, "mesh"))
+  if (choice_of<SolidShapeKind>(part, "shape") == SolidShapeKind::mesh && !is_named(part, "mesh"))
     faults.push_back(
         fault_of(part, "mesh", "the attribute is missing; allowed: the path of a hull folder or an STL file"));
   const auto axis = numbers_of(part, "axis");

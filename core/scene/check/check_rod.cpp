@@ -1,5 +1,7 @@
 #include <algorithm>
 
+#include "core/choices/contact_choices.h"
+#include "core/choices/vessel_choices.h"
 #include "core/scene/check/cross_checks.h"
 #include "core/scene/schema/attribute_values.h"
 
@@ -11,8 +13,8 @@ static std::string held_fast(const SceneElement& vessel) {
   const SceneElement* carriage = child_of(vessel, "carriage");
   if (!carriage || !words_of(*carriage, "free").empty()) return {};
   const SceneElement* balance = child_of(*carriage, "force_balance");
-  const auto kind = balance ? text_of(*balance, "kind") : std::nullopt;
-  return !kind || *kind == "rigid" ? "<carriage> with force balance 'rigid' and no free axis" : "";
+  const auto kind = balance ? choice_of<BalanceKind>(*balance, "kind") : std::nullopt;
+  return !kind || *kind == BalanceKind::rigid ? "<carriage> with force balance 'rigid' and no free axis" : "";
 }
 
 static void check_rod(const SceneElement& rod, const SceneElement& vessel, std::vector<Fault>& faults) {
@@ -48,7 +50,7 @@ void check_rods(const SceneElement& root, const SceneElement& vessel, std::vecto
   if (first == nullptr || !contact) return;
   if (text_of(*contact, "gyroscopic") == "false")
     faults.push_back(fault_of(*contact, "gyroscopic", "found 'false'; a vessel with <rod> allows: true"));
-  if (text_of(*contact, "integrator") == "reference")
+  if (choice_of<Integrator>(*contact, "integrator") == Integrator::reference)
     faults.push_back(fault_of(*contact, "integrator",
                               "found 'reference', which knows no rods; a vessel with <rod> allows: "
                               "semi-implicit-euler, moreau"));

@@ -1,6 +1,7 @@
 #include <map>
 #include <set>
 
+#include "core/choices/ice_choices.h"
 #include "core/scene/check/cross_checks.h"
 #include "core/scene/schema/attribute_values.h"
 #include "core/scene/schema/values.h"
@@ -42,11 +43,12 @@ class VaryCheck {
   }
 
   void check_distribution(const SceneElement& vary) {
-    const auto property = text_of(vary, "property");
-    if (text_of(vary, "distribution") == "weibull" && (property == "thickness" || property == "density"))
-      faults_.push_back(fault_of(
-          vary, "distribution",
-          "found 'weibull' for " + *property + "; allowed: normal, lognormal, uniform (weibull is for strengths)"));
+    const auto property = choice_of<FloeProperty>(vary, "property");
+    const bool is_strength = property != FloeProperty::thickness && property != FloeProperty::density;
+    if (choice_of<SpreadKind>(vary, "distribution") == SpreadKind::weibull && !is_strength)
+      faults_.push_back(fault_of(vary, "distribution",
+                                 "found 'weibull' for " + name_of(*property) +
+                                     "; allowed: normal, lognormal, uniform (weibull is for strengths)"));
   }
 
   void check_partners(const SceneElement& vary) {

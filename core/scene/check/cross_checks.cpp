@@ -58,15 +58,6 @@ void check_inertia(const SceneElement& element, std::vector<Fault>& faults) {
     faults.push_back(fault_of(element, "inertia", found + "; allowed: none may exceed the sum of the other two"));
 }
 
-/// Between two rows of a step lie any number of impacts.
-static void check_contacts(const SceneElement& root, const SceneElement& output, std::vector<Fault>& faults) {
-  const SceneElement* contact = child_of(root, "contact");
-  if (contact && text_of(*contact, "integrator") == "reference" && text_of(output, "contacts") == "all")
-    faults.push_back(fault_of(output, "contacts",
-                              "integrator 'reference' has impacts within its steps, and no contacts to store; "
-                              "allowed: hull, none"));
-}
-
 static void check_statistics(const SceneElement& output, std::vector<Fault>& faults) {
   const auto window = numbers_of(output, "statistics");
   if (!window || window->size() != 2) return;
@@ -93,7 +84,7 @@ void cross_check(const SceneElement& root, std::vector<Fault>& faults) {
   check_names(root, faults);
   for (const auto& element : root.children) {
     if (element.name == "time") check_time(element, faults);
-    if (element.name == "contact") check_friction(root, element, faults);
+    if (element.name == "contact") check_contact(root, element, faults);
     if (element.name == "vessel") check_vessel(root, element, faults);
     if (element.name == "ice") {
       check_ice(element, faults);
@@ -102,10 +93,7 @@ void cross_check(const SceneElement& root, std::vector<Fault>& faults) {
     if (element.name == "tank") check_tank(root, element, faults);
     if (element.name == "body") check_body(element, faults);
     if (element.name == "fracture") check_fracture(root, element, faults);
-    if (element.name == "output") {
-      check_contacts(root, element, faults);
-      check_statistics(element, faults);
-    }
+    if (element.name == "output") check_statistics(element, faults);
   }
 }
 

@@ -22,7 +22,9 @@ void check_tank(const SceneElement& root, const SceneElement& tank, std::vector<
 /// positive definite matrix.
 void check_vary(const SceneElement& ice, std::vector<Fault>& faults);
 void check_body(const SceneElement& body, std::vector<Fault>& faults);
-/// Pairs named once, of materials that exist, static friction not below (and in this version equal to) kinetic.
+/// The solver takes the law, and the integrator all that the scene has.
+void check_contact(const SceneElement& root, const SceneElement& contact, std::vector<Fault>& faults);
+/// Pairs named once, of materials that exist, static friction not below kinetic.
 void check_friction(const SceneElement& root, const SceneElement& contact, std::vector<Fault>& faults);
 /// An inertia tensor (xx yy zz xy xz yz) must be one that a mass distribution can have.
 void check_inertia(const SceneElement& element, std::vector<Fault>& faults);

@@ -1,64 +1,10 @@
 #include <algorithm>
-#include <map>
 
 #include "core/scene/read/build_scene.h"
 #include "core/scene/schema/attribute_values.h"
 #include "core/scene/schema/ice_presets.h"
 
 namespace nilas {
-
-static SizeScene build_size(const SceneElement& element) {
-  SizeScene size;
-  assign(size.distribution, element, "distribution");
-  assign(size.mean, element, "mean");
-  assign(size.sd, element, "sd");
-  assign(size.min, element, "min");
-  assign(size.max, element, "max");
-  assign(size.exponent, element, "exponent");
-  return size;
-}
-
-static ShapeScene build_shape(const SceneElement& element) {
-  ShapeScene shape;
-  assign(shape.kind, element, "kind");
-  if (const auto vertices = numbers_of(element, "vertices")) {
-    shape.vertices_min = static_cast<int>(vertices->at(0));
-    shape.vertices_max = static_cast<int>(vertices->at(1));
-  }
-  assign(shape.aspect, element, "aspect");
-  assign(shape.library, element, "library");
-  return shape;
-}
-
-/// What a field and a single floe share.
-template <class IceElement>
-static void build_placement(IceElement& target, const SceneElement& element) {
-  assign(target.fixed, element, "fixed");
-  assign(target.velocity, element, "velocity");
-  assign(target.z, element, "z");
-  assign(target.thickness, element, "thickness");
-  assign(target.breakable, element, "breakable");
-}
-
-static FieldScene build_field(const SceneElement& element) {
-  FieldScene field;
-  assign(field.kind, element, "kind");
-  if (const auto region = numbers_of(element, "region")) std::copy_n(region->begin(), 4, field.region.begin());
-  assign(field.concentration, element, "concentration");
-  assign(field.overlap_tolerance, element, "overlap_tolerance");
-  assign(field.channel_width, element, "channel_width");
-  assign(field.rows, element, "rows");
-  assign(field.columns, element, "columns");
-  assign(field.gap, element, "gap");
-  assign(field.stagger, element, "stagger");
-  assign(field.shear_deg, element, "shear_deg");
-  assign(field.file, element, "file");
-  build_placement(field, element);
-  if (const auto* size = child_of(element, "size")) field.size = build_size(*size);
-  if (const auto* shape = child_of(element, "shape")) field.shape = build_shape(*shape);
-  if (const auto* bond = child_of(element, "bond")) field.bond = number_of(*bond, "strength");
-  return field;
-}
 
 static std::vector<Vec2> points_of(const SceneElement& element, const std::string& attribute) {
   const auto numbers = numbers_of(element, attribute).value_or(std::vector<double>{});
@@ -79,20 +25,28 @@ static FloeScene build_floe(const SceneElement& element) {
   floe.line = element.place.line;
   assign(floe.name, element, "name");
   floe.outline = points_of(element, "outline");
-  build_placement(floe, element);
+  assign_placement(floe, element);
   return floe;
 }
 
 /// What a strength varies about when <vary> gives no mean: that of <fracture>, or of the ice's preset.
-static double strength_of(const std::string& property, const IcePreset& preset, const SceneElement* fracture) {
-  const std::map<std::string, double> strengths{{"flexural_strength", preset.flexural_strength},
-                                                {"compressive_strength", preset.compressive_strength},
-                                                {"fracture_toughness", preset.fracture_toughness}};
-  const auto strength = strengths.find(property);
-  if (strength == strengths.end()) return 0;
-  double mean = strength->second;
-  if (fracture) assign(mean, *fracture, property);
-  return mean;
+static double strength_of(FloeProperty property, const IcePreset& preset, const SceneElement* fracture) {
+  const auto given_or = [&](double strength) {
+    if (fracture) assign(strength, *fracture, name_of(property));
+    return strength;
+  };
+  switch (property) {
+    case FloeProperty::thickness:
+    case FloeProperty::density:
+      return 0;
+    case FloeProperty::flexural_strength:
+      return given_or(preset.flexural_strength);
+    case FloeProperty::compressive_strength:
+      return given_or(preset.compressive_strength);
+    case FloeProperty::fracture_toughness:
+      return given_or(preset.fracture_toughness);
+  }
+  return 0;
 }
 
 static VaryScene build_vary(const SceneElement& element, const IcePreset& preset, const SceneElement* fracture) {
@@ -106,7 +60,8 @@ static VaryScene build_vary(const SceneElement& element, const IcePreset& preset
   assign(vary.correlation_length, element, "correlation_length");
   const auto partners = words_of(element, "with");
   const auto correlations = numbers_of(element, "correlation").value_or(std::vector<double>{});
-  for (std::size_t k = 0; k < partners.size(); ++k) vary.correlations.emplace_back(partners[k], correlations.at(k));
+  for (std::size_t k = 0; k < partners.size(); ++k)
+    vary.correlations.emplace_back(choice_named<FloeProperty>(partners[k]), correlations.at(k));
   return vary;
 }
 
@@ -118,7 +73,7 @@ IceScene build_ice_scene(const SceneElement& element, const SceneElement* fractu
   assign(ice.poisson, element, "poisson");
   assign(ice.thickness, element, "thickness");
   for (const auto& child : element.children) {
-    if (child.name == "field") ice.fields.push_back(build_field(child));
+    if (child.name == "field") ice.fields.push_back(build_field_scene(child));
     if (child.name == "vary") ice.vary.push_back(build_vary(child, preset, fracture));
     if (child.name == "floe") ice.floes.push_back(build_floe(child));
     if (child.name == "weak_line") ice.weak_lines.push_back(build_weak_line(child));

@@ -117,18 +117,43 @@ static FractureScene build_fracture(const SceneElement& element) {
   return fracture;
 }
 
+static SolidShape build_shape(const SceneElement& element) {
+  switch (choice_of<SolidShapeKind>(element, "shape").value_or(SolidScene{}.kind())) {
+    case SolidShapeKind::box: {
+      BoxScene box;
+      assign(box.size, element, "size");
+      return box;
+    }
+    case SolidShapeKind::sphere: {
+      SphereScene sphere;
+      assign(sphere.radius, element, "radius");
+      return sphere;
+    }
+    case SolidShapeKind::cylinder: {
+      CylinderScene cylinder;
+      assign(cylinder.radius, element, "radius");
+      assign(cylinder.height, element, "height");
+      return cylinder;
+    }
+    case SolidShapeKind::mesh: {
+      MeshScene mesh;
+      assign(mesh.file, element, "mesh");
+      assign(mesh.cog, element, "cog");
+      return mesh;
+    }
+    case SolidShapeKind::plane:
+      return PlaneScene{};
+  }
+  return {};
+}
+
 void assign_solid(SolidScene& solid, const SceneElement& element) {
   solid.line = element.place.line;
   assign(solid.name, element, "name");
-  assign(solid.shape, element, "shape");
-  assign(solid.size, element, "size");
-  assign(solid.radius, element, "radius");
-  assign(solid.height, element, "height");
-  assign(solid.mesh, element, "mesh");
+  solid.shape = build_shape(element);
   assign(solid.material, element, "material");
   assign(solid.mass, element, "mass");
   assign(solid.density, element, "density");
-  assign(solid.cog, element, "cog");
   assign(solid.inertia, element, "inertia");
   assign(solid.position, element, "position");
   assign(solid.rotation_deg, element, "rotation_deg");

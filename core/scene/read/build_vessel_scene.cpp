@@ -1,8 +1,5 @@
-#include <algorithm>
-
 #include "core/scene/read/build_scene.h"
 #include "core/scene/schema/attribute_values.h"
-#include "core/scene/schema/schema.h"
 
 namespace nilas {
 
@@ -40,9 +37,8 @@ static CarriageScene build_carriage(const SceneElement& element) {
   assign(carriage.ramp, element, "ramp");
   assign(carriage.ramp_shape, element, "ramp_shape");
   assign(carriage.joint, element, "joint");
-  const auto& axes = find_attribute(*find_element("carriage"), "free")->choices;
   for (const auto& axis : words_of(element, "free"))
-    carriage.free.at(static_cast<std::size_t>(std::find(axes.begin(), axes.end(), axis) - axes.begin())) = true;
+    carriage.free.at(static_cast<std::size_t>(choice_named<JointAxis>(axis))) = true;
   assign(carriage.start, element, "start");
   if (const auto* path = child_of(element, "path")) assign(carriage.path, *path, "file");
   if (const auto* balance = child_of(element, "force_balance")) carriage.balance = build_balance(*balance);

@@ -10,6 +10,7 @@
 #include "core/scene/document/places.h"
 #include "core/scene/read/build_scene.h"
 #include "core/scene/read/input_files.h"
+#include "core/scene/read/old_names.h"
 #include "core/scene/read/overrides.h"
 #include "core/scene/read/resolve.h"
 
@@ -52,6 +53,7 @@ static std::string fingerprint(SceneElement root) {
   const auto blank = [&](const char* child, const char* attribute) {
     if (SceneAttribute* found = attribute_of(*child_of(root, child), attribute)) found->value.clear();
   };
+  restore_old_names(root);
   blank("time", "end");
   blank("output", "checkpoint_every");
   std::erase_if(child_of(root, "output")->attributes,
@@ -62,9 +64,13 @@ static std::string fingerprint(SceneElement root) {
 Scene read_scene(const std::filesystem::path& file, const Overrides& overrides) {
   std::vector<Fault> faults;
   SceneNotes notes;
+  std::error_code ignored;
+  if (const std::string moved = moved_scene(file); !moved.empty() && !std::filesystem::exists(file, ignored))
+    throw FileError("cannot open scene file " + file.string() + moved);
   SceneElement root = parse_document(read_text(file), file.string());
   check_root_name(root, faults);
   apply_overrides(root, overrides, faults);
+  std::vector<Fault> warnings = replace_old_names(root);
   check_document(root, faults);
   resolve_defaults(root, file, notes);
   cross_check(root, faults);
@@ -74,7 +80,8 @@ Scene read_scene(const std::filesystem::path& file, const Overrides& overrides) 
   scene.file = file;
   scene.notes = std::move(notes.said_once);
   scene.derived = std::move(notes.derived);
-  scene.warnings = implausible_values(root);
+  scene.warnings = std::move(warnings);
+  for (Fault& warning : implausible_values(root)) scene.warnings.push_back(std::move(warning));
   scene.places = places_of(root);
   scene.inputs = record_inputs(root);
   scene.as_run = write_document(root);

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "core/scene/read/scale_defaults.h"
+#include "core/scene/scene.h"
 #include "core/scene/schema/attribute_values.h"
 #include "core/scene/schema/schema.h"
 #include "core/scene/schema/values.h"
@@ -12,17 +13,20 @@ namespace nilas {
 
 namespace {
 
-/// What preset="seed-2014" puts in place of the defaults of <contact>.
-const std::map<std::string, std::string>& seed_2014() {
-  static const std::map<std::string, std::string> values{{"law", "pyramid"},
-                                                         {"solver", "pgs"},
-                                                         {"tolerance", "0"},
-                                                         {"max_iterations", "50"},
-                                                         {"stabilisation", "split-impulse"},
-                                                         {"detection", "discrete"},
-                                                         {"integrator", "semi-implicit-euler"},
-                                                         {"gyroscopic", "false"}};
-  return values;
+/// What a preset puts in place of the defaults of <contact>.
+std::map<std::string, std::string> values_of(ContactPreset preset) {
+  switch (preset) {
+    case ContactPreset::metrikin_2014:
+      return {{"law", name_of(Law::pyramid)},
+              {"solver", name_of(SolverName::pgs)},
+              {"tolerance", "0"},
+              {"max_iterations", "50"},
+              {"stabilisation", name_of(Stabilisation::split_impulse)},
+              {"detection", name_of(Detection::discrete)},
+              {"integrator", name_of(Integrator::semi_implicit_euler)},
+              {"gyroscopic", "false"}};
+  }
+  return {};
 }
 
 class Resolver {
@@ -69,26 +73,22 @@ class Resolver {
   /// Steps are cut at impacts, which moreau's impulses in the middle of a step do not allow.
   static bool cuts_steps(const SceneElement& contact) {
     const SceneAttribute *substeps = attribute_of(contact, "substeps"), *detection = attribute_of(contact, "detection");
-    if (detection && detection->valid && detection->value != "continuous") return false;
+    if (detection && detection->valid && detection->value != name_of(Detection::continuous)) return false;
     return substeps && substeps->valid && substeps->value != "0" && substeps->value != "1";
   }
 
   void add_default(SceneElement& element, const AttributeSpec& spec) {
     if (attribute_of(element, spec.name) || !has_effect(element, spec.applies)) return;
-    if (const SceneAttribute* preset = attribute_of(element, "preset"); preset && preset->valid)
-      if (const auto set = seed_2014().find(spec.name); set != seed_2014().end())
-        return add(element, spec.name, set->second);
+    if (const auto preset = find_choice<ContactPreset>(text_of(element, "preset").value_or(""))) {
+      const auto values = values_of(*preset);
+      if (const auto set = values.find(spec.name); set != values.end()) return add(element, spec.name, set->second);
+    }
     if (const auto scaled = scale_.take(element.name, spec.name)) return add(element, spec.name, *scaled);
     if (spec.name == "integrator")
-      return add(element, spec.name, cuts_steps(element) ? "semi-implicit-euler" : "moreau");
+      return add(element, spec.name,
+                 name_of(cuts_steps(element) ? Integrator::semi_implicit_euler : ContactScene{}.integrator));
     if (spec.default_value.empty()) return;
-    std::string value = spec.default_value;
-    if (is_not_built(spec, value)) {
-      note(where_of(element, spec.name),
-           "the default '" + value + "' is not built in this version; '" + spec.fallback + "' is used");
-      value = spec.fallback;
-    }
-    add(element, spec.name, canonical_value(spec, value));
+    add(element, spec.name, canonical_value(spec, spec.default_value));
   }
 
   /// Defaults that depend on other attributes.
@@ -98,7 +98,7 @@ class Resolver {
       const SceneAttribute* attribute = attribute_of(element, name);
       return attribute && attribute->valid;
     };
-    constexpr const char* k_default_density = "1000";  // [kg/m^3], of water
+    const std::string default_density = format_number(SolidScene::k_density);
     if (element.is_root && absent("name")) {
       const bool usable = !value_problem(*find_attribute(*find_element("scene"), "name"), stem_);
       add(element, "name", usable ? stem_ : "scene");
@@ -107,12 +107,12 @@ class Resolver {
       if (absent("static") && valid("kinetic")) add(element, "static", attribute_of(element, "kinetic")->value);
       if (absent("kinetic") && valid("static")) add(element, "kinetic", attribute_of(element, "static")->value);
     }
-    if (element.name == "part" && absent("mass") && absent("density")) add(element, "density", k_default_density);
+    if (element.name == "part" && absent("mass") && absent("density")) add(element, "density", default_density);
     if (element.name == "body") {
       ++num_bodies_;
       if (absent("name")) add(element, "name", "body " + std::to_string(num_bodies_));
-      if (absent("mass") && absent("density")) add(element, "density", k_default_density);
-      const bool plane = valid("shape") && attribute_of(element, "shape")->value == "plane";
+      if (absent("mass") && absent("density")) add(element, "density", default_density);
+      const bool plane = valid("shape") && attribute_of(element, "shape")->value == name_of(SolidShapeKind::plane);
       if (absent("fixed")) add(element, "fixed", plane ? "true" : "false");
     }
   }
@@ -157,7 +157,7 @@ class Resolver {
       const auto is_used = [&](const std::string& by) {
         const SceneElement* model = fracture ? child_of(*fracture, by) : nullptr;
         return model && (use->first != "fracture_toughness" || has_curved_cracks(fracture) ||
-                         attribute_of(*model, "model")->value == "lefm");
+                         choice_of<SplittingModel>(*model, "model") == SplittingModel::lefm);
       };
       if (use == uses.end() || std::any_of(use->second.begin(), use->second.end(), is_used)) continue;
       note(child.path, use->first + " has no effect in a run without <" +
@@ -167,7 +167,7 @@ class Resolver {
 
   static bool has_curved_cracks(const SceneElement* fracture) {
     const SceneElement* cracks = fracture ? child_of(*fracture, "cracks") : nullptr;
-    return cracks && text_of(*cracks, "path") == "curved";
+    return cracks && choice_of<CrackPathKind>(*cracks, "path") == CrackPathKind::curved;
   }
 
   /// Cracks that keep straight pass weak lines by.

@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/geometry/mesh.h"
 #include "core/geometry/mesh_box.h"
+#include "core/scene/scene.h"
 #include "core/scene/schema/attribute_values.h"
 #include "core/scene/schema/ice_presets.h"
 #include "core/scene/schema/values.h"
@@ -20,11 +21,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The scale at which the defaults of the towing carriage and of the step were chosen.
-constexpr double k_model_length = 6, k_model_step = 0.01;                 // [m], [s]
-constexpr double k_model_stiffness = 1e7, k_model_damping = 1e4;          // [N/m], [N s/m]
+/// The scale at which the defaults of the towing carriage and of the step were chosen. Scenes without ice or motion
+/// keep the default tolerance.
+constexpr double k_model_length = defaults::k_hull_length;                // [m]
 constexpr double k_thin_ice = 0.2, k_long_hull = 30, k_long_field = 100;  // [m], from there on full scale
-constexpr double k_analytic_tolerance = 1e-6;                             // [m/s], of scenes without ice or motion
 constexpr double k_tolerance_share = 1e-3;                                // of the speed
 constexpr double k_least_tolerance = 1e-9;                                // [m/s]
 
@@ -165,13 +165,13 @@ std::optional<std::string> ScaleDefaults::take(const std::string& element, const
   const std::string name = element + " " + attribute;
   const double scale = length_.value_or(k_model_length) / k_model_length;
   std::optional<std::string> value = of_ice(element, attribute);
-  if (name == "time step") value = format_number(near_round_number(k_model_step * std::sqrt(scale)));
-  if (name == "force_balance stiffness") value = three_digits(k_model_stiffness * std::pow(scale, 2));
-  if (name == "force_balance damping") value = three_digits(k_model_damping * std::pow(scale, 2.5));
+  if (name == "time step") value = format_number(near_round_number(TimeScene{}.step * std::sqrt(scale)));
+  if (name == "force_balance stiffness") value = three_digits(ForceBalanceScene{}.stiffness * std::pow(scale, 2));
+  if (name == "force_balance damping") value = three_digits(ForceBalanceScene{}.damping * std::pow(scale, 2.5));
   if (name == "contact tolerance") {
     const double decade = std::floor(std::log10(k_tolerance_share * std::max(speed_, 1e-300)) + 1e-9);
     const bool scaled = has_ice_ && speed_ > 0;
-    value = format_number(scaled ? std::max(k_least_tolerance, std::pow(10, decade)) : k_analytic_tolerance);
+    value = format_number(scaled ? std::max(k_least_tolerance, std::pow(10, decade)) : ContactScene{}.tolerance);
   }
   if (value) taken_[name] = *value;
   return value;

@@ -57,6 +57,10 @@ void assign(std::string& target, const SceneElement& element, const std::string&
   target = text_of(element, attribute).value_or(target);
 }
 
+void assign(ParsedLaw& target, const SceneElement& element, const std::string& attribute) {
+  if (const auto name = text_of(element, attribute)) target = parse_law(*name);
+}
+
 void assign(Vec3& target, const SceneElement& element, const std::string& attribute) {
   if (const auto x = numbers_of(element, attribute)) target = Vec3::Map(x->data());
 }

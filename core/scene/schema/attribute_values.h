@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/math.h"
+#include "core/choices/law.h"
 #include "core/scene/document/document.h"
 
 namespace nilas {
@@ -12,6 +13,11 @@ namespace nilas {
 std::optional<std::string> text_of(const SceneElement& element, const std::string& attribute);
 std::optional<std::vector<double>> numbers_of(const SceneElement& element, const std::string& attribute);
 std::optional<double> number_of(const SceneElement& element, const std::string& attribute);
+/// What an attribute chooses; nothing where it is absent or faulty.
+template <ChoiceEnum Enum>
+std::optional<Enum> choice_of(const SceneElement& element, const std::string& attribute) {
+  return find_choice<Enum>(text_of(element, attribute).value_or(""));
+}
 /// Words of a list, empty when absent.
 std::vector<std::string> words_of(const SceneElement& element, const std::string& attribute);
 bool is_true(const SceneElement& element, const std::string& attribute);
@@ -23,6 +29,11 @@ void assign(double& target, const SceneElement& element, const std::string& attr
 void assign(int& target, const SceneElement& element, const std::string& attribute);
 void assign(bool& target, const SceneElement& element, const std::string& attribute);
 void assign(std::string& target, const SceneElement& element, const std::string& attribute);
+void assign(ParsedLaw& target, const SceneElement& element, const std::string& attribute);
+template <ChoiceEnum Enum>
+void assign(Enum& target, const SceneElement& element, const std::string& attribute) {
+  if (const auto name = text_of(element, attribute)) target = choice_named<Enum>(*name);
+}
 void assign(Vec3& target, const SceneElement& element, const std::string& attribute);
 void assign(Vec6& target, const SceneElement& element, const std::string& attribute);
 template <class Value>

@@ -3,27 +3,32 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/scene/scene.h"
 
 namespace nilas {
 
 const std::vector<IcePreset>& ice_presets() {
+  const IceScene ice;
+  const FractureScene fracture;
+  const LognormalSizeScene size;
   static const std::vector<IcePreset> presets{
       // Middle of what model basins aim at: flexural strength 20 to 60 kPa, modulus 10 to 150 MPa, toughness 1 to
       // 5 kPa sqrt(m), compressive over flexural strength 1 to 4.
+      // They are the defaults of a scene's values.
       {.name = "model",
-       .density = 920,
-       .youngs_modulus = 6e7,
-       .poisson = 0.3,
-       .thickness = 0.04,
-       .flexural_strength = 4e4,
-       .compressive_strength = 1e5,
-       .fracture_toughness = 3e3,
-       .pressure_coefficient = 1e5,
-       .floe_mean = 0.8,
-       .floe_sd = 0.3,
-       .floe_min = 0.3,
-       .floe_max = 1.6,
-       .min_area = 2e-4},
+       .density = ice.density,
+       .youngs_modulus = ice.youngs_modulus,
+       .poisson = ice.poisson,
+       .thickness = ice.thickness,
+       .flexural_strength = fracture.flexural_strength,
+       .compressive_strength = fracture.compressive_strength,
+       .fracture_toughness = fracture.fracture_toughness,
+       .pressure_coefficient = CrushingScene{}.coefficient,
+       .floe_mean = size.mean,
+       .floe_sd = size.sd,
+       .floe_min = size.min,
+       .floe_max = size.max,
+       .min_area = fracture.min_area},
       // First-year ice, Timco and Weeks (2010) and ISO 19906; pressure on an area: 7.4 MPa (A / 1 m^2)^-0.7.
       {.name = "full-scale sea ice",
        .density = 920,

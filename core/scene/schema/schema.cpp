@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/choices/law.h"
 #include "core/scene/schema/schema_table.h"
 #include "core/scene/schema/values.h"
 
@@ -68,7 +69,6 @@ std::vector<std::string> attribute_names(const ElementSpec& element) {
 }
 
 std::string matching_choice(const std::vector<std::string>& choices, const std::string& value) {
-  constexpr std::int64_t k_fewest_facets = 3, k_most_facets = 1000;
   for (const auto& choice : choices) {
     const bool counted = choice.size() > 2 && choice.compare(choice.size() - 2, 2, "-k") == 0;
     if (choice == value && !counted) return choice;

@@ -2,6 +2,7 @@
 /// The one table of the scene file: every element and attribute with type, unit, range, default and documentation.
 /// From it come the reader's checks, the XML schema (XSD), the scene reference and the validity of --set paths.
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,18 +35,17 @@ struct Condition {
 struct AttributeSpec {
   std::string name = {};
   ValueType type = ValueType::number;
-  int min_count = 1, max_count = 1;  ///< max_count k_any_count: no upper limit
-  std::string unit = {};             ///< empty: none
-  Range range = {};                  ///< of each number
-  std::vector<std::string> choices =
-      {};                          ///< an entry ending in "-k" stands for that stem with an integer of at least 3
-  std::string default_value = {};  ///< that of the finished product; empty: none
-  std::string default_note = {};   ///< what holds instead of a default value, in words
+  int min_count = 1, max_count = 1;                   ///< max_count k_any_count: no upper limit
+  std::string unit = {};                              ///< empty: none
+  Range range = {};                                   ///< of each number
+  std::vector<std::string> choices = {};              ///< "pyramid-k" stands for a pyramid with a number of facets
+  std::map<std::string, std::string> old_names = {};  ///< of choices, which the reader replaces by today's
+  std::string default_value = {};                     ///< empty: none
+  std::string default_note = {};                      ///< what holds instead of a default value, in words
   bool required = false;
   Condition applies = {};                   ///< on an attribute of the same element
   bool built = true;                        ///< false: naming it is refused
   std::vector<std::string> not_built = {};  ///< choices that are refused
-  std::string fallback = {};                ///< the built choice that stands in for a default that is not built
   std::string doc = {};
 };
 constexpr int k_any_count = std::numeric_limits<int>::max();

@@ -41,7 +41,6 @@ std::string values_cell(const AttributeSpec& spec) {
 std::string default_cell(const AttributeSpec& spec) {
   if (spec.required) return "required";
   std::string s = spec.default_value.empty() ? cell(spec.default_note) : code(spec.default_value);
-  if (!spec.fallback.empty()) s += "; for now " + code(spec.fallback);
   return s.empty() ? "none" : s;
 }
 

@@ -1,11 +1,65 @@
 #pragma once
 /// The parts of the table, one function per chapter of the scene file.
+#include <concepts>
 #include <string>
 #include <vector>
 
+#include "core/choices/choice.h"
+#include "core/scene/scene.h"
 #include "core/scene/schema/schema.h"
 
 namespace nilas::schema_table {
+
+/// Values as a scene file writes them: the defaults of the table, which are those of the Scene's members.
+std::string written(double x);
+std::string written(int x);
+std::string written(const Vec3& x);
+std::string written(std::same_as<bool> auto x) { return x ? "true" : "false"; }
+template <ChoiceEnum Enum>
+std::string written(Enum x) {
+  return name_of(x);
+}
+
+/// Something that has an effect only with one of these choices of an attribute.
+template <ChoiceEnum Enum, class... More>
+Condition when(const std::string& attribute, Enum first, More... more) {
+  return {attribute, {name_of(first), name_of(more)...}};
+}
+
+/// What the choices mean, one sentence or more for each that has a text: "`stop`: The run ends."
+template <ChoiceEnum Enum>
+std::string meanings() {
+  std::string text;
+  for (const Enum value : all_choices<Enum>())
+    if (const ChoiceText of = choice_text(value); !of.doc.empty())
+      text += " `" + std::string(of.name) + "`: " + std::string(of.doc);
+  return text;
+}
+
+template <ChoiceEnum Enum>
+std::map<std::string, std::string> old_names() {
+  std::map<std::string, std::string> names;
+  for (const Enum value : all_choices<Enum>())
+    if (const ChoiceText of = choice_text(value); !of.old_name.empty()) names.emplace(of.old_name, of.name);
+  return names;
+}
+
+/// An attribute without a default that takes one name of an enumeration.
+template <ChoiceEnum Enum>
+AttributeSpec choice(const std::string& name, const std::string& doc) {
+  return {.name = name,
+          .type = ValueType::choice,
+          .choices = choice_names<Enum>(),
+          .old_names = old_names<Enum>(),
+          .doc = doc + meanings<Enum>()};
+}
+/// The same with a default.
+template <ChoiceEnum Enum>
+AttributeSpec choice(const std::string& name, Enum default_value, const std::string& doc) {
+  AttributeSpec attribute = choice<Enum>(name, doc);
+  attribute.default_value = written(default_value);
+  return attribute;
+}
 
 inline Range above(double x) { return {.min = x, .min_inclusive = false}; }
 inline Range at_least(double x) { return {.min = x}; }
@@ -15,9 +69,9 @@ inline Range inside(double low, double high) {
   return {.min = low, .max = high, .min_inclusive = false, .max_inclusive = false};
 }
 
-/// Of bodies and of parts of vessels: shape, size, radius, height, mesh and material.
-std::vector<AttributeSpec> shape_attributes(const std::vector<std::string>& shapes, const std::string& doc,
-                                            const std::string& material);
+/// Of bodies and of parts of vessels: shape, size, radius, height, mesh and material. `can_be_plane`: whether the shape
+/// plane is allowed.
+std::vector<AttributeSpec> shape_attributes(bool can_be_plane, const std::string& material);
 /// mass, density and inertia. `owner`: "body".
 std::vector<AttributeSpec> mass_attributes(const std::string& owner);
 /// Three numbers, 0 0 0 by default.

@@ -3,36 +3,33 @@
 namespace nilas::schema_table {
 
 static ElementSpec vessel() {
+  const VesselScene values;
+  AttributeSpec position = three("position", "m",
+                                 "It places V's origin in the ground frame. With two numbers the height follows from "
+                                 "floating equilibrium.");
+  position.min_count = 2;
+  position.default_value = written(values.position);
   return {
       .name = "vessel",
       .parent = "scene",
       .doc =
-          "The vessel. Its frame V: x forward, y port, z up, origin at the hull mesh's origin. It is free unless it "
-          "holds <carriage> or <fixed>. Its hull is named by the attribute or the child `hull`.",
+          "This is the vessel. Its frame V has its origin at that of the hull mesh, x forward, y to port and z "
+          "up. The vessel is free unless it has <carriage> or <fixed>. It needs a hull, by the attribute or by "
+          "the child element.",
       .attributes = {
-          {.name = "name", .type = ValueType::name, .default_value = "ship", .doc = "Name in the outputs."},
+          {.name = "name", .type = ValueType::name, .default_value = values.name, .doc = "The outputs use this name."},
           {.name = "hull",
            .type = ValueType::hull,
-           .doc = "Hull folder written by `nilas hull`, or a convex STL file."},
-          {.name = "position",
-           .min_count = 2,
-           .max_count = 3,
-           .unit = "m",
-           .default_value = "0 0 0",
-           .doc = "Of V's origin in the ground frame; with two numbers the height is that of floating equilibrium."},
-          {.name = "heading_deg", .unit = "deg", .default_value = "0", .doc = "Of the x axis from X towards Y."},
-          {.name = "velocity",
-           .min_count = 3,
-           .max_count = 3,
-           .unit = "m/s",
-           .default_value = "0 0 0",
-           .doc = "Of a free vessel's centre of mass at the start, in the ground frame."},
-          {.name = "angular_velocity",
-           .min_count = 3,
-           .max_count = 3,
-           .unit = "rad/s",
-           .default_value = "0 0 0",
-           .doc = "Of a free vessel at the start, in the ground frame."}}};
+           .doc = "It names a hull folder as `nilas hull` writes it, or a convex STL file."},
+          position,
+          {.name = "heading_deg",
+           .unit = "deg",
+           .default_value = written(values.heading_deg),
+           .doc = "It is the angle of the vessel's x axis, from X towards Y."},
+          three("velocity", "m/s",
+                "It is the velocity of a free vessel's centre of mass at the start, in the ground frame."),
+          three("angular_velocity", "rad/s",
+                "It is the angular velocity of a free vessel at the start, in the ground frame.")}};
 }
 
 /// A parameter of a generated form: what is not named is the generator's to choose, lengths in proportion to `length`.
@@ -41,169 +38,174 @@ static AttributeSpec form(const std::string& name, const std::string& unit, cons
   return {.name = name, .unit = unit, .range = range, .default_note = note, .doc = doc};
 }
 
+static std::string of_length(double x) {
+  return written(x) + "/" + written(defaults::k_hull_length) + " of the length";
+}
+
 static ElementSpec hull() {
+  const Range upright{.min = 0, .max = 90, .max_inclusive = false}, steep{.min = 0, .max = 90, .min_inclusive = false};
   return {
       .name = "hull",
       .parent = "vessel",
       .doc =
-          "A generated hull in place of a hull folder: x = 0 at the aft end, x = length at the stem, y = 0 on "
-          "the centre plane, z = 0 at the keel.",
-      .attributes = {{.name = "generate",
-                      .type = ValueType::choice,
-                      .choices = {"icebreaker", "wedge"},
-                      .default_value = "icebreaker",
-                      .doc = "Kind of form: icebreaker, or wedge (vertical sides, wedge bow)."},
-                     form("length", "m", above(0), "6", "Length over all."),
-                     form("beam", "m", above(0), "0.2 of the length", "Beam."),
-                     form("draught", "m", above(0), "0.35/6 of the length", "Design waterline above the keel."),
-                     form("depth", "m", above(0), "0.1 of the length", "Keel to deck."),
-                     form("stem_angle_deg", "deg", {.min = 0, .max = 90, .min_inclusive = false}, "25",
-                          "Between the stem and still water; icebreaker only."),
-                     form("entrance_angle_deg", "deg", inside(0, 90), "30",
-                          "Half angle of the waterline at the stem; icebreaker only."),
-                     form("bow_length", "m", above(0), "0.3 of the length", "Length of the forebody at the waterline."),
-                     form("stern_length", "m", at_least(0), "1/6 of the length", "Length of the run; icebreaker only."),
-                     form("flare_angle_deg", "deg", {.min = 0, .max = 90, .max_inclusive = false}, "8",
-                          "Of the sides amidships from the vertical; icebreaker only."),
-                     {.name = "triangles",
-                      .type = ValueType::integer,
-                      .range = within(100, 1e6),
-                      .default_note = "6000",
-                      .doc = "Wanted number of triangles of the fluid mesh."}}};
+          "This generates a hull. x = 0 is at the aft end and x = length at the stem. y = 0 is the centre plane and "
+          "z = 0 the keel.",
+      .attributes = {
+          choice("generate", HullGenerateScene{}.kind, "It sets the kind of hull form."),
+          form("length", "m", above(0), written(defaults::k_hull_length), "It is the length over all."),
+          form("beam", "m", above(0), of_length(defaults::k_hull_beam), "It is the beam at the design waterline."),
+          form("draught", "m", above(0), of_length(defaults::k_hull_draught),
+               "It is the height of the design waterline above the keel."),
+          form("depth", "m", above(0), of_length(defaults::k_hull_depth), "It is the height from keel to deck."),
+          form("stem_angle_deg", "deg", steep, written(defaults::k_stem_angle_deg),
+               "It is the angle between the stem and still water, of the icebreaker only."),
+          form("entrance_angle_deg", "deg", inside(0, 90), written(defaults::k_entrance_angle_deg),
+               "It is the half angle of the waterline at the stem, of the icebreaker only."),
+          form("bow_length", "m", above(0), of_length(defaults::k_bow_length),
+               "It is the length of the forebody at the waterline."),
+          form("stern_length", "m", at_least(0), of_length(defaults::k_stern_length),
+               "It is the length of the run aft, of the icebreaker only."),
+          form("flare_angle_deg", "deg", upright, written(defaults::k_flare_angle_deg),
+               "It is the angle of the sides amidships from the vertical, of the icebreaker only."),
+          {.name = "triangles",
+           .type = ValueType::integer,
+           .range = within(100, 1e6),
+           .default_note = written(defaults::k_hull_triangles),
+           .doc = "It is the wanted number of triangles of the fluid mesh."}}};
 }
 
 static ElementSpec mass() {
-  return {
-      .name = "mass",
-      .parent = "vessel",
-      .doc = "What is not given follows from uniform density and the displaced water.",
-      .attributes = {{.name = "value",
-                      .unit = "kg",
-                      .range = above(0),
-                      .default_note = "the mass of the displaced water",
-                      .doc = "Mass."},
-                     {.name = "draught",
-                      .unit = "m",
-                      .range = above(0),
-                      .doc = "In place of a mass: depth of the keel below still water, from which the mass follows."},
-                     {.name = "cog",
-                      .min_count = 3,
-                      .max_count = 3,
-                      .unit = "m",
-                      .default_note = "the centre of the hull's volume",
-                      .doc = "Centre of mass in V."},
-                     {.name = "inertia",
-                      .min_count = 6,
-                      .max_count = 6,
-                      .unit = "kg m^2",
-                      .default_note = "that of uniform density",
-                      .doc = "About the centre of mass in V, tensor entries xx yy zz xy xz yz."}}};
+  return {.name = "mass",
+          .parent = "vessel",
+          .doc =
+              "It sets the mass properties. Those that are not given follow from uniform density and the displaced "
+              "water.",
+          .attributes = {{.name = "value",
+                          .unit = "kg",
+                          .range = above(0),
+                          .default_note = "the mass of the displaced water",
+                          .doc = "It is the mass."},
+                         {.name = "draught",
+                          .unit = "m",
+                          .range = above(0),
+                          .doc = "It is the depth of the keel below still water. The mass follows from it, so it "
+                                 "excludes a mass value."},
+                         {.name = "cog",
+                          .min_count = 3,
+                          .max_count = 3,
+                          .unit = "m",
+                          .default_note = "the centre of the hull's volume",
+                          .doc = "It is the centre of mass in V."},
+                         {.name = "inertia",
+                          .min_count = 6,
+                          .max_count = 6,
+                          .unit = "kg m^2",
+                          .default_note = "that of uniform density",
+                          .doc = "These are the entries xx yy zz xy xz yz of the inertia tensor about the centre of "
+                                 "mass, in V."}}};
+}
+
+static ElementSpec towing_carriage() {
+  const CarriageScene values;
+  return {.name = "carriage",
+          .parent = "vessel",
+          .doc =
+              "A towing carriage moves the vessel. It holds a force balance, which holds a joint, which holds the "
+              "vessel.",
+          .attributes = {{.name = "speed",
+                          .unit = "m/s",
+                          .default_value = written(values.speed),
+                          .doc = "It is the speed of a straight run."},
+                         {.name = "heading_deg",
+                          .unit = "deg",
+                          .default_value = written(values.heading_deg),
+                          .doc = "It is the direction of the run, from X towards Y."},
+                         {.name = "ramp",
+                          .unit = "s",
+                          .range = at_least(0),
+                          .default_value = written(values.ramp),
+                          .doc = "The carriage takes this time to reach its speed."},
+                         choice("ramp_shape", values.ramp_shape, "It sets how the speed rises."),
+                         {.name = "joint",
+                          .min_count = 3,
+                          .max_count = 3,
+                          .unit = "m",
+                          .default_note = "the centre of mass",
+                          .doc = "It is the point of the vessel, in V, at which the carriage holds it."},
+                         {.name = "free",
+                          .type = ValueType::words,
+                          .min_count = 0,
+                          .max_count = 6,
+                          .choices = choice_names<JointAxis>(),
+                          .default_note = "none",
+                          .doc = "The joint is free along and about these axes."},
+                         choice("start", values.start, "It sets how the vessel starts.")}};
 }
 
 static std::vector<ElementSpec> carriage() {
   return {
-      {.name = "fixed", .parent = "vessel", .doc = "The vessel does not move. Not together with <carriage>."},
-      {.name = "carriage",
-       .parent = "vessel",
-       .doc = "A towing carriage that moves the vessel. The chain is carriage, force balance, joint, vessel.",
-       .attributes =
-           {{.name = "speed", .unit = "m/s", .default_value = "0", .doc = "Speed of a straight run."},
-            {.name = "heading_deg",
-             .unit = "deg",
-             .default_value = "0",
-             .doc = "Direction of the run, from X towards Y."},
-            {.name = "ramp",
-             .unit = "s",
-             .range = at_least(0),
-             .default_value = "0",
-             .doc = "Time over which the speed is reached."},
-            {.name = "ramp_shape",
-             .type = ValueType::choice,
-             .choices = {"linear", "smooth"},
-             .default_value = "linear",
-             .doc = "linear: constant acceleration, which begins and ends with a jump that makes load cells ring. "
-                    "smooth: it rises from zero to 1.5 times as much and falls back to zero; the run is as long."},
-            {.name = "joint",
-             .min_count = 3,
-             .max_count = 3,
-             .unit = "m",
-             .default_note = "the centre of mass",
-             .doc = "Point of the vessel, in V, at which it is held."},
-            {.name = "free",
-             .type = ValueType::words,
-             .min_count = 0,
-             .max_count = 6,
-             .choices = {"surge", "sway", "heave", "roll", "pitch", "yaw"},
-             .default_note = "none",
-             .doc = "Axes along and about which the joint is free, blank-separated."},
-            {.name = "start",
-             .type = ValueType::choice,
-             .choices = {"equilibrium", "as-placed"},
-             .default_value = "equilibrium",
-             .doc =
-                 "equilibrium: the vessel starts at rest under weight and buoyancy, the cells deflected; "
-                 "axes that are free and that water balances (heave, roll, pitch) are in balance too. "
-                 "as-placed: at its position and upright, the cells unloaded, as vessels with <rod> start always."}}},
+      {.name = "fixed", .parent = "vessel", .doc = "The vessel does not move. It excludes <carriage>."},
+      towing_carriage(),
       {.name = "path",
        .parent = "carriage",
-       .doc = "A prescribed motion in place of a speed; heading_deg, ramp and ramp_shape of the carriage have no "
-              "effect with it.",
+       .doc = "A prescribed motion replaces the speed. The carriage's heading_deg, ramp and ramp_shape then have no "
+              "effect.",
        .attributes = {{.name = "file",
                        .type = ValueType::path,
                        .required = true,
-                       .doc = "CSV file with columns t_s,x_m,y_m,yaw_deg, relative to the start."}}},
-  };
+                       .doc = "This CSV file has the columns t_s,x_m,y_m,yaw_deg, relative to the start."}}}};
 }
 
 static ElementSpec force_balance() {
-  return {
-      .name = "force_balance",
-      .parent = "carriage",
-      .always = true,
-      .doc = "How the carriage holds the joint and measures the load.",
-      .attributes = {{.name = "kind",
-                      .type = ValueType::choice,
-                      .choices = {"rigid", "six-cells", "prismatic"},
-                      .default_value = "rigid",
-                      .doc = "rigid (reactions are constraint forces), six-cells (six uniaxial load cells), prismatic "
-                             "(a single joint along Z)."},
-                     {.name = "stiffness",
-                      .unit = "N/m",
-                      .range = above(0),
-                      .default_note = "1e7 for a hull of 6 m, others by Froude's law: times (length / 6 m)^2",
-                      .applies = {"kind", {"six-cells"}},
-                      .doc = "Of each cell."},
-                     {.name = "damping",
-                      .unit = "N s/m",
-                      .range = at_least(0),
-                      .default_note = "1e4 for a hull of 6 m, others by Froude's law: times (length / 6 m)^2.5",
-                      .applies = {"kind", {"six-cells"}},
-                      .doc = "Of each cell."},
-                     {.name = "layout",
-                      .type = ValueType::path,
-                      .default_note = "one longitudinal, two transverse, three vertical cells",
-                      .applies = {"kind", {"six-cells"}},
-                      .doc = "CSV file with columns x_m,y_m,z_m,ax,ay,az: point and axis of each cell in the "
-                             "carriage's frame, from the joint."}}};
+  const ForceBalanceScene values;
+  const std::string for_hull = " for a hull of " + written(defaults::k_hull_length) + " m; other hulls scale it by ";
+  const std::string froude = "(length / " + written(defaults::k_hull_length) + " m)";
+  return {.name = "force_balance",
+          .parent = "carriage",
+          .always = true,
+          .doc = "It holds the joint and measures the load.",
+          .attributes = {choice("kind", values.kind, "It sets the kind of balance."),
+                         {.name = "stiffness",
+                          .unit = "N/m",
+                          .range = above(0),
+                          .default_note = written(values.stiffness) + for_hull + froude + "^2",
+                          .applies = when("kind", BalanceKind::six_cells),
+                          .doc = "It is the stiffness of each cell."},
+                         {.name = "damping",
+                          .unit = "N s/m",
+                          .range = at_least(0),
+                          .default_note = written(values.damping) + for_hull + froude + "^2.5",
+                          .applies = when("kind", BalanceKind::six_cells),
+                          .doc = "It is the damping coefficient of each cell."},
+                         {.name = "layout",
+                          .type = ValueType::path,
+                          .default_note = "one longitudinal, two transverse and three vertical cells",
+                          .applies = when("kind", BalanceKind::six_cells),
+                          .doc = "This CSV file has the columns x_m,y_m,z_m,ax,ay,az. They give the point and axis of "
+                                 "each cell in the carriage's frame, from the joint."}}};
 }
 
 static std::vector<ElementSpec> means_of_control() {
-  const AttributeSpec file{.name = "file", .type = ValueType::path, .required = true, .doc = "Its description."};
+  const AttributeSpec file{.name = "file", .type = ValueType::path, .required = true, .doc = "This file describes it."};
   return {
-      {.name = "thrusters", .parent = "vessel", .built = false, .doc = "Thrusters.", .attributes = {file}},
+      {.name = "thrusters", .parent = "vessel", .built = false, .doc = "These are thrusters.", .attributes = {file}},
       {.name = "control",
        .parent = "vessel",
        .built = false,
-       .doc = "Automatic control of the vessel.",
+       .doc = "This is automatic control of the vessel.",
        .attributes =
            {{.name = "mode",
              .type = ValueType::choice,
              .choices = {"dp", "heading-speed", "none"},
              .default_value = "none",
-             .doc = "Dynamic positioning, heading and speed, or none."},
-            {.name = "setpoint", .min_count = 2, .max_count = 2, .unit = "m", .doc = "Of the centre of mass."},
-            {.name = "heading_deg", .unit = "deg", .default_value = "0", .doc = "Wanted heading."}}},
-      {.name = "mooring", .parent = "vessel", .built = false, .doc = "Mooring lines.", .attributes = {file}},
+             .doc = "It selects dynamic positioning, control of heading and speed, or none."},
+            {.name = "setpoint",
+             .min_count = 2,
+             .max_count = 2,
+             .unit = "m",
+             .doc = "It is the wanted position of the centre of mass."},
+            {.name = "heading_deg", .unit = "deg", .default_value = "0", .doc = "It is the wanted heading."}}},
+      {.name = "mooring", .parent = "vessel", .built = false, .doc = "These are mooring lines.", .attributes = {file}},
   };
 }
 

@@ -15,14 +15,14 @@ struct BodyGeometry {
 };
 
 /// Hull meshes are moved to where their centre of mass is.
-BodyGeometry mesh_geometry(const SolidScene& solid) {
+BodyGeometry mesh_geometry(const MeshScene& mesh) {
   BodyGeometry g;
-  Hull hull = read_hull(solid.mesh);
+  Hull hull = read_hull(mesh.file);
   g.unit = mesh_properties(hull.fluid, 1.0);
-  if (solid.cog) {
-    const Vec3 arm = g.unit.com - *solid.cog;
+  if (mesh.cog) {
+    const Vec3 arm = g.unit.com - *mesh.cog;
     g.unit.inertia += g.unit.mass * (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose());
-    g.unit.com = *solid.cog;
+    g.unit.com = *mesh.cog;
   }
   double size = 0;
   for (auto& p : hull.fluid.vertices) size = std::max(size, (p -= g.unit.com).norm());
@@ -36,36 +36,37 @@ BodyGeometry mesh_geometry(const SolidScene& solid) {
   return g;
 }
 
-BodyGeometry geometry(const SolidScene& solid) {
-  BodyGeometry g;
-  if (solid.shape == "sphere") {
-    g.shape = sphere_shape(solid.radius);
-    g.unit = sphere_properties(solid.radius, 4.0 / 3.0 * k_pi * solid.radius * solid.radius * solid.radius);
-  } else if (solid.shape == "cylinder") {
-    g.shape = cylinder_shape(solid.radius, solid.height);
-    g.unit = cylinder_properties(solid.radius, solid.height, k_pi * solid.radius * solid.radius * solid.height);
-  } else if (solid.shape == "plane") {
-    g.shape = plane_shape();
-    g.unit.mass = 1;
-    g.unit.inertia = Mat3::Identity();
-  } else if (solid.shape == "mesh") {
-    g = mesh_geometry(solid);
-  } else {
-    g.shape = box_shape(solid.size);
-    g.unit = box_properties(solid.size, solid.size.prod());
-  }
-  return g;
+BodyGeometry geometry(const SolidShape& shape) {
+  return std::visit(
+      Overloaded{[](const BoxScene& box) {
+                   return BodyGeometry{box_shape(box.size), box_properties(box.size, box.size.prod())};
+                 },
+                 [](const SphereScene& sphere) {
+                   const double r = sphere.radius;
+                   return BodyGeometry{sphere_shape(r), sphere_properties(r, 4.0 / 3.0 * k_pi * r * r * r)};
+                 },
+                 [](const CylinderScene& cylinder) {
+                   const double r = cylinder.radius, h = cylinder.height;
+                   return BodyGeometry{cylinder_shape(r, h), cylinder_properties(r, h, k_pi * r * r * h)};
+                 },
+                 [](const MeshScene& mesh) { return mesh_geometry(mesh); },
+                 [](const PlaneScene&) {
+                   BodyGeometry plane{plane_shape(), {}};
+                   plane.unit.mass = 1;
+                   plane.unit.inertia = Mat3::Identity();
+                   return plane;
+                 }},
+      shape);
 }
 
 }  // namespace
 
-Solid build_solid(const SolidScene& scene, const std::string& place) {
-  BodyGeometry g = geometry(scene);
-  if (scene.mass && scene.density) throw InputError(place + ": takes mass or density, not both");
-  constexpr double k_default_density = 1000;  // [kg/m^3]
+Solid build_solid(const SolidScene& scene) {
+  BodyGeometry g = geometry(scene.shape);
+  NILAS_DEMAND(!scene.mass || !scene.density);
   Solid solid;
   solid.mass = g.unit;
-  solid.mass.mass = scene.mass.value_or(scene.density.value_or(k_default_density) * g.unit.mass);
+  solid.mass.mass = scene.mass.value_or(scene.density.value_or(SolidScene::k_density) * g.unit.mass);
   solid.mass.inertia = g.unit.inertia * (solid.mass.mass / g.unit.mass);
   if (scene.inertia) {
     const Vec6& i = *scene.inertia;

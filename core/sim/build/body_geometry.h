@@ -14,8 +14,8 @@ struct Solid {
   MassProperties mass;                 ///< com in the element's frame
 };
 
-/// `place` begins its messages. Throws InputError, FileError.
-Solid build_solid(const SolidScene& scene, const std::string& place);
+/// Throws InputError and FileError naming the mesh file that is at fault.
+Solid build_solid(const SolidScene& scene);
 
 /// About z, then the new y, then the new x.
 Quat attitude_of(const Vec3& yaw_pitch_roll_deg);

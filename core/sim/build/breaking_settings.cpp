@@ -20,12 +20,11 @@ static FailureSettings failure_settings(const Scene& scene) {
     settings.speed.slope = fracture.bending->speed_slope;
   }
   if (fracture.splitting) {
-    const bool geometric = fracture.splitting->model == "seed-geometric";
-    settings.splitting = geometric ? SplittingModel::seed_geometric : SplittingModel::lefm;
+    settings.splitting = fracture.splitting->model;
     settings.multiplier = fracture.splitting->multiplier;
   }
   if (fracture.cracks) {
-    settings.curved = fracture.cracks->path == "curved";
+    settings.curved = fracture.cracks->path == CrackPathKind::curved;
     settings.segment = fracture.cracks->segment_thicknesses;
   }
   return settings;
@@ -41,17 +40,17 @@ PieceLimits piece_limits(const Scene& scene) {
   NILAS_DEMAND(scene.fracture.has_value());
   PieceLimits limits;
   limits.min_area = scene.fracture->min_area;
-  limits.small = scene.fracture->small_pieces == "refuse" ? SmallPieces::refuse : SmallPieces::brash;
+  limits.small = scene.fracture->small_pieces;
   return limits;
 }
 
 std::string breaking_description(const Scene& scene) {
   NILAS_DEMAND(scene.fracture.has_value());
   std::string text;
-  if (scene.fracture->bending) text = "<fracture><bending>: " + scene.fracture->bending->model;
+  if (scene.fracture->bending) text = "<fracture><bending>: " + name_of(scene.fracture->bending->model);
   if (scene.fracture->splitting)
-    text += (text.empty() ? "" : "; ") + ("<fracture><splitting>: " + scene.fracture->splitting->model);
-  if (scene.fracture->cracks) text += "; <fracture><cracks>: " + scene.fracture->cracks->path;
+    text += (text.empty() ? "" : "; ") + ("<fracture><splitting>: " + name_of(scene.fracture->splitting->model));
+  if (scene.fracture->cracks) text += "; <fracture><cracks>: " + name_of(scene.fracture->cracks->path);
   if (scene.fracture->damage) text += "; <fracture><damage>";
   return text;
 }

@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/field/field.h"
+#include "core/field/outline_library.h"
 #include "core/field/spec/keep_out.h"
 #include "core/geometry/orientation.h"
 #include "core/geometry/polygon.h"
@@ -54,6 +55,59 @@ double floating_mid_plane(const WorldParts& parts, bool buoyant, double thicknes
   return parts.water->level + thickness * (0.5 - density / parts.water->density);
 }
 
+void set_size(const SizeScene& size, PackedSpec& spec) {
+  spec.distribution = kind_of<SizeDistribution>(size);
+  const auto set_ends = [&](const auto& of) {
+    spec.min = of.min;
+    spec.max = of.max;
+  };
+  std::visit(Overloaded{[&](const FixedSizeScene& fixed) { spec.mean = fixed.mean; },
+                        [&](const UniformSizeScene& uniform) { set_ends(uniform); },
+                        [&](const LognormalSizeScene& lognormal) {
+                          spec.mean = lognormal.mean;
+                          spec.sd = lognormal.sd;
+                          set_ends(lognormal);
+                        },
+                        [&](const PowerLawSizeScene& power_law) {
+                          spec.exponent = power_law.exponent;
+                          set_ends(power_law);
+                        },
+                        [](const LibrarySizeScene&) {}},
+             size);
+}
+
+void set_shape(const FloeShapeScene& shape, PackedSpec& spec) {
+  spec.shape = kind_of<FloeShape>(shape);
+  std::visit(
+      Overloaded{[&](const PolygonScene& polygon) {
+                   spec.vertices_min = polygon.vertices_min;
+                   spec.vertices_max = polygon.vertices_max;
+                 },
+                 [&](const RectangleScene& rectangle) { spec.aspect = rectangle.aspect; }, [](const SquareScene&) {},
+                 [&](const ParallelogramScene& parallelogram) { spec.aspect = parallelogram.aspect; },
+                 [](const DiscScene&) {},
+                 [&](const LibraryScene& library) { spec.library = read_outlines(library.file); }},
+      shape);
+}
+
+/// What the scene says of packed floes; where they lie is left open.
+PackedSpec packed_spec(const PackedFieldScene& field) {
+  PackedSpec spec;
+  spec.concentration = field.concentration;
+  spec.overlap_tolerance = field.overlap_tolerance;
+  spec.shear = field.shear_deg * k_deg;
+  set_size(field.size, spec);
+  set_shape(field.shape, spec);
+  return spec;
+}
+
+PackedSpec cell_spec(const VoronoiFieldScene& field) {
+  PackedSpec spec;
+  spec.concentration = field.concentration;
+  set_size(field.size, spec);
+  return spec;
+}
+
 class IceBuilder {
  public:
   IceBuilder(const Scene& scene, int threads, WorldParts& parts, WarningCounts& warnings)
@@ -67,7 +121,8 @@ class IceBuilder {
       for (auto& floe : planned.floes) add_floe(floe, planned);
     parts_.info.ice_thickness = ice_.thickness;
     parts_.info.modules.emplace_back("ice", "<ice>: " + std::to_string(parts_.info.floes) + " floes");
-    for (const VaryScene& one : ice_.vary) parts_.info.modules.emplace_back("vary " + one.property, reason(one));
+    for (const VaryScene& one : ice_.vary)
+      parts_.info.modules.emplace_back("vary " + name_of(one.property), reason(one));
     if (scene_.fracture) name_breakable();
   }
 
@@ -109,7 +164,7 @@ class IceBuilder {
     means[static_cast<std::size_t>(FloeProperty::thickness)] = thickness.value_or(ice_.thickness);
     means[static_cast<std::size_t>(FloeProperty::density)] = ice_.density;
     for (const VaryScene& one : ice_.vary)
-      if (one.mean > 0) means[static_cast<std::size_t>(floe_property(one.property))] = one.mean;
+      if (one.mean > 0) means[static_cast<std::size_t>(one.property)] = one.mean;
     return means;
   }
 
@@ -153,7 +208,7 @@ class IceBuilder {
 
   /// For the list of what was built.
   static std::string reason(const VaryScene& vary) {
-    return fmt::format("<ice><vary>: {}, cov {:g}, {}", vary.distribution, vary.cov,
+    return fmt::format("<ice><vary>: {}, cov {:g}, {}", name_of(vary.distribution), vary.cov,
                        vary.correlation_length > 0 ? fmt::format("within floes over {:g} m", vary.correlation_length)
                                                    : std::string("one value per floe"));
   }
@@ -171,63 +226,48 @@ class IceBuilder {
     const double margin = k_hull_margin_thicknesses * thickness;
     planned.hull = keep_out;
     planned.keep_out = grown_outlines(keep_out, margin);
-    const Vec2 low(field.region[0], field.region[1]), high(field.region[2], field.region[3]);
-    if (field.kind == "file") return read_field(field.file);
-    if (field.kind == "grid")
-      return grid_field(
-          {low, high, field.rows, field.columns, field.gap, field.shear_deg * k_deg, field.stagger, keep_out, margin});
-    if (field.kind == "level") return level_field({low, high, keep_out, margin, aft()});
-    PackedSpec spec = broken_ice(field, index);
-    spec.low = low;
-    spec.high = high;
-    spec.keep_out = std::move(keep_out);
-    spec.keep_out_margin = margin;
-    if (field.bond) return frozen_field(spec, aft(), *field.bond);
-    planned.packed = spec;
-    if (field.kind == "voronoi") return voronoi_field(spec);
-    if (field.kind == "channel")
-      return channel_field({spec, field.channel_width.value_or(0.5 * (high.y() - low.y())), aft()});
-    return pack_field(spec);
+    const auto place = [&](PackedSpec spec) {
+      const auto [low, high] = corners(field);
+      spec.low = low;
+      spec.high = high;
+      spec.keep_out = keep_out;
+      spec.keep_out_margin = margin;
+      spec.seed = scene_.seed + index;
+      return spec;
+    };
+    const auto make = Overloaded{
+        [](const FileFieldScene& file) { return read_field(file.file); },
+        [&](const GridFieldScene& grid) {
+          const auto [low, high] = corners(field);
+          return grid_field(
+              {low, high, grid.rows, grid.columns, grid.gap, grid.shear_deg * k_deg, grid.stagger, keep_out, margin});
+        },
+        [&](const LevelFieldScene&) {
+          const auto [low, high] = corners(field);
+          return level_field({low, high, keep_out, margin, aft()});
+        },
+        [&](const VoronoiFieldScene& cells) {
+          const PackedSpec spec = place(cell_spec(cells));
+          if (cells.bond) return frozen_field(spec, aft(), *cells.bond);
+          return voronoi_field(planned.packed.emplace(spec));
+        },
+        [&](const ChannelFieldScene& channel) {
+          const PackedSpec& spec = planned.packed.emplace(place(packed_spec(channel.ice)));
+          return channel_field({spec, channel.width.value_or(0.5 * (spec.high.y() - spec.low.y())), aft()});
+        },
+        [&](const PackedFieldScene& packed) { return pack_field(planned.packed.emplace(place(packed_spec(packed)))); }};
+    return std::visit(make, field.form);
+  }
+
+  static std::pair<Vec2, Vec2> corners(const FieldScene& field) {
+    const RegionScene& region = *field.region();
+    return {{region[0], region[1]}, {region[2], region[3]}};
   }
 
   /// Where the vessel came from, in plan: -x of its own frame.
   Vec2 aft() const {
     const int v = parts_.vessel_index;
     return v < 0 ? Vec2(-Vec2::UnitX()) : Vec2(-parts_.bodies.R_GB[static_cast<std::size_t>(v)].col(0).head<2>());
-  }
-
-  PackedSpec broken_ice(const FieldScene& field, std::size_t index) const {
-    PackedSpec spec;
-    spec.concentration = field.concentration;
-    spec.overlap_tolerance = field.overlap_tolerance;
-    spec.distribution = distribution(field.size.distribution);
-    spec.mean = field.size.mean;
-    spec.sd = field.size.sd;
-    spec.min = field.size.min;
-    spec.max = field.size.max;
-    spec.exponent = field.size.exponent;
-    spec.shape = field.shape.library.empty() ? shape(field.shape.kind) : FloeShape::library;
-    if (spec.shape == FloeShape::library) spec.library = read_outlines(field.shape.library);
-    spec.vertices_min = field.shape.vertices_min;
-    spec.vertices_max = field.shape.vertices_max;
-    spec.aspect = field.shape.aspect;
-    spec.shear = field.shear_deg * k_deg;
-    spec.seed = scene_.seed + index;
-    return spec;
-  }
-
-  static SizeDistribution distribution(const std::string& name) {
-    if (name == "fixed") return SizeDistribution::fixed;
-    if (name == "uniform") return SizeDistribution::uniform;
-    if (name == "as-library") return SizeDistribution::as_library;
-    return name == "power-law" ? SizeDistribution::power_law : SizeDistribution::lognormal;
-  }
-
-  static FloeShape shape(const std::string& name) {
-    if (name == "rectangle") return FloeShape::rectangle;
-    if (name == "square") return FloeShape::square;
-    if (name == "parallelogram") return FloeShape::parallelogram;
-    return name == "disc" ? FloeShape::disc : FloeShape::polygon;
   }
 
   bool is_buoyant() const { return scene_.hydro && scene_.hydro->buoyancy; }
@@ -271,7 +311,7 @@ class IceBuilder {
           of_floe.at_xy = [texture = one.texture](double x, double y) { return texture.at(x, y); };
       return of_floe;
     };
-    if (!parts_.ice_properties) parts_.ice_properties.emplace();
+    if (!parts_.ice_properties) parts_.ice_properties = std::make_unique<IceProperties>();
     IceProperties& ice = *parts_.ice_properties;
     ice.resize(parts_.bodies.id.size());
     const auto b = static_cast<std::size_t>(body);

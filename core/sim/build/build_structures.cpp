@@ -30,10 +30,9 @@ void add_tank(const TankScene& tank, double level, Bodies& bodies) {
     add_wall(bodies, "floor", {length, tank.width + 2 * t, t}, {0.5 * tank.length, 0, level - tank.depth - 0.5 * t});
 }
 
-void add_body(const BodyScene& body, const std::string& file, Bodies& bodies) {
-  const std::string place = file + ":" + std::to_string(body.line) + ": <body name='" + body.name + "'>";
-  if (body.shape == "plane" && !body.fixed) throw InputError(place + ": a plane must be fixed=\"true\"");
-  const Solid solid = build_solid(body, place);
+void add_body(const BodyScene& body, Bodies& bodies) {
+  NILAS_DEMAND(body.kind() != SolidShapeKind::plane || body.fixed);
+  const Solid solid = build_solid(body);
   BodySpec spec;
   spec.name = body.name;
   spec.kind = BodyKind::rigid;
@@ -58,7 +57,7 @@ void build_structures(const Scene& scene, WorldParts& parts) {
     add_tank(*scene.tank, parts.water ? parts.water->level : 0, parts.bodies);
     parts.info.modules.emplace_back("tank", "<tank>");
   }
-  for (const auto& body : scene.bodies) add_body(body, scene.file.string(), parts.bodies);
+  for (const auto& body : scene.bodies) add_body(body, parts.bodies);
 }
 
 }  // namespace nilas

@@ -53,21 +53,19 @@ double height_of(const TriangleMesh& mesh) {
 MassProperties vessel_mass(const Scene& scene, const TriangleMesh& fluid, const Mat3& R, const WorldParts& parts) {
   const VesselScene& vessel = *scene.vessel;
   const MassScene& given = vessel.mass;
-  if (given.value && given.draught) refuse(scene, "<mass> takes value or draught, not both");
+  NILAS_DEMAND(!given.value || !given.draught);
   const auto displaced = [&](double z) {
     return parts.water->density * submerged_mesh(fluid, R, {0, 0, z}, parts.water->level).volume;
   };
   double mass = given.value.value_or(0);
   if (!given.value) {
-    if (!parts.water) refuse(scene, "without <water> the vessel needs <mass value=...>");
+    NILAS_DEMAND(parts.water && (given.draught || vessel.position_has_z));
     if (given.draught && !(*given.draught < height_of(fluid)))
       refuse(scene, fmt::format("draught {:g} m: the hull is only {:g} m high", *given.draught, height_of(fluid)));
     if (given.draught)
       mass = displaced(parts.water->level - *given.draught - lowest(fluid));
-    else if (vessel.position_has_z)
-      mass = displaced(vessel.position.z());
     else
-      refuse(scene, "give <mass value=...>, <mass draught=...> or a position with three numbers");
+      mass = displaced(vessel.position.z());
     if (!(mass > 0)) refuse(scene, "the hull displaces no water at the given height, so it has no mass");
   }
   MassProperties properties = mesh_properties(fluid, 1.0);
@@ -83,7 +81,7 @@ double vessel_height(const Scene& scene, const TriangleMesh& fluid, const Mat3& 
                      const WorldParts& parts) {
   const VesselScene& vessel = *scene.vessel;
   if (vessel.position_has_z) return vessel.position.z();
-  if (!parts.water) refuse(scene, "without <water> the position needs three numbers");
+  NILAS_DEMAND(parts.water.has_value());
   if (vessel.mass.draught) return parts.water->level - *vessel.mass.draught - lowest(fluid);
   return floating_height(fluid, R, mass, *parts.water);
 }
@@ -94,20 +92,16 @@ CarriageModel carriage_model(const Scene& scene, const VesselModel& model, doubl
   carriage.joint_V = given.joint.value_or(model.mass.com);
   const Vec3 start = model.pose_V.p + model.pose_V.q * carriage.joint_V;
   const double yaw = scene.vessel->heading_deg * k_deg;
-  const RampShape shape = given.ramp_shape == "smooth" ? RampShape::smooth : RampShape::linear;
   carriage.motion = given.path.empty() ? CarriageMotion::straight(start, yaw, given.speed, given.heading_deg * k_deg,
-                                                                  given.ramp, scene.time.start, shape)
+                                                                  given.ramp, scene.time.start, given.ramp_shape)
                                        : CarriageMotion::path(start, yaw, given.path);
   carriage.free = given.free;
   carriage.stiffness = given.balance.stiffness;
   carriage.damping = given.balance.damping;
-  if (given.balance.kind == "six-cells") {
-    carriage.balance = BalanceKind::six_cells;
+  carriage.balance = given.balance.kind;
+  if (carriage.balance == BalanceKind::six_cells)
     carriage.cells =
         given.balance.layout.empty() ? default_cells(k_cell_arm_share * length) : read_cells(given.balance.layout);
-  } else {
-    carriage.balance = given.balance.kind == "prismatic" ? BalanceKind::prismatic : BalanceKind::rigid;
-  }
   return carriage;
 }
 
@@ -133,18 +127,9 @@ double length_of(const TriangleMesh& mesh) {
   return high - low;
 }
 
-JointKind joint_kind(const std::string& name) {
-  if (name == "slider") return JointKind::slider;
-  if (name == "ball") return JointKind::ball;
-  if (name == "free") return JointKind::free;
-  return name == "weld" ? JointKind::weld : JointKind::hinge;
-}
-
 /// Adds a part to the model; its shape to `solids`.
 void add_part(const Scene& scene, const PartScene& given, VesselModel& model, std::vector<Solid>& solids) {
-  const std::string place =
-      scene.file.string() + ":" + std::to_string(given.line) + ": <part name='" + given.name + "'>";
-  solids.push_back(build_solid(given, place));
+  solids.push_back(build_solid(given));
   const MassProperties& mass = solids.back().mass;
   PartModel part;
   part.mass = mass.mass;
@@ -154,7 +139,7 @@ void add_part(const Scene& scene, const PartScene& given, VesselModel& model, st
   const auto& all = scene.vessel->parts;
   const auto to = std::find_if(all.begin(), all.end(), [&](const PartScene& other) { return other.name == given.to; });
   part.to = to == all.end() ? -1 : static_cast<int>(to - all.begin());
-  part.joint = joint_kind(given.joint);
+  part.joint = given.joint;
   part.point_V = given.at.value_or(given.position);
   part.axis_V = given.axis.normalized();
   part.stiffness = given.stiffness;
@@ -223,7 +208,7 @@ void add_part_bodies(const Scene& scene, const VesselModel& model, const std::ve
     const int body = parts.bodies.add(specs[k]);
     if (part.joint != JointKind::free) parts.joined.emplace_back(hull + 1 + part.to, body);
     parts.info.parts.push_back({given.name, part.joint});
-    parts.info.modules.emplace_back("part " + given.name, "<part joint=\"" + given.joint + "\">");
+    parts.info.modules.emplace_back("part " + given.name, "<part joint=\"" + name_of(given.joint) + "\">");
   }
   std::sort(parts.joined.begin(), parts.joined.end());
 }
@@ -243,7 +228,7 @@ int build_vessel(const Scene& scene, WorldParts& parts) {
   model.w = vessel.angular_velocity;
   model.fixed = vessel.fixed;
   model.gyroscopic = scene.contact.gyroscopic;
-  if (scene.contact.integrator == "moreau") model.theta = scene.contact.theta;
+  if (scene.contact.integrator == Integrator::moreau) model.theta = scene.contact.theta;
   if (vessel.carriage) model.carriage = carriage_model(scene, model, length_of(hull.fluid));
   std::vector<Solid> solids;
   for (const PartScene& part : vessel.parts) add_part(scene, part, model, solids);
@@ -256,7 +241,7 @@ int build_vessel(const Scene& scene, WorldParts& parts) {
   spec.name = vessel.name;
   spec.kind = BodyKind::vessel;
   spec.motion = vessel.fixed ? Motion::fixed : Motion::articulated;
-  spec.material = "hull";
+  spec.material = k_hull_material;
   spec.shape = hull_shape(hull, model.mass.com);
   spec.mass = model.mass.mass;
   spec.inertia_B = model.mass.inertia;

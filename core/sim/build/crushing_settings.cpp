@@ -10,16 +10,13 @@ namespace nilas {
 CrushingSettings crushing_settings(const Scene& scene) {
   NILAS_DEMAND(scene.fracture && scene.fracture->crushing);
   const CrushingScene& crushing = *scene.fracture->crushing;
-  CrushingLaw law{CrushingModel::seed_limit, crushing.coefficient, crushing.exponent,
-                  scene.fracture->compressive_strength};
-  if (crushing.model == "pressure-area") law.model = CrushingModel::pressure_area;
-  if (crushing.model == "compliant") law.model = CrushingModel::compliant;
+  const CrushingLaw law{crushing.model, crushing.coefficient, crushing.exponent, scene.fracture->compressive_strength};
   return {law, crushing.between_floes, crushing.clear_volume};
 }
 
 std::string crushing_description(const Scene& scene, const Bodies& bodies) {
   NILAS_DEMAND(scene.fracture && scene.fracture->crushing);
-  std::string text = "<fracture><crushing>: " + scene.fracture->crushing->model;
+  std::string text = "<fracture><crushing>: " + name_of(scene.fracture->crushing->model);
   if (scene.fracture->crushing->between_floes) text += ", of floes by each other too";
   if (const auto& volume = scene.fracture->crushing->clear_volume)
     text += fmt::format(", cut out from {:g} m^3 on", *volume);

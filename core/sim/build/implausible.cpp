@@ -26,14 +26,19 @@ double two_digits(double x, double (*round)(double)) {
 double swing_after(const CarriageScene& carriage, double period) {
   const double x = 2 * k_pi / period * carriage.ramp;
   constexpr double k_smooth = 12;
-  if (carriage.ramp_shape == "smooth") return x > 0 ? std::min(1.0, k_smooth / (x * x) * (1 + 2 / x)) : 1;
-  return x > 0 ? 2 / x : 1;
+  switch (carriage.ramp_shape) {
+    case RampShape::linear:
+      return x > 0 ? 2 / x : 1;
+    case RampShape::smooth:
+      return x > 0 ? std::min(1.0, k_smooth / (x * x) * (1 + 2 / x)) : 1;
+  }
+  return 1;
 }
 
 /// Length from which on a ramp of the same shape leaves no more than `share` of the speed [s].
 double gentle_ramp(const CarriageScene& carriage, double period, double share) {
   constexpr double k_smooth = 12;
-  const double x = carriage.ramp_shape == "smooth" ? 1 + std::sqrt(k_smooth / share) : 2 / share;
+  const double x = carriage.ramp_shape == RampShape::smooth ? 1 + std::sqrt(k_smooth / share) : 2 / share;
   return x * period / (2 * k_pi);
 }
 
@@ -197,7 +202,7 @@ class Doubts {
                             two_digits(gentle_ramp(*carriage, mode.period, k_overshoot / share), std::ceil)));
       }
       constexpr double k_steps_on_water = 10;
-      if (scene_.contact.integrator == "reference") continue;  // its own steps resolve all
+      if (scene_.contact.integrator == Integrator::reference) continue;  // its own steps resolve all
       // faster turns on the cells die out unseen, but surge and sway are what the tow force shows
       if (mode.on_cells && !along) continue;
       const double longest = mode.period / (mode.on_cells ? k_least_steps_on_cells : k_steps_on_water);
@@ -220,9 +225,9 @@ class Doubts {
   }
 
   void structures() {
-    if (scene_.contact.integrator != "reference") return;
+    if (scene_.contact.integrator != Integrator::reference) return;
     for (const BodyScene& body : scene_.bodies)
-      if (body.fixed && body.shape != "plane")
+      if (body.fixed && body.kind() != SolidShapeKind::plane)
         doubt("body", fmt::format("integrator reference writes no loads on the fixed body '{}'", body.name));
   }
 

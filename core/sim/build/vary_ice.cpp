@@ -15,16 +15,9 @@ constexpr double k_least_share = 0.05;
 /// Ice that floats is lighter than the water, by this at least.
 constexpr double k_greatest_density = 0.999;
 
-SpreadKind spread_kind(const std::string& name) {
-  if (name == "lognormal") return SpreadKind::lognormal;
-  if (name == "uniform") return SpreadKind::uniform;
-  return name == "weibull" ? SpreadKind::weibull : SpreadKind::normal;
-}
-
 /// Greatest share of the mean [-].
 double highest_share(const VaryScene& vary, const Scene& scene, double water_density) {
-  if (vary.property != name_of(FloeProperty::density) || water_density <= 0)
-    return std::numeric_limits<double>::infinity();
+  if (vary.property != FloeProperty::density || water_density <= 0) return std::numeric_limits<double>::infinity();
   const double allowed = k_greatest_density * water_density;
   if (scene.ice->density >= allowed)
     throw InputError(
@@ -35,9 +28,9 @@ double highest_share(const VaryScene& vary, const Scene& scene, double water_den
 }
 
 PropertySpread spread_of(const VaryScene& vary, const Scene& scene, double water_density) {
-  const CutDistribution distribution(spread_kind(vary.distribution), vary.cov, k_least_share,
+  const CutDistribution distribution(vary.distribution, vary.cov, k_least_share,
                                      highest_share(vary, scene, water_density));
-  return {floe_property(vary.property), distribution, vary.correlation_length};
+  return {vary.property, distribution, vary.correlation_length};
 }
 
 }  // namespace

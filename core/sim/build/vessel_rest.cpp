@@ -45,7 +45,7 @@ void settle_vessel(const Scene& scene, const std::vector<BodySpec>& specs, World
   rest.weight = (hull.mass * scene.gravity).norm();
   rest.length = hull.shape->bounding_radius;
   rest.afloat = vessel.afloat();
-  const bool as_placed = scene.vessel->carriage->start == "as-placed";
+  const bool as_placed = scene.vessel->carriage->start == CarriageStart::as_placed;
   try {
     if (rest.afloat && parts.carriage->free_in_heave() && specs.size() == 1)
       rest.heave = floating_height(hull.shape->surface, hull.pose.q.toRotationMatrix(), hull.mass, *parts.water) -

@@ -4,19 +4,16 @@
 #include <optional>
 
 #include "contact/assemble.h"
-#include "contact/detect/narrow_phase_choice.h"
 #include "contact/position_correction.h"
 #include "contact/solvers/solver.h"
 #include "contact/static_friction.h"
+#include "core/choices/contact_choices.h"
 #include "core/scene/scene.h"
 
 namespace nilas {
 
 /// What moves the poses after the step's own motion.
 enum class PositionStep { none, split_impulse, projection };
-
-/// Which gaps at the step's start are contacts, and whether fast pairs are followed on their way.
-enum class Detection { discrete, speculative, continuous };
 
 struct ContactModel {
   AssemblySettings assembly;
@@ -34,17 +31,16 @@ struct ContactModel {
   int most_substeps = 1;  ///< parts that a step is cut into at impacts
   double margin = 0;      ///< [m]; 0: from the speeds
 
-  /// Sets the length of the steps to come [s].
-  void set_step(double h);
-  /// Leaves in `problem.mu` the coefficient that each contact had.
-  ContactSolution solve(ContactProblem& problem, const VecX& guess);
+  /// Of a substep of length h [s].
+  AssemblySettings assembly_over(double h) const;
+  CorrectionSettings correction_over(double h) const;
+  /// Solves from the contacts that slipped in the last step. Leaves in `problem.mu` the coefficient that each contact
+  /// had.
+  StaticFrictionSolution solve(ContactProblem& problem, const VecX& guess, const SlippingContacts& slipped) const;
 };
 
-NarrowPhase narrow_phase(const ContactScene& contact);
-
-/// Throws InputError naming file and element where the solver does not take the law, or the integrator no cut.
-void demand_contact_choices(const Scene& scene);
-
-ContactModel build_contact_model(const ContactScene& contact, double h, int threads);
+/// Whether some pair of materials has more static than kinetic friction, and the law any friction.
+bool has_static_friction(const ContactScene& contact);
+ContactModel build_contact_model(const ContactScene& contact, int threads);
 
 }  // namespace nilas

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/math.h"
+#include "core/choices/vessel_choices.h"
 #include "core/geometry/mass_properties.h"
 #include "core/vessel/model/vessel_parts.h"
 
@@ -26,10 +27,6 @@ std::array<LoadCell, 6> default_cells(double arm);
 /// Reads columns x_m,y_m,z_m,ax,ay,az; axes need not be unit. Throws FileError, or InputError for a wrong or singular
 /// layout.
 std::array<LoadCell, 6> read_cells(const std::string& csv_file);
-
-/// How a straight run reaches its speed. linear: at constant acceleration. smooth: at an acceleration that rises from
-/// zero and falls back to it, with the speed V s^2 (3 - 2 s) at the share s of the ramp. Both end at the same place.
-enum class RampShape { linear, smooth };
 
 /// Position and yaw of the carriage over time, with exact derivatives.
 class CarriageMotion {
@@ -69,8 +66,6 @@ class CarriageMotion {
   double yaw_ = 0, speed_ = 0, direction_ = 0, ramp_ = 0, t0_ = 0;
   RampShape shape_ = RampShape::linear;
 };
-
-enum class BalanceKind { rigid, six_cells, prismatic };
 
 struct CarriageModel {
   CarriageMotion motion;

@@ -7,11 +7,9 @@
 #include <vector>
 
 #include "core/base/math.h"
+#include "core/choices/vessel_choices.h"
 
 namespace nilas {
-
-/// hinge: turns about one axis; slider: moves along one; ball: turns freely; free: is not held; weld: is held fast.
-enum class JointKind { hinge, slider, ball, free, weld };
 
 /// A body and the joint that holds it to the hull or to a part before it. V: the frame of the vessel.
 struct PartModel {

@@ -2,6 +2,7 @@
 /// What moves the vessel: one class per way of holding it, each with the step of vessel_system.h.
 #include <memory>
 
+#include "core/base/state.h"
 #include "core/vessel/model/vessel_model.h"
 
 namespace nilas {
@@ -64,7 +65,6 @@ class VesselMotion {
   bool moves_before_;
 };
 
-std::unique_ptr<VesselMotion> make_fixed_vessel(const VesselModel& model, double t0);
 std::unique_ptr<VesselMotion> make_free_vessel(const VesselModel& model, double t0);
 /// Throws InputError when the force balance cannot hold the vessel.
 std::unique_ptr<VesselMotion> make_carried_vessel(const VesselModel& model, double t0);

@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <numeric>
 
 #include "contact/fclib/fclib_io.h"
+#include "contact/solvers/nsgs.h"
+#include "tests/support/bad_problems.h"
 #include "tests/support/cone_problems.h"
 #include "tests/support/problem_factory.h"
 
@@ -84,6 +87,31 @@ TEST(Auto, NamesWhatIsNotFinite) {
   const ContactSolution solution = solve(problem);
   EXPECT_EQ(solution.status, SolveStatus::numerical_error);
   EXPECT_NE(solution.message.find("finite"), std::string::npos) << solution.message;
+}
+
+/// Sweeps run away from an answer that Newton's method finds: each multiplies the distance by ten, and find at sweep
+/// 303 that velocities have overflown.
+TEST(Auto, GoesOnWhereSweepsLeaveAllNumbers) {
+  const LocalProblem problem = test::runaway_pair(std::sqrt(10.0), 1e8);
+  const VecX guess = VecX::Constant(6, 5);
+  const ContactSolution swept = NsgsSolver({.shared = {.tolerance = 1e-6}}).solve(problem, guess);
+  EXPECT_EQ(swept.status, SolveStatus::numerical_error);
+  EXPECT_TRUE(swept.r.allFinite());
+  EXPECT_FALSE(swept.message.empty());
+  const AutoSettings settings{.shared = {.tolerance = 1e-6, .max_iterations = 5000}, .first_sweeps = 1000};
+  const ContactSolution solution = AutoSolver(settings).solve(problem, guess);
+  EXPECT_EQ(solution.status, SolveStatus::converged) << solution.message;
+  EXPECT_NE(solution.message.find("newton"), std::string::npos) << solution.message;
+}
+
+TEST(Auto, EndsAtAContactThatNothingCanMove) {
+  ContactProblem problem;
+  problem.add_contact(-1, MatX(3, 0), -1, MatX(3, 0), 77);
+  problem.w[0] = -1;
+  const ContactSolution solution = solve(problem);
+  EXPECT_EQ(solution.status, SolveStatus::numerical_error);
+  EXPECT_NE(solution.message.find("77"), std::string::npos) << solution.message;
+  EXPECT_EQ(solution.message.find("more nsgs"), std::string::npos) << solution.message;
 }
 
 TEST(Auto, NoContacts) {

@@ -54,7 +54,7 @@ TEST(AsRun, TheCompleteSceneReadsBackFromAnotherFolder) {
   EXPECT_EQ(again.vessel->hull, elsewhere.path() / "inputs/icebreaker");
   EXPECT_EQ(again.vessel->position_has_z, scene.vessel->position_has_z);
   EXPECT_EQ(again.contact.friction[1].kinetic, scene.contact.friction[1].kinetic);
-  EXPECT_EQ(again.ice->fields[2].file, elsewhere.path() / "inputs/floes.geojson");
+  EXPECT_EQ(std::get<FileFieldScene>(again.ice->fields[2].form).file, elsewhere.path() / "inputs/floes.geojson");
   EXPECT_EQ(again.bodies[3].fixed, true);
 }
 
@@ -78,7 +78,7 @@ TEST(AsRun, DefaultsAreWrittenOutAsTheyWereUsed) {
 TEST(AsRun, OverridesPresetAndGeneratedHull) {
   const SceneFolder folder;
   const Scene scene =
-      folder.read(in_scene("<contact preset='seed-2014'/><vessel><hull/><mass value='1'/><carriage/></vessel>"),
+      folder.read(in_scene("<contact preset='metrikin-2014'/><vessel><hull/><mass value='1'/><carriage/></vessel>"),
                   {{"vessel/hull/@beam", "1.5"}, {"contact/@max_iterations", "20"}});
   expect_round_trip(folder, scene);
   EXPECT_TRUE(contains(scene.as_run, "beam=\"1.5\"")) << scene.as_run;

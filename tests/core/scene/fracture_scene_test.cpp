@@ -32,7 +32,7 @@ TEST(FractureScene, ReadsToPlainValues) {
   EXPECT_EQ(fracture.min_area, 1e-3);
   EXPECT_EQ(fracture.max_aspect, 6);
   ASSERT_TRUE(fracture.crushing.has_value());
-  EXPECT_EQ(fracture.crushing->model, "pressure-area");
+  EXPECT_EQ(name_of(fracture.crushing->model), "pressure-area");
   EXPECT_EQ(fracture.crushing->coefficient, 3e5);
   EXPECT_EQ(fracture.crushing->exponent, -0.1);
   EXPECT_EQ(SceneFolder().read(scene.as_run).as_run, scene.as_run);
@@ -41,7 +41,7 @@ TEST(FractureScene, ReadsToPlainValues) {
 TEST(FractureScene, DefaultsAreTheSeedsModel) {
   const SceneFolder folder;
   const Scene scene = folder.read(in_scene(k_ice + "<fracture><crushing/></fracture>"));
-  EXPECT_EQ(scene.fracture->crushing->model, "seed-limit");
+  EXPECT_EQ(name_of(scene.fracture->crushing->model), "explicit");
   EXPECT_EQ(scene.fracture->compressive_strength, 1e5);
   EXPECT_TRUE(scene.notes.empty()) << scene.notes.front();
   EXPECT_FALSE(folder.read(in_scene(k_ice)).fracture.has_value());
@@ -57,7 +57,7 @@ TEST(FractureScene, WhatHasNoEffectIsNamed) {
                   "<fracture>: no effect: it names no <crushing>, <bending> or <splitting>."),
             1);
   EXPECT_EQ(count(folder.read(in_scene(k_ice + "<fracture><crushing exponent='0'/></fracture>")),
-                  "<fracture><crushing exponent>: no effect with model 'seed-limit'."),
+                  "<fracture><crushing exponent>: no effect with model 'explicit'."),
             1);
   const Scene varied = folder.read(
       in_scene("<ice><floe breakable='true' outline='0 0 1 0 1 1'/><vary property='flexural_strength' cov='0.1'/>"
@@ -77,20 +77,20 @@ TEST(FractureScene, BendingAndSplittingTakeTheirSettings) {
                   "<fracture>: without <crushing> ice breaks by the peaks of rigid contacts, which depend on the "
                   "step."),
             1);
-  EXPECT_EQ(plain.fracture->bending->model, "nevel");
+  EXPECT_EQ(name_of(plain.fracture->bending->model), "nevel");
   EXPECT_EQ(plain.fracture->bending->wedge_angle_deg, 45);
   EXPECT_EQ(plain.fracture->bending->speed_slope, 0);
-  EXPECT_EQ(plain.fracture->splitting->model, "seed-geometric");
+  EXPECT_EQ(name_of(plain.fracture->splitting->model), "geometric");
   EXPECT_EQ(plain.fracture->splitting->multiplier, 2.5);
-  EXPECT_EQ(plain.fracture->small_pieces, "brash");
+  EXPECT_EQ(name_of(plain.fracture->small_pieces), "brash");
   const Scene given =
       folder.read(in_scene(water + k_ice +
                            "<fracture small_pieces='refuse'><bending wedge_angle_deg='60' speed_slope='-0.14'/>"
                            "<splitting model='lefm'/></fracture>"));
   EXPECT_EQ(given.fracture->bending->wedge_angle_deg, 60);
   EXPECT_EQ(given.fracture->bending->speed_slope, -0.14);
-  EXPECT_EQ(given.fracture->splitting->model, "lefm");
-  EXPECT_EQ(given.fracture->small_pieces, "refuse");
+  EXPECT_EQ(name_of(given.fracture->splitting->model), "lefm");
+  EXPECT_EQ(name_of(given.fracture->small_pieces), "refuse");
   const std::string vary =
       "<ice><floe breakable='true' outline='0 0 1 0 1 1'/><vary property='flexural_strength' cov='0.1'/></ice>";
   EXPECT_TRUE(folder.read(in_scene(water + vary + "<fracture><crushing/><splitting/></fracture>")).notes.empty())
@@ -106,11 +106,11 @@ TEST(FractureScene, WeakLinesBondsAndCurvedCracks) {
   const std::string fracture =
       "<fracture><crushing/><bending/><cracks path='curved' segment_thicknesses='3'/></fracture>";
   const Scene scene = folder.read(in_scene(water + ice + fracture));
-  EXPECT_EQ(scene.ice->fields.at(0).bond, 0.4);
+  EXPECT_EQ(std::get<VoronoiFieldScene>(scene.ice->fields.at(0).form).bond, 0.4);
   const WeakLineScene& line = scene.ice->weak_lines.at(0);
   EXPECT_EQ(line.points, (std::vector<Vec2>{{0, 0}, {1, 2}, {3, 4}}));
   EXPECT_EQ(line.strength, 0.25);
-  EXPECT_EQ(scene.fracture->cracks->path, "curved");
+  EXPECT_EQ(name_of(scene.fracture->cracks->path), "curved");
   EXPECT_EQ(scene.fracture->cracks->segment_thicknesses, 3);
   EXPECT_TRUE(scene.notes.empty()) << scene.notes.front();
   EXPECT_EQ(SceneFolder().read(scene.as_run).as_run, scene.as_run);

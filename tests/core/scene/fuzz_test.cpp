@@ -37,7 +37,7 @@ std::vector<std::pair<std::size_t, std::size_t>> values_in(const std::string& te
 bool all_finite(const Scene& scene) {
   bool finite = scene.gravity.allFinite() && std::isfinite(scene.time.step) && std::isfinite(scene.time.end);
   for (const auto& body : scene.bodies)
-    finite = finite && body.position.allFinite() && body.size.allFinite() && std::isfinite(body.mass.value_or(0));
+    finite = finite && body.position.allFinite() && std::isfinite(body.mass.value_or(0));
   return finite;
 }
 

@@ -23,8 +23,8 @@ TEST(Vary, ReadsToPlainValues) {
           "<vary property='compressive_strength' distribution='weibull' cov='0.1' correlation_length='0.5'/>"));
   const auto& vary = scene.ice->vary;
   ASSERT_EQ(vary.size(), 3u);
-  EXPECT_EQ(vary[0].property, "thickness");
-  EXPECT_EQ(vary[0].distribution, "normal");
+  EXPECT_EQ(name_of(vary[0].property), "thickness");
+  EXPECT_EQ(name_of(vary[0].distribution), "normal");
   EXPECT_EQ(vary[0].cov, 0.08);
   EXPECT_EQ(vary[0].mean, 0);
   EXPECT_EQ(vary[0].correlation_length, 0.5);

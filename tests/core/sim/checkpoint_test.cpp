@@ -145,7 +145,7 @@ const std::vector<Case> k_cases{
      "<size distribution='lognormal' mean='0.35' sd='0.1' min='0.2' max='0.6'/><shape kind='polygon' vertices='5 8'/>"
      "</field><vary property='compressive_strength' cov='0.2' correlation_length='0.3'/></ice>"
      "<fracture compressive_strength='2e3'><crushing model='compliant'/></fracture>"},
-    {"BreakingIce", NILAS_BREAKING_ICE("<crushing model='seed-limit'/>")},
+    {"BreakingIce", NILAS_BREAKING_ICE("<crushing model='explicit'/>")},
     {"BreakingIceThatCrushesItself", NILAS_BREAKING_ICE("<crushing model='compliant' between_floes='true'/>")},
     {"PitchingOnACarriage",
      "<contact law='pyramid' solver='pgs' tolerance='0' max_iterations='30' "

@@ -62,7 +62,7 @@ inline std::string pile() {
 inline std::string crushing(const std::string& model, double strength = k_strength) {
   return "<fracture compressive_strength='" + text(strength) + "'><crushing " + model + "/></fracture>";
 }
-inline const std::string k_seed = "model='seed-limit'", k_compliant = "model='compliant'";
+inline const std::string k_seed = "model='explicit'", k_compliant = "model='compliant'";
 
 /// Unless `contact` names another, the integrator is semi-implicit Euler: sums over its steps have closed forms.
 struct Rig {

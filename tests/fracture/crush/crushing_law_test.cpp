@@ -11,7 +11,7 @@ namespace nilas {
 namespace {
 
 TEST(CrushingLaw, PressureByModel) {
-  const CrushingLaw seed{CrushingModel::seed_limit, 7.4e6, -0.7, 2e5};
+  const CrushingLaw seed{CrushingModel::explicit_area, 7.4e6, -0.7, 2e5};
   EXPECT_EQ(seed.pressure(3e5, 0.01), 3e5);
   EXPECT_FALSE(seed.is_implicit());
   EXPECT_EQ((CrushingLaw{CrushingModel::compliant, 7.4e6, -0.7, 2e5}.pressure(3e5, 0.01)), 3e5);

@@ -179,7 +179,7 @@ struct Pressed : BluntHull, test::Rig {
                 "<body name='pier' shape='box' size='0.2 4 2' position='2.1 0 0' fixed='true'/>"
                 "<water density='1000'/><hydro><buoyancy/></hydro><ice thickness='0.05' density='900' "
                 "youngs_modulus='1e8'><floe breakable='true' outline='0 -1 2 -1 2 1 0 1'/></ice><fracture "
-                "compressive_strength='2e5' fracture_toughness='2e4'><crushing model='seed-limit'/><splitting "
+                "compressive_strength='2e5' fracture_toughness='2e4'><crushing model='explicit'/><splitting "
                 "model='lefm'/></fracture>",
             0.01, 1, "", 0.3, {0, 0, -9.81}) {
     for (int k = 0; k < 1000 && record.broken.empty(); ++k) record = step();
@@ -250,7 +250,7 @@ TEST(BrokenContacts, BalanceAStaticLoad) {
   settings.h = k_h;
   Wrenches loads(5);
   loads[1].force.z() = -weight;
-  const AssembledContacts contacts = assemble(bodies, loads, points, friction, settings, {});
+  const AssembledContacts contacts = assemble(bodies, loads, points, friction.resolve(bodies.materials), settings, {});
   const VecX nothing = VecX::Zero(3 * static_cast<Eigen::Index>(points.size()));
   VecX guess = nothing;
   broken.add_to(bodies, points, contacts.C, guess);

@@ -2,22 +2,38 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+
+#include "core/choices/solver_name.h"
 
 namespace nilas {
 
 namespace {
 
 /// Roughly, a solve's time over that of nsgs in fields of floes: for estimates before anything was run.
-double time_of(const std::string& solver) {
-  static const std::map<std::string, double> weights{{"pgs", 0.6},          {"nsgs", 1},
-                                                     {"auto", 1.2},         {"eg", 10},
-                                                     {"apgd", 5},           {"admm", 8},
-                                                     {"newton", 5},         {"ipm", 25},
-                                                     {"eg-order-free", 20}, {"newton-order-free", 15},
-                                                     {"enumerate", 1}};
-  const auto found = weights.find(solver);
-  return found == weights.end() ? 1 : found->second;
+double time_of(SolverName solver) {
+  switch (solver) {
+    case SolverName::pgs:
+      return 0.6;
+    case SolverName::nsgs:
+    case SolverName::enumerate:
+      return 1;
+    case SolverName::automatic:
+      return 1.2;
+    case SolverName::apgd:
+    case SolverName::newton:
+      return 5;
+    case SolverName::admm:
+      return 8;
+    case SolverName::eg:
+      return 10;
+    case SolverName::newton_order_free:
+      return 15;
+    case SolverName::eg_order_free:
+      return 20;
+    case SolverName::ipm:
+      return 25;
+  }
+  return 1;
 }
 
 /// Each decade of accuracy costs about so much more.
@@ -35,7 +51,7 @@ double law_weight(const CompareSetting& setting) {
 }
 
 double weight(const CompareSetting& setting) {
-  return time_of(setting.solver) * law_weight(setting) * tolerance_weight(setting.tolerance);
+  return time_of(choice_named<SolverName>(setting.solver)) * law_weight(setting) * tolerance_weight(setting.tolerance);
 }
 
 }  // namespace

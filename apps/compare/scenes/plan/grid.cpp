@@ -33,10 +33,9 @@ void demand_choice(const std::string& flag, const std::string& found, const std:
 void demand_names(const GridRequest& request) {
   for (const auto& solver : request.solvers) find_solver(solver);
   for (const auto& law : request.laws) parse_law(law);
-  for (const auto& name : request.integrators)
-    demand_choice("--integrators", name, {"semi-implicit-euler", "moreau", "reference"});
+  for (const auto& name : request.integrators) demand_choice("--integrators", name, choice_names<Integrator>());
   for (const auto& name : request.stabilisations)
-    demand_choice("--stabilisations", name, {"none", "baumgarte", "split-impulse", "tasora", "projection"});
+    demand_choice("--stabilisations", name, choice_names<Stabilisation>());
 }
 
 /// Adds settings that can run and are not there yet.
@@ -162,10 +161,7 @@ Scene read_with(const Scene& scene, const Overrides& overrides, const CompareSet
   Overrides all = overrides;
   const Overrides own = setting.overrides();
   all.insert(all.end(), own.begin(), own.end());
-  Scene read = read_scene(scene.file, all);
-  demand_contact_choices(read);
-  if (read.contact.integrator == "reference") demand_reference(read);
-  return read;
+  return read_scene(scene.file, all);
 }
 
 Grid make_grid(const Scene& scene, const Overrides& overrides, const GridRequest& request) {
@@ -221,7 +217,7 @@ std::size_t core_of(const Grid& grid, const GridRequest& request) {
 
 CompareSetting reference_setting(const Scene& scene, const Overrides& overrides, const Grid& grid, double tolerance) {
   CompareSetting reference = setting_of(scene);
-  reference.law = scene.contact.law == "frictionless" ? "frictionless" : "coulomb";
+  reference.law = scene.contact.law.law == Law::frictionless ? "frictionless" : "coulomb";
   reference.tolerance = tolerance;
   reference.stabilisation = "projection";
   constexpr int k_iterations = 1000;  // the default of <contact>

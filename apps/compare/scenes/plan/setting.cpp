@@ -21,7 +21,8 @@ Overrides CompareSetting::overrides() const {
 
 CompareSetting setting_of(const Scene& scene) {
   const ContactScene& contact = scene.contact;
-  return {contact.solver, contact.law, contact.integrator, contact.stabilisation, scene.time.step, contact.tolerance};
+  return {name_of(contact.solver),        name_of(contact.law), name_of(contact.integrator),
+          name_of(contact.stabilisation), scene.time.step,      contact.tolerance};
 }
 
 CompareSetting without_simplifications(const Scene& scene) {

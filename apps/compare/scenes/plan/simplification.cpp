@@ -94,9 +94,10 @@ bool varies(const Scene& scene) { return scene.ice && !scene.ice->vary.empty(); 
 bool has_weak_places(const Scene& scene) {
   if (!varies(scene)) return breaks(scene);  // taking_out(uniform_ice) draws strengths within floes
   const IceScene& ice = *scene.ice;
-  return !ice.weak_lines.empty() ||
-         std::any_of(ice.fields.begin(), ice.fields.end(), [](const FieldScene& f) { return f.bond.has_value(); }) ||
-         std::any_of(ice.vary.begin(), ice.vary.end(), [](const VaryScene& v) { return v.correlation_length > 0; });
+  return !ice.weak_lines.empty() || std::any_of(ice.fields.begin(), ice.fields.end(), [](const FieldScene& f) {
+    const auto* cells = std::get_if<VoronoiFieldScene>(&f.form);
+    return cells && cells->bond;
+  }) || std::any_of(ice.vary.begin(), ice.vary.end(), [](const VaryScene& v) { return v.correlation_length > 0; });
 }
 
 /// As `<vessel><mass>` has it by default.
@@ -174,7 +175,7 @@ Overrides taking_out(Simplification simplification, const Scene& scene) {
     case prismatic:
       return {{"vessel/carriage/force_balance/@kind", "six-cells"}};
     case crushing_limit:
-      if (crushing_of(scene)->model != "seed-limit") return {};
+      if (crushing_of(scene)->model != CrushingModel::explicit_area) return {};
       return {{"fracture/crushing/@model", "compliant"}};
     case rigid_floes:
       return {{"fracture/crushing/@between_floes", "true"}};
@@ -217,13 +218,13 @@ Overrides putting_in(Simplification simplification, const Scene& scene) {
     case uniform_inertia:
       return {{"vessel/mass/@inertia", inertia_by_default(scene)}};
     case crushing_limit:
-      return {{"fracture/crushing/@model", "seed-limit"}};
+      return {{"fracture/crushing/@model", "explicit"}};
     case rigid_floes:
       return {{"fracture/crushing/@between_floes", "false"}};
     case no_extrusion:
       return {{"fracture/crushing/@clear_volume", "1e30"}};  // what no floe ever holds: an attribute cannot be unset
     case geometric_splitting:
-      return {{"fracture/splitting/@model", "seed-geometric"}};
+      return {{"fracture/splitting/@model", "geometric"}};
     case straight_cracks:
       return {{"fracture/cracks/@path", "straight"}};
     case uniform_ice: {

@@ -141,7 +141,7 @@ TEST(ContactsH5, IsNotWrittenWithTheReferenceIntegrator) {
   RunInfo info;
   info.has_vessel = true;
   EXPECT_TRUE(ContactsH5::asked(scene, info));
-  scene.contact.integrator = "reference";
+  scene.contact.integrator = Integrator::reference;
   EXPECT_FALSE(ContactsH5::asked(scene, info));
 }
 

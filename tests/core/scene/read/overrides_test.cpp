@@ -55,7 +55,7 @@ TEST_F(Overriding, MissingOptionalElementsAreMade) {
   EXPECT_EQ(read("output/@folder", "runs/x").output.folder, "runs/x");
   EXPECT_EQ(read("time/@end", "3").time.end, 3);
   const Scene scene = read("ice/field[1]/size/@mean", "1");
-  EXPECT_EQ(scene.ice->fields[0].size.mean, 1);
+  EXPECT_EQ(std::get<LognormalSizeScene>(*scene.ice->fields[0].size()).mean, 1);
 }
 
 TEST_F(Overriding, TheLastOfSeveralWins) {
@@ -67,11 +67,11 @@ TEST_F(Overriding, TheLastOfSeveralWins) {
 TEST_F(Overriding, APlusIsOneMoreAndTheSameForAllPaths) {
   const Scene scene = folder_.read(k_scene, {{"ice/vary[+]/@property", "thickness"}, {"ice/vary[+]/@cov", "0.1"}});
   ASSERT_EQ(scene.ice->vary.size(), 1u);
-  EXPECT_EQ(scene.ice->vary[0].property, "thickness");
+  EXPECT_EQ(name_of(scene.ice->vary[0].property), "thickness");
   EXPECT_EQ(scene.ice->vary[0].cov, 0.1);
   const Scene floes = folder_.read(k_scene, {{"ice/field[+]/@kind", "level"}, {"ice/field[+]/@region", "50 0 60 1"}});
   ASSERT_EQ(floes.ice->fields.size(), 3u);
-  EXPECT_EQ(floes.ice->fields[2].kind, "level") << "behind those of the file";
+  EXPECT_EQ(name_of(floes.ice->fields[2].kind()), "level") << "behind those of the file";
   expect_refused("contact[+]/@tolerance", "1", "contact[+]/@tolerance", {"<scene> may hold one <contact> only"});
   expect_refused("ice/vary[+]/@cov", "0.1", "<ice><vary property>", {"the attribute is missing"});
 }

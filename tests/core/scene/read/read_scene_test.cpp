@@ -31,24 +31,24 @@ TEST_F(CompleteScene, RunSettings) {
   EXPECT_EQ(scene_.seed, 7u);
   EXPECT_EQ(scene_.output.folder, "runs/towing");
   EXPECT_EQ(scene_.output.trajectory_every, 0.5);
-  EXPECT_EQ(scene_.output.contacts, "none");
+  EXPECT_EQ(name_of(scene_.output.contacts), "none");
   EXPECT_EQ(scene_.output.bodies, true);
   EXPECT_FALSE(scene_.fracture.has_value());
 }
 
 TEST_F(CompleteScene, Contact) {
   const ContactScene& c = scene_.contact;
-  EXPECT_EQ(c.law, "pyramid");
-  EXPECT_EQ(c.solver, "pgs");
+  EXPECT_EQ(name_of(c.law), "pyramid");
+  EXPECT_EQ(name_of(c.solver), "pgs");
   EXPECT_EQ(c.tolerance, 1e-7);
   EXPECT_EQ(c.max_iterations, 200);
-  EXPECT_EQ(c.on_failure, "stop");
-  EXPECT_EQ(c.integrator, "semi-implicit-euler");
-  EXPECT_EQ(c.stabilisation, "split-impulse");
+  EXPECT_EQ(name_of(c.on_failure), "stop");
+  EXPECT_EQ(name_of(c.integrator), "semi-implicit-euler");
+  EXPECT_EQ(name_of(c.stabilisation), "split-impulse");
   EXPECT_EQ(c.erp, 0.3);
   EXPECT_EQ(c.slop, 1e-4);
   EXPECT_EQ(c.max_speed, 0.5);
-  EXPECT_EQ(c.detection, "discrete");
+  EXPECT_EQ(name_of(c.detection), "discrete");
   EXPECT_EQ(c.margin, 0.01);
   EXPECT_FALSE(c.gyroscopic);
   EXPECT_EQ(c.axes_deg, 30);
@@ -100,10 +100,10 @@ TEST_F(CompleteScene, Vessel) {
   EXPECT_EQ(c.speed, 0.3);
   EXPECT_EQ(c.heading_deg, 10);
   EXPECT_EQ(c.ramp, 2);
-  EXPECT_EQ(c.ramp_shape, "smooth");
+  EXPECT_EQ(name_of(c.ramp_shape), "smooth");
   EXPECT_EQ(*c.joint, Vec3(2.9, 0, 0.2));
   EXPECT_EQ(c.free, (std::array<bool, 6>{false, false, true, false, false, true}));
-  EXPECT_EQ(c.balance.kind, "six-cells");
+  EXPECT_EQ(name_of(c.balance.kind), "six-cells");
   EXPECT_EQ(c.balance.stiffness, 2e7);
   EXPECT_EQ(c.balance.damping, 2e4);
   EXPECT_EQ(c.balance.layout, (folder_.path() / "cells.csv").string());
@@ -116,36 +116,35 @@ TEST_F(CompleteScene, Ice) {
   EXPECT_EQ(ice.poisson, 0.33);
   EXPECT_EQ(ice.thickness, 0.05);
   ASSERT_EQ(ice.fields.size(), 4u);
-  EXPECT_EQ(ice.fields[3].kind, "channel");
-  EXPECT_EQ(ice.fields[3].channel_width, 2.5);
-  EXPECT_EQ(ice.fields[3].overlap_tolerance, 0);
-  EXPECT_EQ(ice.fields[3].size.distribution, "as-library");
-  EXPECT_EQ(ice.fields[3].shape.library, (folder_.path() / "floes.json").string());
-  EXPECT_EQ(ice.fields[0].region, (std::array<double, 4>{0, -5, 40, 5}));
-  EXPECT_EQ(ice.fields[0].concentration, 0.75);
+  const auto& channel = std::get<ChannelFieldScene>(ice.fields[3].form);
+  EXPECT_EQ(channel.width, 2.5);
+  EXPECT_EQ(channel.ice.overlap_tolerance, 0);
+  EXPECT_EQ(channel.ice.size, SizeScene(LibrarySizeScene{}));
+  EXPECT_EQ(std::get<LibraryScene>(channel.ice.shape).file, (folder_.path() / "floes.json").string());
+  const auto& packed = std::get<PackedFieldScene>(ice.fields[0].form);
+  EXPECT_EQ(packed.region, (RegionScene{0, -5, 40, 5}));
+  EXPECT_EQ(packed.concentration, 0.75);
   EXPECT_TRUE(ice.fields[0].breakable);
-  EXPECT_EQ(ice.fields[0].overlap_tolerance, 2e-3);
+  EXPECT_EQ(packed.overlap_tolerance, 2e-3);
   EXPECT_FALSE(ice.fields[0].thickness);
-  EXPECT_EQ(ice.fields[0].size.mean, 0.9);
-  EXPECT_EQ(ice.fields[0].size.sd, 0.2);
-  EXPECT_EQ(ice.fields[0].size.min, 0.4);
-  EXPECT_EQ(ice.fields[0].size.max, 1.5);
-  EXPECT_EQ(ice.fields[0].shape.vertices_min, 4);
-  EXPECT_EQ(ice.fields[0].shape.vertices_max, 8);
-  EXPECT_EQ(ice.fields[2].file, (folder_.path() / "floes.geojson").string());
+  EXPECT_EQ(packed.size, SizeScene(LognormalSizeScene{.mean = 0.9, .sd = 0.2, .min = 0.4, .max = 1.5}));
+  EXPECT_EQ(packed.shape, FloeShapeScene(PolygonScene{.vertices_min = 4, .vertices_max = 8}));
+  EXPECT_EQ(std::get<FileFieldScene>(ice.fields[2].form).file, (folder_.path() / "floes.geojson").string());
+  EXPECT_EQ(ice.fields[2].region(), nullptr);
   EXPECT_EQ(ice.fields[2].velocity, Vec3(0.1, 0, 0));
 }
 
 TEST_F(CompleteScene, GridAndSingleFloe) {
-  const FieldScene& grid = scene_.ice->fields.at(1);
+  const FieldScene& field = scene_.ice->fields.at(1);
+  const auto& grid = std::get<GridFieldScene>(field.form);
   EXPECT_EQ(grid.rows, 2);
   EXPECT_EQ(grid.columns, 3);
   EXPECT_EQ(grid.gap, 0.01);
   EXPECT_TRUE(grid.stagger);
   EXPECT_EQ(grid.shear_deg, 15);
-  EXPECT_TRUE(grid.fixed);
-  EXPECT_EQ(grid.z, 0.02);
-  EXPECT_EQ(grid.thickness, 0.06);
+  EXPECT_TRUE(field.fixed);
+  EXPECT_EQ(field.z, 0.02);
+  EXPECT_EQ(field.thickness, 0.06);
   ASSERT_EQ(scene_.ice->floes.size(), 1u);
   const FloeScene& floe = scene_.ice->floes[0];
   EXPECT_EQ(floe.name, "big");
@@ -160,7 +159,7 @@ TEST_F(CompleteScene, GridAndSingleFloe) {
 TEST_F(CompleteScene, Bodies) {
   ASSERT_EQ(scene_.bodies.size(), 5u);
   const BodyScene& box = scene_.bodies[0];
-  EXPECT_EQ(box.size, Vec3(1, 2, 3));
+  EXPECT_EQ(std::get<BoxScene>(box.shape).size, Vec3(1, 2, 3));
   EXPECT_EQ(box.mass, 12);
   EXPECT_FALSE(box.density);
   EXPECT_EQ((*box.inertia)[2], 5);
@@ -169,12 +168,12 @@ TEST_F(CompleteScene, Bodies) {
   EXPECT_EQ(box.velocity, Vec3(1, 0, 0));
   EXPECT_EQ(box.angular_velocity, Vec3(0, 0, 1));
   EXPECT_EQ(box.line, 49);
-  EXPECT_EQ(scene_.bodies[1].radius, 0.25);
+  EXPECT_EQ(std::get<SphereScene>(scene_.bodies[1].shape).radius, 0.25);
   EXPECT_EQ(scene_.bodies[1].density, 500);
-  EXPECT_EQ(scene_.bodies[2].height, 4);
-  EXPECT_EQ(scene_.bodies[3].shape, "plane");
+  EXPECT_EQ(std::get<CylinderScene>(scene_.bodies[2].shape).height, 4);
+  EXPECT_EQ(name_of(scene_.bodies[3].kind()), "plane");
   EXPECT_TRUE(scene_.bodies[3].fixed) << "a plane is fixed without saying so";
-  EXPECT_EQ(scene_.bodies[4].mesh, (folder_.path() / "quay.stl").string());
+  EXPECT_EQ(std::get<MeshScene>(scene_.bodies[4].shape).file, (folder_.path() / "quay.stl").string());
   EXPECT_EQ(scene_.bodies[4].material, "quay");
 }
 
@@ -198,14 +197,14 @@ TEST(ReadScene, WhatIsNotNamedIsNotThere) {
 TEST(ReadScene, DefaultsAreAllBuilt) {
   const SceneFolder folder;
   const Scene scene = folder.read("<scene version='1'/>");
-  EXPECT_EQ(scene.contact.law, "coulomb");
-  EXPECT_EQ(scene.contact.solver, "auto");
-  EXPECT_EQ(scene.contact.integrator, "moreau");
+  EXPECT_EQ(name_of(scene.contact.law), "coulomb");
+  EXPECT_EQ(name_of(scene.contact.solver), "auto");
+  EXPECT_EQ(name_of(scene.contact.integrator), "moreau");
   EXPECT_EQ(scene.contact.theta, 0.5);
-  EXPECT_EQ(scene.contact.stabilisation, "projection");
-  EXPECT_EQ(scene.contact.detection, "continuous");
+  EXPECT_EQ(name_of(scene.contact.stabilisation), "projection");
+  EXPECT_EQ(name_of(scene.contact.detection), "continuous");
   EXPECT_EQ(scene.contact.substeps, 0);
-  EXPECT_EQ(scene.output.contacts, "hull");
+  EXPECT_EQ(name_of(scene.output.contacts), "hull");
   EXPECT_TRUE(scene.notes.empty());
 }
 
@@ -215,28 +214,28 @@ TEST(ReadScene, ASceneWithSubstepsIsSteppedByEulerUnlessItSaysOtherwise) {
   const auto integrator = [&](const std::string& attributes) {
     return folder.read(in_scene("<contact " + attributes + "/>")).contact.integrator;
   };
-  EXPECT_EQ(integrator("substeps='8'"), "semi-implicit-euler");
-  EXPECT_EQ(integrator("substeps='8' detection='discrete'"), "moreau");
-  EXPECT_EQ(integrator("substeps='1'"), "moreau");
-  EXPECT_EQ(integrator("substeps='0'"), "moreau");
-  EXPECT_EQ(integrator("substeps='0' integrator='semi-implicit-euler'"), "semi-implicit-euler");
+  EXPECT_EQ(name_of(integrator("substeps='8'")), "semi-implicit-euler");
+  EXPECT_EQ(name_of(integrator("substeps='8' detection='discrete'")), "moreau");
+  EXPECT_EQ(name_of(integrator("substeps='1'")), "moreau");
+  EXPECT_EQ(name_of(integrator("substeps='0'")), "moreau");
+  EXPECT_EQ(name_of(integrator("substeps='0' integrator='semi-implicit-euler'")), "semi-implicit-euler");
 }
 
 TEST(ReadScene, ThePresetSetsTheOlderChoicesAndWhatIsGivenWins) {
   const SceneFolder folder;
-  const ContactScene preset = folder.read(in_scene("<contact preset='seed-2014'/>")).contact;
-  EXPECT_EQ(preset.law, "pyramid");
-  EXPECT_EQ(preset.solver, "pgs");
+  const ContactScene preset = folder.read(in_scene("<contact preset='metrikin-2014'/>")).contact;
+  EXPECT_EQ(name_of(preset.law), "pyramid");
+  EXPECT_EQ(name_of(preset.solver), "pgs");
   EXPECT_EQ(preset.tolerance, 0);
   EXPECT_EQ(preset.max_iterations, 50);
-  EXPECT_EQ(preset.stabilisation, "split-impulse");
-  EXPECT_EQ(preset.detection, "discrete");
-  EXPECT_EQ(preset.integrator, "semi-implicit-euler");
+  EXPECT_EQ(name_of(preset.stabilisation), "split-impulse");
+  EXPECT_EQ(name_of(preset.detection), "discrete");
+  EXPECT_EQ(name_of(preset.integrator), "semi-implicit-euler");
   EXPECT_FALSE(preset.gyroscopic);
   const ContactScene given =
-      folder.read(in_scene("<contact max_iterations='10' law='coulomb' preset='seed-2014'/>")).contact;
+      folder.read(in_scene("<contact max_iterations='10' law='coulomb' preset='metrikin-2014'/>")).contact;
   EXPECT_EQ(given.max_iterations, 10);
-  EXPECT_EQ(given.law, "coulomb");
+  EXPECT_EQ(name_of(given.law), "coulomb");
   EXPECT_EQ(given.tolerance, 0);
 }
 
@@ -255,7 +254,7 @@ TEST(ReadScene, GeneratedHullHasTheParametersThatAreNamed) {
       folder.read(in_scene("<vessel><hull generate='icebreaker' length='5' stem_angle_deg='90' triangles='500'/><mass "
                            "value='9'/><fixed/></vessel>"));
   ASSERT_TRUE(scene.vessel->generate);
-  EXPECT_EQ(scene.vessel->generate->kind, "icebreaker");
+  EXPECT_EQ(name_of(scene.vessel->generate->kind), "icebreaker");
   EXPECT_EQ(scene.vessel->generate->parameters.at("length"), 5);
   EXPECT_EQ(scene.vessel->generate->parameters.at("triangles"), 500);
   EXPECT_EQ(scene.vessel->generate->parameters.at("stem_angle_deg"), 90);
@@ -267,7 +266,7 @@ TEST(ReadScene, GeneratedHullHasTheParametersThatAreNamed) {
 TEST(ReadScene, WhatHasNoEffectIsNoted) {
   const SceneFolder folder;
   const auto notes = folder
-                         .read(in_scene("<contact preset='seed-2014' theta='0.5'/>"
+                         .read(in_scene("<contact preset='metrikin-2014' theta='0.5'/>"
                                         "<body shape='sphere' size='1 1 1'/>"
                                         "<ice><field kind='grid' region='0 0 1 1'><size mean='1'/></field></ice>"
                                         "<output contacts='none'/>"))
@@ -282,7 +281,7 @@ TEST(ReadScene, APathTakesThePlaceOfTheSpeed) {
   const SceneFolder folder;
   folder.write("track.csv", "t_s,x_m,y_m,yaw_deg\n");
   const Scene scene =
-      folder.read(in_scene("<contact preset='seed-2014'/><output contacts='none'/><vessel><hull/>"
+      folder.read(in_scene("<contact preset='metrikin-2014'/><output contacts='none'/><vessel><hull/>"
                            "<mass value='1'/><carriage speed='0.3' ramp='0' ramp_shape='smooth'>"
                            "<path file='track.csv'/></carriage></vessel>"));
   EXPECT_EQ(scene.vessel->carriage->path, (folder.path() / "track.csv").string());

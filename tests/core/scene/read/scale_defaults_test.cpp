@@ -33,7 +33,7 @@ TEST(ScaleDefaults, OfAModelAreTheOldOnes) {
   EXPECT_EQ(scene.vessel->carriage->balance.stiffness, 1e7);
   EXPECT_EQ(scene.vessel->carriage->balance.damping, 1e4);
   EXPECT_EQ(scene.ice->youngs_modulus, 6e7);
-  EXPECT_EQ(scene.ice->fields[0].size.mean, 0.8);
+  EXPECT_EQ(std::get<LognormalSizeScene>(*scene.ice->fields[0].size()).mean, 0.8);
   EXPECT_EQ(scene.fracture->flexural_strength, 4e4);
   EXPECT_EQ(scene.fracture->compressive_strength, 1e5);
   EXPECT_EQ(scene.fracture->fracture_toughness, 3e3);

@@ -315,7 +315,7 @@ TEST(Reference, WhatItDoesNotTakeIsRefused) {
   const auto refusal = [&](const std::string& body) -> std::string {
     try {
       Rig rig(time(0.1) + body);
-    } catch (const InputError& error) {
+    } catch (const SceneError& error) {
       return error.what();
     }
     return "";

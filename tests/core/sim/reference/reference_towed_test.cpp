@@ -28,7 +28,7 @@ struct Rig {
     const StepRecord record = simulation->step();
     double scale = 1 + record.ledger.kinetic + std::abs(record.ledger.potential);
     for (const double work : record.ledger.works) scale += std::abs(work);
-    if (scene.contact.integrator == "reference") {
+    if (scene.contact.integrator == Integrator::reference) {
       EXPECT_LT(std::abs(record.ledger.imbalance), 1e-9 * scale) << record.t;
       // what Simbody says that the carriage does, against the momentum that hull and parts gain
       EXPECT_LT(record.momentum_imbalance, 1e-9 * (1 + record.momentum_scale)) << record.t;

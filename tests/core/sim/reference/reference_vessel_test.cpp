@@ -140,7 +140,7 @@ TEST(ReferenceVessel, RefusesWhatItDoesNotTakeByName) {
     try {
       Rig(settings("reference", 0.1) + vessel);
       ADD_FAILURE() << "accepted";
-    } catch (const InputError& error) {
+    } catch (const SceneError& error) {
       EXPECT_NE(std::string(error.what()).find(expected), std::string::npos) << error.what();
     }
   };

@@ -1,0 +1,43 @@
+#pragma once
+/// Contact laws by name.
+#include <vector>
+
+#include "core/choices/choice.h"
+
+namespace nilas {
+
+/// Contact law, a property of the problem. See docs/theory/contact.md.
+enum class Law { coulomb, ccp, pyramid, pyramid_k, frictionless };
+constexpr ChoiceText choice_text(Law value) {
+  switch (value) {
+    case Law::coulomb:
+      return {"coulomb", "The exact friction cone is used."};
+    case Law::ccp:
+      return {"ccp", "The friction cone is convexified, so that sliding contacts separate slightly."};
+    case Law::pyramid:
+      return {"pyramid", "Friction is bounded separately along two tangents."};
+    case Law::pyramid_k:
+      return {"pyramid-k", "The cone is replaced by a pyramid with k facets, as in pyramid-8."};
+    case Law::frictionless:
+      return {"frictionless", "There is no friction."};
+  }
+  return {};
+}
+
+/// Numbers of facets that pyramid-k takes. At the upper bound its friction is within 5e-6 of the cone's.
+constexpr int k_fewest_facets = 3, k_most_facets = 1000;
+
+/// A law as it is asked for.
+struct ParsedLaw {
+  Law law = Law::coulomb;
+  int facets = 0;  ///< of pyramid_k
+
+  bool operator==(const ParsedLaw&) const = default;
+};
+
+/// "pyramid-8" gives pyramid_k with 8 facets. Throws InputError naming the nearest law.
+ParsedLaw parse_law(const std::string& name);
+/// As it is asked for: "pyramid-8".
+std::string name_of(const ParsedLaw& law);
+
+}  // namespace nilas

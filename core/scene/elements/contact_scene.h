@@ -1,0 +1,45 @@
+#pragma once
+/// Values of <contact>.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/choices/contact_choices.h"
+#include "core/choices/defaults.h"
+#include "core/choices/solver_name.h"
+
+namespace nilas {
+
+struct FrictionScene {
+  std::string material_a = "*", material_b = "*";
+  double static_ = 0, kinetic = 0, rolling = 0, spinning = 0, restitution = 0;
+
+  bool operator==(const FrictionScene&) const = default;
+};
+
+struct ContactScene {
+  ParsedLaw law;
+  SolverName solver = SolverName::automatic;
+  double tolerance = defaults::k_tolerance;  ///< law_map_m_s; 0: always max_iterations sweeps
+  int max_iterations = defaults::k_max_iterations;
+  int substeps = 0;  ///< parts that a step is cut into at impacts, at most
+  OnFailure on_failure = OnFailure::record;
+  Integrator integrator = Integrator::moreau;
+  double theta = 0.5;
+  Stabilisation stabilisation = Stabilisation::projection;
+  double erp = 0.2;        ///< share of the penetration removed per step
+  double slop = 0;         ///< penetration left alone [m]
+  double max_speed = 1.0;  ///< of the correction [m/s]
+  Detection detection = Detection::continuous;
+  NarrowPhase narrow_phase = NarrowPhase::nilas;
+  double margin = 0;  ///< gap within which contacts enter the problem [m]; 0: what the bodies can reach in the step
+  bool gyroscopic = true;
+  double axes_deg = 0;  ///< turns the contact tangents about the normal
+  bool warm_start = true;
+  std::optional<ContactPreset> preset;
+  std::vector<FrictionScene> friction;
+
+  bool operator==(const ContactScene&) const = default;
+};
+
+}  // namespace nilas

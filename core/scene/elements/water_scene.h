@@ -1,0 +1,48 @@
+#pragma once
+/// Values of <water>, <hydro> and <tank>.
+#include <optional>
+
+#include "core/base/math.h"
+#include "core/choices/defaults.h"
+
+namespace nilas {
+
+struct CurrentScene {
+  Vec3 velocity = Vec3::Zero();
+
+  bool operator==(const CurrentScene&) const = default;
+};
+struct WaterScene {
+  double density = defaults::k_water_density, level = 0;
+  std::optional<CurrentScene> current;
+
+  bool operator==(const WaterScene&) const = default;
+};
+
+struct DragScene {
+  double form = defaults::k_form_drag, skin = defaults::k_skin_friction;
+
+  bool operator==(const DragScene&) const = default;
+};
+struct VirtualDragScene {
+  double coefficient = 0.1;
+  Vec3 velocity = Vec3::Zero();
+
+  bool operator==(const VirtualDragScene&) const = default;
+};
+struct HydroScene {
+  bool buoyancy = false;
+  std::optional<DragScene> drag;
+  std::optional<VirtualDragScene> virtual_drag;
+
+  bool operator==(const HydroScene&) const = default;
+};
+
+struct TankScene {
+  double length = 10, width = 5, depth = 2, wall_thickness = 0.2;
+  bool floor = true;
+
+  bool operator==(const TankScene&) const = default;
+};
+
+}  // namespace nilas
