@@ -42,8 +42,8 @@ double family_step_part(const Plan& plan, const Findings& found, std::size_t set
 double step_part(const Plan& plan, const Findings& found, std::size_t setting) {
   const double family = family_step_part(plan, found, setting);
   const bool coarser = plan.settings[setting].step > (1 - k_same) * plan.check.step;
-  if (!found.reference_moves || !coarser || *found.reference_moves <= found.reference_chance) return family;
-  const double shown = 2 * *found.reference_moves;
+  if (!found.check.moves || !coarser || *found.check.moves <= found.check.chance) return family;
+  const double shown = 2 * *found.check.moves;
   return std::isnan(family) ? shown : std::max(family, shown);
 }
 
@@ -64,7 +64,7 @@ double scatter_of_kin(const Plan& plan, const Findings& found, std::size_t setti
   }
   constexpr std::size_t k_least = 3;
   if (differences.size() < k_least) return 0;
-  const double by_chance = std::isnan(found.chaos) ? 0 : found.chaos * found.chaos / most;
+  const double by_chance = std::isnan(found.chance.run_N) ? 0 : found.chance.run_N * found.chance.run_N / most;
   return 2 * std::sqrt(std::max(0.0, variance_of(differences) - by_chance));
 }
 
@@ -114,29 +114,39 @@ double LoadErrorParts::total() const {
   return std::hypot(known(chaos), known(solver) + known(law) + known(step));
 }
 
-void judge_load_errors(const Plan& plan, double chaos, Findings& found) {
+/// Nothing where the run does not state its own error.
+static std::optional<LoadErrorParts> parts_of(const Plan& plan, const Findings& found, const RunRow& row) {
+  const auto own = row.result.summary.load_errors.find(found.headline);
+  if (own == row.result.summary.load_errors.end()) return std::nullopt;
+  const LoadErrorFigures& figures = own->second;
+  if (std::isnan(figures.estimate) || std::isnan(figures.solver)) return std::nullopt;
+  const std::size_t setting = row.run.setting;
+  LoadErrorParts parts;
+  parts.alone = figures.estimate;
+  parts.solver = std::max(figures.solver, scatter_of_kin(plan, found, setting));
+  parts.law = figures.law;
+  if (plan.settings[setting].law != "coulomb") parts.law = std::max(parts.law, law_elsewhere(plan, found, setting));
+  parts.chaos = chaos_part(found.chance.difference_95_N, figures.chaos);
+  parts.step = step_part(plan, found, setting);
+  return parts;
+}
+
+LoadErrors load_errors(const Plan& plan, const Findings& found) {
+  LoadErrors errors;
   std::vector<double> measured, alone, all;
-  const std::string channel = "/load_error/channels/" + found.headline;
-  for (auto& row : found.rows) {
+  for (const auto& row : found.rows) {
+    std::optional<LoadErrorParts>& parts = errors.of_rows.emplace_back();
     if (row.run.kind != RunKind::grid || !row.load_difference) continue;
-    LoadErrorParts parts;
-    parts.alone = row.result.number(channel + "/estimate");
-    parts.solver = row.result.number(channel + "/solver");
-    parts.law = row.result.number(channel + "/law");
-    parts.solver = std::max(parts.solver, scatter_of_kin(plan, found, row.run.setting));
-    if (plan.settings[row.run.setting].law != "coulomb")
-      parts.law = std::max(parts.law, law_elsewhere(plan, found, row.run.setting));
-    parts.chaos = chaos_part(chaos, row.result.number(channel + "/chaos"));
-    parts.step = step_part(plan, found, row.run.setting);
-    if (std::isnan(parts.alone) || std::isnan(parts.solver)) continue;
-    row.load_error = parts;
+    parts = parts_of(plan, found, row);
+    if (!parts) continue;
     measured.push_back(std::abs(*row.load_difference));
-    alone.push_back(parts.alone);
-    all.push_back(parts.total());
+    alone.push_back(parts->alone);
+    all.push_back(parts->total());
   }
-  if (measured.empty()) return;
-  found.coverage = coverage(all, measured, k_rounding_share * found.scale);
-  found.coverage_alone = coverage(alone, measured, k_rounding_share * found.scale);
+  if (measured.empty()) return errors;
+  errors.coverage = coverage(all, measured, k_rounding_share * found.measure.scale);
+  errors.coverage_alone = coverage(alone, measured, k_rounding_share * found.measure.scale);
+  return errors;
 }
 
 }  // namespace nilas

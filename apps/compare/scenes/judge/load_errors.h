@@ -1,14 +1,19 @@
 #pragma once
-/// What runs are said to be off in their mean load, beside what they are. Method: docs/theory/compare.md.
-#include "apps/compare/scenes/judge/merits.h"
+/// Estimated errors of mean loads, and how well they hold against measured ones. Method: docs/theory/compare.md.
+#include "apps/compare/scenes/judge/findings.h"
 
 namespace nilas {
 
 /// How estimates hold against measured errors, one of each per run. `rounding`: errors below it count as none.
 Coverage coverage(const std::vector<double>& estimates, const std::vector<double>& measured, double rounding);
 
-/// Gives each run of the grid its parts and counts how many hold. `chaos`: of the difference of two runs of one
-/// realisation, 95 %; NaN: not measured [N].
-void judge_load_errors(const Plan& plan, double chaos, Findings& found);
+struct LoadErrors {
+  std::vector<std::optional<LoadErrorParts>> of_rows;  ///< one per row; nothing where it is not known
+  std::optional<Coverage> coverage;                    ///< of all parts together
+  std::optional<Coverage> coverage_alone;              ///< of what each run states by itself
+};
+
+/// Of the runs of the settings, from the rows, merits, chance and step check found so far.
+LoadErrors load_errors(const Plan& plan, const Findings& found);
 
 }  // namespace nilas

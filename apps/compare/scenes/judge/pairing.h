@@ -1,14 +1,14 @@
 #pragma once
-/// Which runs of a comparison are set against each other.
-#include "apps/compare/scenes/judge/merits.h"
+/// Differences between settings, run by run in the same realisation.
+#include "apps/compare/scenes/judge/findings.h"
 
 namespace nilas {
 
-/// Sets Merit::from_reference and Merit::from_own, over the realisations of the setting.
-void pair_up(const Plan& plan, Findings& found);
+/// Sets Merit::from_reference and Merit::from_own over the realisations of each setting.
+std::vector<Merit> with_paired_differences(const Plan& plan, const Findings& found);
 
-/// Settings that solve what the first does, with the same steps and at least as tightly (where it goes by sweeps: to
-/// 1e-6 m/s): runs of them differ in what should not matter. Holds the first where it has a tolerance.
+/// Settings that solve the law of the first with the same steps and at least as tightly (where it runs a fixed number
+/// of sweeps: to 1e-6 m/s): runs of them should not differ but by chance. Holds the first where it has a tolerance.
 std::vector<std::size_t> alike_settings(const Plan& plan);
 
 }  // namespace nilas

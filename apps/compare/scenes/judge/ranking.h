@@ -1,22 +1,22 @@
 #pragma once
 /// Which settings of a comparison are worth their time.
-#include "apps/compare/scenes/judge/merits.h"
+#include "apps/compare/scenes/judge/findings.h"
 
 namespace nilas {
 
-/// Marks the settings that another beats: no slower and no worse, and better in one of both. Errors below the floor are
-/// all alike.
-void rank(Findings& found);
+/// Sets Merit::dominated where another setting is no slower and no worse, and better in one of both. Errors below the
+/// floor count as equal.
+std::vector<Merit> with_dominance(std::vector<Merit> merits);
 
-/// The fastest that is good enough; of those that are as fast by all that times tell, the most accurate, and the
-/// scene's own setting where that is one of them.
-void choose(Findings& found);
+/// Chosen is the fastest setting that is good enough; of those whose times cannot be told apart the most accurate, and
+/// the scene's own setting where it is one of them.
+Choice choose(const std::vector<Merit>& merits, const Measure& measure, double common_floor, double time_spread);
 
-/// The p of errors C h^p, where three steps or more tell an error and the rest is the same; of errors C (h^p - r^p)
-/// where the reference is of the same integrator and has a step r itself.
-void find_orders(const Plan& plan, Findings& found);
+/// The p of errors C h^p, where three steps or more have a significant error and the rest is the same; of errors
+/// C (h^p - r^p) where the reference is of the same integrator and has a step r itself.
+std::vector<Order> orders_of(const Plan& plan, const Findings& found);
 
-/// Whether any setting has a difference from what judges it.
-bool anything_told(const Findings& found);
+/// Whether the error of any setting is known.
+bool anything_compared(const std::vector<Merit>& merits);
 
 }  // namespace nilas

@@ -45,4 +45,20 @@ std::vector<int> shared_realisations(const std::vector<DoneRuns>& settings, cons
   return shared;
 }
 
+std::vector<int> shared_of(const Plan& plan, const RunTable& rows) {
+  std::vector<DoneRuns> settings(plan.settings.size());
+  const auto count = static_cast<std::size_t>(plan.realisations);
+  std::vector<bool> judged(count, false);
+  for (auto& setting : settings) setting.done.resize(count, false);
+  for (const auto& row : rows) {
+    const auto r = static_cast<std::size_t>(row.run.realisation);
+    if (row.judges) judged[r] = true;
+    if (row.run.kind != RunKind::grid) continue;
+    DoneRuns& runs = settings[row.run.setting];
+    if (row.result.done()) runs.done[r] = true;
+    runs.failed = runs.failed || row.result.failed();
+  }
+  return shared_realisations(settings, judged);
+}
+
 }  // namespace nilas

@@ -2,6 +2,8 @@
 /// Which realisations the settings of a comparison have in common.
 #include <vector>
 
+#include "apps/compare/scenes/judge/run_table.h"
+
 namespace nilas {
 
 /// What is done of one setting.
@@ -15,5 +17,8 @@ struct DoneRuns {
 /// Where none has as many, the one with the most. `judged`: per realisation; where none is, all count, and so where the
 /// first setting has no run.
 std::vector<int> shared_realisations(const std::vector<DoneRuns>& settings, const std::vector<bool>& judged);
+
+/// The same of a table whose judging runs are marked.
+std::vector<int> shared_of(const Plan& plan, const RunTable& rows);
 
 }  // namespace nilas

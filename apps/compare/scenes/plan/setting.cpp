@@ -101,4 +101,11 @@ std::string full_label(const CompareSetting& setting) {
   return label;
 }
 
+std::string simplifications_text(const CompareSetting& setting) {
+  std::string text;
+  for (const Simplification which : setting.simplifications)
+    text += std::string(text.empty() ? "" : ";") + name_of(which);
+  return text;
+}
+
 }  // namespace nilas

@@ -31,6 +31,8 @@ CompareSetting with_simplifications(const Scene& scene, const std::vector<Simpli
 std::string label_of(const CompareSetting& setting, const CompareSetting& first);
 /// "auto, coulomb, step 0.01 s, tolerance 1e-4 m/s, projection, moreau".
 std::string full_label(const CompareSetting& setting);
+/// Its simplifications as tables name them: "pyramid;50 sweeps".
+std::string simplifications_text(const CompareSetting& setting);
 /// Names of the axes on which two settings differ, in the order solver, law, step, tolerance, stabilisation,
 /// integrator.
 std::vector<std::string> differences(const CompareSetting& a, const CompareSetting& b);

@@ -36,8 +36,9 @@ std::vector<const Merit*> of_certainty(const Findings& found, PairedDifference M
 template <class Text>
 std::string named(const std::vector<const Merit*>& list, const Findings& found, PairedDifference Merit::*member,
                   const Text& text) {
-  const auto matter = static_cast<std::size_t>(std::count_if(
-      list.begin(), list.end(), [&](const Merit* m) { return std::abs((m->*member).mean) > k_target * found.scale; }));
+  const auto matter = static_cast<std::size_t>(std::count_if(list.begin(), list.end(), [&](const Merit* m) {
+    return std::abs((m->*member).mean) > k_target * found.measure.scale;
+  }));
   std::string names;
   const std::size_t shown = std::min(matter, k_most_named);
   for (std::size_t k = 0; k < shown; ++k) names += (k > 0 ? "; " : "") + text(*list[k]);
@@ -57,27 +58,44 @@ double widest_limit(const Findings& found, PairedDifference Merit::*member) {
   return widest;
 }
 
-std::string one_realisation_line(const std::vector<const Merit*>& list, const Findings& found,
-                                 PairedDifference Merit::*member, const std::string& other,
-                                 const std::vector<std::string>& labels) {
-  return fmt::format(
-      "In the one realisation of the ice that was run the mean ice load surely differs from that of {}, since chance "
-      "alone makes {} at most there (95 %): {}. Of other ice this says nothing.",
-      other, force_text(widest_limit(found, member)), named(list, found, member, [&](const Merit& m) {
-        return fmt::format("\"{}\" by {}", labels[m.setting], amount(m.*member, found.scale));
-      }));
+using Member = PairedDifference Merit::*;
+
+std::string by_setting(const std::vector<const Merit*>& list, const Findings& found, Member member,
+                       const std::vector<std::string>& labels) {
+  return named(list, found, member, [&](const Merit& m) {
+    return fmt::format("\"{}\" by {}", labels[m.setting], amount(m.*member, found.measure.scale));
+  });
 }
 
-std::string some_realisations_line(const std::vector<const Merit*>& list, const Findings& found,
-                                   PairedDifference Merit::*member, const std::string& other,
-                                   const std::vector<std::string>& labels) {
+/// In every realisation, by Student's t on the mean.
+std::string everywhere_line(const std::vector<const Merit*>& list, const Findings& found, Member member,
+                            const std::string& other, const std::vector<std::string>& labels) {
   return fmt::format(
-      "Beyond chance (95 %) in realisations that were run, though not surely in the mean over realisations, the mean "
-      "ice load differs from that of {}: {}.",
+      "Compared run by run on the same ice, the mean ice load differs significantly from that of {} (95 %, over {}): "
+      "{}.{}",
+      other, realisations_text(found.shared), by_setting(list, found, member, labels),
+      found.same_ice ? " All of them have the same ice, so this says nothing about other ice." : "");
+}
+
+std::string one_realisation_line(const std::vector<const Merit*>& list, const Findings& found, Member member,
+                                 const std::string& other, const std::vector<std::string>& labels) {
+  return fmt::format(
+      "In the one realisation that was run, the mean ice load differs significantly from that of {} (chance alone "
+      "makes at "
+      "most {} there, 95 %): {}. This says nothing about other ice.",
+      other, force_text(widest_limit(found, member)), by_setting(list, found, member, labels));
+}
+
+std::string some_realisations_line(const std::vector<const Merit*>& list, const Findings& found, Member member,
+                                   const std::string& other, const std::vector<std::string>& labels) {
+  return fmt::format(
+      "In some of the realisations the mean ice load differs from that of {} by more than chance makes (95 %), "
+      "although "
+      "the mean over the realisations does not: {}.",
       other, named(list, found, member, [&](const Merit& m) {
         const PairedDifference& d = m.*member;
         return fmt::format("\"{}\" in {} of {}, by {} on average", labels[m.setting], d.beyond_chance,
-                           d.realisations.size(), amount(d, found.scale));
+                           d.realisations.size(), amount(d, found.measure.scale));
       }));
 }
 
@@ -103,17 +121,17 @@ std::string difference_cell(const PairedDifference& d) {
   if (std::isfinite(d.half_width)) text += fmt::format(" +- {:.2g}", d.half_width);
   switch (d.certainty) {
     case Certainty::everywhere:
-      return text + ", sure";
+      return text + ", significant";
     case Certainty::in_realisations:
-      return text + (d.realisations.size() == 1
-                         ? ", sure in this realisation"
-                         : fmt::format(", sure in {} of {} realisations", d.beyond_chance, d.realisations.size()));
+      return text + (d.realisations.size() == 1 ? ", significant in this realisation"
+                                                : fmt::format(", significant in {} of {} realisations", d.beyond_chance,
+                                                              d.realisations.size()));
     case Certainty::none:
       return text + ", may be chance";
     case Certainty::unknown:
       break;
   }
-  return text + ", chance not known";
+  return text + ", effect of chance not known";
 }
 
 std::vector<std::string> difference_lines(const Findings& found, PairedDifference Merit::*member,
@@ -122,22 +140,14 @@ std::vector<std::string> difference_lines(const Findings& found, PairedDifferenc
   const auto everywhere = of_certainty(found, member, Certainty::everywhere),
              somewhere = of_certainty(found, member, Certainty::in_realisations),
              none = of_certainty(found, member, Certainty::none);
-  if (!everywhere.empty())
-    lines.push_back(fmt::format(
-        "Run by run on the same ice, the mean ice load surely differs from that of {} (95 %, over {}{}): {}.", other,
-        realisations_text(found.shared),
-        found.same_ice ? ", which are all of the same ice: of other ice this says nothing" : "",
-        named(everywhere, found, member, [&](const Merit& m) {
-          return fmt::format("\"{}\" by {}", labels[m.setting], amount(m.*member, found.scale));
-        })));
+  if (!everywhere.empty()) lines.push_back(everywhere_line(everywhere, found, member, other, labels));
   if (!somewhere.empty())
     lines.push_back(found.shared.size() == 1 ? one_realisation_line(somewhere, found, member, other, labels)
                                              : some_realisations_line(somewhere, found, member, other, labels));
   if (everywhere.empty() && somewhere.empty() && !none.empty()) {
     const double limit = widest_limit(found, member);
     lines.push_back(fmt::format(
-        "No setting's mean ice load surely differs from that of {}, not even run by run on the "
-        "same ice{}.",
+        "No setting's mean ice load differs significantly from that of {}, not even run by run on the same ice{}.",
         other, limit > 0 ? fmt::format(", where chance alone makes up to {} (95 %)", force_text(limit)) : ""));
   }
   return lines;

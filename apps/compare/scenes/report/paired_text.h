@@ -3,17 +3,17 @@
 #include <string>
 #include <vector>
 
-#include "apps/compare/scenes/judge/merits.h"
+#include "apps/compare/scenes/judge/findings.h"
 
 namespace nilas {
 
 /// "everywhere", "in realisations", "none", "unknown": as tables and JSON have it.
 const char* name_of(Certainty certainty);
 
-/// "+65 N +- 10 N, sure": a table's cell; empty of none.
+/// "+65 +- 10, significant": a table's cell in newton; empty of none.
 std::string difference_cell(const PairedDifference& difference);
 
-/// Which settings surely differ from `other` ("the reference"), where, by how much, and what chance alone can do.
+/// Which settings differ significantly from `other` ("the reference"), in which realisations, and by how much.
 /// `labels`: of all settings.
 std::vector<std::string> difference_lines(const Findings& found, PairedDifference Merit::*member,
                                           const std::string& other, const std::vector<std::string>& labels);

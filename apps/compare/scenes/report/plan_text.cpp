@@ -6,7 +6,7 @@
 
 namespace nilas {
 
-std::vector<std::string> plan_lines(const Study& study) {
+std::vector<std::string> plan_lines(const SceneStudy& study) {
   const Plan& plan = study.plan;
   std::vector<std::string> lines;
   lines.push_back(fmt::format("{} runs: {} settings x {} realisation{}, {:g} s simulated; about {} with {} job{}",
@@ -17,9 +17,9 @@ std::vector<std::string> plan_lines(const Study& study) {
   std::string others;
   for (std::size_t k = 1; k < plan.settings.size(); ++k)
     others += (others.empty() ? "" : "; ") + label_of(plan.settings[k], plan.settings.front());
-  lines.push_back("beside it: " + others);
+  lines.push_back("other settings: " + others);
   if (plan.realisations > 0 && !study.ablation && study.reference == "auto")
-    lines.push_back("judged by: " + full_label(plan.reference));
+    lines.push_back("reference: " + full_label(plan.reference));
   for (const auto& list : by_reason(plan.omissions)) lines.push_back("left out for " + list);
   for (const auto& refused : study.refused)
     lines.push_back(fmt::format("cannot run: {}: {}", refused.what, refused.why));
@@ -28,8 +28,8 @@ std::vector<std::string> plan_lines(const Study& study) {
 
 std::string shorter_line(const Plan& plan, double before, double factor) {
   return fmt::format(
-      "the budget reaches less far than planned, as runs take {:.2g} times what was measured: all are told over {:g} s "
-      "of simulated time, not {:g} s",
+      "runs take {:.2g} times what was measured: to keep the budget, all are compared over {:g} s of simulated time "
+      "instead of {:g} s",
       factor, plan.end - plan.start, before - plan.start);
 }
 

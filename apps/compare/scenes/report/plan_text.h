@@ -3,14 +3,15 @@
 #include <string>
 #include <vector>
 
-#include "apps/compare/scenes/run/study_folder.h"
+#include "apps/compare/scenes/run/scene_study.h"
 
 namespace nilas {
 
 /// A line per sentence.
-std::vector<std::string> plan_lines(const Study& study);
+std::vector<std::string> plan_lines(const SceneStudy& study);
 
-/// That all runs are told over less time than until `before`, as they take `factor` times what was measured.
+/// States that all runs are compared over less simulated time than until `before`, since they take `factor` times what
+/// was measured.
 std::string shorter_line(const Plan& plan, double before, double factor);
 
 }  // namespace nilas

@@ -30,12 +30,10 @@ double first_share(int jobs) {
 
 RunEnd run_end(const RunResult& result, double start) {
   RunEnd end{.wall_s = result.wall_s, .done = result.done(), .timed_out = result.status == "budget"};
-  const double reached = result.number("/time_end_s");
-  end.reached_s = std::isnan(reached) ? start : reached;
-  const nlohmann::ordered_json::json_pointer touched("/ice_load/touched");
-  if (result.summary.contains(touched) && !result.summary.at(touched).get<bool>()) return end;
-  const double from = result.number("/window/from_s");
-  end.window_from_s = std::isnan(from) ? start : from;  // without a vessel there is no window
+  const RunSummary& summary = result.summary;
+  end.reached_s = std::isnan(summary.time_end_s) ? start : summary.time_end_s;
+  if (!summary.touched.value_or(true)) return end;
+  end.window_from_s = summary.window ? summary.window->from : start;  // without a vessel there is no window
   return end;
 }
 

@@ -15,21 +15,21 @@ void demand_reference_run(const std::filesystem::path& from, const Scene& scene)
   if (!std::filesystem::exists(from / "summary.json"))
     throw InputError("--reference: " + from.string() + " is no run folder (there is no summary.json)" + allowed);
   const RunResult run = read_run(from, {}, ChildResult{.exit_code = 0});
-  if (run.summary.is_null() || run.summary.value("status", "") != "done")
+  if (run.summary.status != "done")
     throw InputError("--reference: the run in " + from.string() + " is not done" + allowed);
-  if (const std::string of = run.summary.value("scene", ""); of != scene.name)
+  if (const std::string& of = run.summary.scene; of != scene.name)
     throw InputError("--reference: the run in " + from.string() + " is of the scene '" + of + "', not of '" +
                      scene.name + "'" + allowed);
-  if (const auto seed = run.summary.value("seed", scene.seed); seed != scene.seed)
+  if (const auto seed = run.summary.seed.value_or(scene.seed); seed != scene.seed)
     throw InputError(fmt::format("--reference: the run in {} has the seed {}, the scene {}{}", from.string(), seed,
                                  scene.seed, allowed));
-  const double end = run.number("/time_end_s");
-  if (!run.summary.contains("ended_early") && !(std::abs(end - scene.time.end) < scene.time.step))
+  const double end = run.summary.time_end_s;
+  if (run.summary.ended_early.empty() && !(std::abs(end - scene.time.end) < scene.time.step))
     throw InputError(fmt::format("--reference: the run in {} ends at {:g} s, the scene at {:g} s{}", from.string(), end,
                                  scene.time.end, allowed));
 }
 
-void take_reference(Study& study, const StudyFolder& folder, std::map<std::string, RunResult>& results) {
+void take_reference(SceneStudy& study, const SceneStore& folder, std::map<std::string, RunResult>& results) {
   const std::filesystem::path from = study.reference;
   const RunResult result = read_run(from, {}, ChildResult{.exit_code = 0});
   auto& runs = study.plan.runs;

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "apps/compare/scenes/run/study_folder.h"
+#include "apps/compare/scenes/run/scene_store.h"
 
 namespace nilas {
 
@@ -13,6 +13,6 @@ void demand_reference_run(const std::filesystem::path& from, const Scene& scene)
 
 /// Makes it the run that every realisation of the study is judged by: in the study's plan, its folder and `results`.
 /// Throws FileError.
-void take_reference(Study& study, const StudyFolder& folder, std::map<std::string, RunResult>& results);
+void take_reference(SceneStudy& study, const SceneStore& folder, std::map<std::string, RunResult>& results);
 
 }  // namespace nilas

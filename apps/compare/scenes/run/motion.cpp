@@ -66,7 +66,7 @@ std::vector<Distance> distances(const Motion& a, const Motion& b) {
   return all;
 }
 
-double largest_way(const Motion& motion) {
+double longest_path(const Motion& motion) {
   double way = 0;
   for (const auto& sample : motion)
     for (const auto& [id, body] : sample.bodies)

@@ -39,7 +39,7 @@ struct Distance {
 /// left is bridged with b's velocities.
 std::vector<Distance> distances(const Motion& a, const Motion& b);
 
-/// Largest way of any body between the first sample and a later one [m].
-double largest_way(const Motion& motion);
+/// Longest path of any body between the first sample and a later one [m].
+double longest_path(const Motion& motion);
 
 }  // namespace nilas

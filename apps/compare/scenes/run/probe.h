@@ -3,7 +3,7 @@
 #include <limits>
 #include <optional>
 
-#include "apps/compare/scenes/plan/plan.h"
+#include "apps/compare/scenes/plan/make_plan.h"
 #include "apps/compare/scenes/run/scene_run.h"
 
 namespace nilas {

@@ -49,28 +49,17 @@ void judge(const ChildResult& ended, const std::filesystem::path& log, RunResult
 
 }  // namespace
 
-double RunResult::number(const std::string& json_pointer) const {
-  const Json::json_pointer pointer(json_pointer);
-  if (summary.is_null() || !summary.contains(pointer) || !summary.at(pointer).is_number()) return k_nan;
-  return summary.at(pointer).get<double>();
-}
-
-double RunResult::phase_ms(const std::string& phase) const {
-  const double ms = number("/modules/ms_per_step/" + phase);
-  return std::isnan(ms) && !summary.is_null() ? 0 : ms;  // a module that is not built takes no time
-}
-
 double RunResult::ms_per_step() const {
   double ms = 0;
   for (int p = 0; p < k_num_phases; ++p)
-    if (static_cast<Phase>(p) != Phase::output) ms += phase_ms(to_string(static_cast<Phase>(p)));
+    if (static_cast<Phase>(p) != Phase::output) ms += summary.phase_ms[static_cast<std::size_t>(p)];
   // the phases are timed by the wall clock: what the run waited for is taken out in proportion
   return cpu_s > 0 && cpu_s < wall_s ? ms * cpu_s / wall_s : ms;
 }
 
 double RunResult::compute_per_second() const {
-  const double length = number("/real_time_factor") * number("/wall_s");
-  return length > 0 ? 1e-3 * ms_per_step() * number("/steps") / length : k_nan;
+  const double length = summary.real_time_factor * summary.wall_s;
+  return length > 0 ? 1e-3 * ms_per_step() * summary.steps / length : k_nan;
 }
 
 Json to_json(const RunResult& result) {
@@ -81,7 +70,7 @@ Json to_json(const RunResult& result) {
           {"stabilisation_J", result.stabilisation_J},
           {"penetration_mean_m", result.penetration_mean_m},
           {"first_steps_ms", result.first_steps_ms},
-          {"summary", result.summary}};
+          {"summary", to_json(result.summary)}};
 }
 
 RunResult run_result_from(const Json& json) {
@@ -94,7 +83,7 @@ RunResult run_result_from(const Json& json) {
   result.stabilisation_J = number("stabilisation_J");
   result.penetration_mean_m = number("penetration_mean_m");
   result.first_steps_ms = number("first_steps_ms");
-  result.summary = json.at("summary");
+  result.summary = run_summary_from(json.at("summary"));
   return result;
 }
 
@@ -103,10 +92,8 @@ RunResult read_run(const std::filesystem::path& folder, const std::filesystem::p
   result.cpu_s = ended.cpu_s;
   result.wall_s = ended.wall_s;
   judge(ended, log, result);
-  std::ifstream in(folder / "summary.json");
-  if (in) result.summary = Json::parse(in, nullptr, false);
-  if (result.summary.is_discarded()) result.summary = nullptr;
-  if (result.done() && result.summary.is_null()) {
+  result.summary = read_run_summary(folder);
+  if (result.done() && !result.summary.exists()) {
     result.status = "failed";
     result.cause = "left no summary.json";
   }

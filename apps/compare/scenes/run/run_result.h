@@ -6,6 +6,7 @@
 #include <string>
 
 #include "apps/compare/workshop/child.h"
+#include "core/output/run/run_summary.h"
 
 namespace nilas {
 
@@ -16,8 +17,8 @@ struct RunResult {
   double stabilisation_J =
       std::numeric_limits<double>::quiet_NaN();  ///< energy that the correction of penetration took out
   double penetration_mean_m = std::numeric_limits<double>::quiet_NaN();  ///< over the steps
-  double first_steps_ms = 0;       ///< of the steps that the probe made too [ms]; 0: not looked at
-  nlohmann::ordered_json summary;  ///< the run's summary.json; null where it left none
+  double first_steps_ms = 0;  ///< of the steps that the probe made too [ms]; 0: not looked at
+  RunSummary summary;
 
   bool done() const { return status == "done"; }
   /// By itself, not because the budget or the user ended it.
@@ -26,10 +27,6 @@ struct RunResult {
   double compute_per_second() const;
   /// Of one step, the same way [ms].
   double ms_per_step() const;
-  /// Of a phase [ms]; 0 where there is none, NaN where the run left no summary.
-  double phase_ms(const std::string& phase) const;
-  /// A number of the summary by its path, NaN where it is not there.
-  double number(const std::string& json_pointer) const;
 };
 
 nlohmann::ordered_json to_json(const RunResult& result);

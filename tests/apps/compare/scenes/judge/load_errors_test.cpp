@@ -10,6 +10,8 @@ namespace {
 
 using namespace nilas;
 
+constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
+
 TEST(Coverage, CountsRunsWithinAndTakesTheMedianWidth) {
   const Coverage c = coverage({1, 1, 1, 4}, {0.5, 2, 0.25, 1}, 1e-12);
   EXPECT_EQ(c.runs, 4);
@@ -18,7 +20,7 @@ TEST(Coverage, CountsRunsWithinAndTakesTheMedianWidth) {
 }
 
 TEST(LoadErrorParts, LeaveOutWhatIsNotKnown) {
-  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  const double unknown = k_nan;
   EXPECT_DOUBLE_EQ((LoadErrorParts{0, 1, 1, 4, 1}.total()), 5);
   EXPECT_DOUBLE_EQ((LoadErrorParts{0, 1, 2, unknown, unknown}.total()), 3);
 }
@@ -36,7 +38,7 @@ struct Grid {
     other.solver = "nsgs";
     add(other, 0.02, 0.3);
     found.headline = "ice_resistance_N";
-    found.scale = 10;
+    found.measure.scale = 10;
   }
   void add(CompareSetting setting, double step, double off) {
     setting.step = step;
@@ -50,15 +52,22 @@ struct Grid {
     RunRow row;
     row.run.setting = m.setting;
     row.load_difference = off;
-    row.result.summary = {
-        {"load_error", {{"channels", {{"ice_resistance_N", {{"estimate", 1.0}, {"solver", 0.01}, {"law", 0.0}}}}}}}};
+    row.result.summary.load_errors["ice_resistance_N"] = {.estimate = 1, .solver = 0.01, .law = 0, .chaos = k_nan};
     found.rows.push_back(row);
+  }
+  /// `chaos`: of the difference of two runs of one realisation, 95 %; NaN: not measured [N].
+  void judge(double chaos) {
+    found.chance.difference_95_N = chaos;
+    const LoadErrors errors = load_errors(plan, found);
+    for (std::size_t k = 0; k < found.rows.size(); ++k) found.rows[k].load_error = errors.of_rows[k];
+    found.coverage = errors.coverage;
+    found.coverage_alone = errors.coverage_alone;
   }
 };
 
 TEST(LoadErrors, TakeTheStepsPartFromHalfTheStepOrTwice) {
   Grid grid;
-  judge_load_errors(grid.plan, 0, grid.found);
+  grid.judge(0);
   EXPECT_NEAR(grid.found.rows[0].load_error->step, 0.2, 1e-12);
   EXPECT_NEAR(grid.found.rows[1].load_error->step, 0.4, 1e-12);
   EXPECT_NEAR(grid.found.rows[2].load_error->step, 0.1, 1e-12);
@@ -71,12 +80,12 @@ TEST(LoadErrors, TakeTheStepsPartFromHalfTheStepOrTwice) {
 TEST(LoadErrors, StepsPartIsNotLessThanWhatTheReferenceMoves) {
   Grid grid;
   grid.plan.check.step = 0.02;
-  grid.found.reference_moves = 0.15;
-  judge_load_errors(grid.plan, 0, grid.found);
+  grid.found.check.moves = 0.15;
+  grid.judge(0);
   EXPECT_NEAR(grid.found.rows[0].load_error->step, 0.3, 1e-12);
   EXPECT_NEAR(grid.found.rows[1].load_error->step, 0.4, 1e-12);
-  grid.found.reference_chance = 0.2;
-  judge_load_errors(grid.plan, 0, grid.found);
+  grid.found.check.chance = 0.2;
+  grid.judge(0);
   EXPECT_NEAR(grid.found.rows[0].load_error->step, 0.2, 1e-12) << "chaos can move the reference as far";
   // finer than what the reference's step was doubled to: by its own steps alone
   EXPECT_NEAR(grid.found.rows[2].load_error->step, 0.1, 1e-12);
@@ -90,12 +99,12 @@ TEST(LoadErrors, SolversPartHoldsWhatOthersOfTheSameStepScatterBeyondChaos) {
     other.solver = solver;
     grid.add(other, 0.02, off);
   }
-  grid.found.chaos = 0.1;
-  judge_load_errors(grid.plan, 0, grid.found);
+  grid.found.chance.run_N = 0.1;
+  grid.judge(0);
   // 0.3 (nsgs), 0.1, 0.5: variance 0.04, of which 0.01 is chance
   EXPECT_NEAR(grid.found.rows[0].load_error->solver, 2 * std::sqrt(0.03), 1e-12);
-  grid.found.chaos = 1;
-  judge_load_errors(grid.plan, 0, grid.found);
+  grid.found.chance.run_N = 1;
+  grid.judge(0);
   EXPECT_EQ(grid.found.rows[0].load_error->solver, 0.01) << "what the run says by itself";
 }
 
@@ -105,7 +114,7 @@ TEST(LoadErrors, LawsPartHoldsWhatTheLawDoesAtOtherSteps) {
   ccp.law = "ccp";
   grid.add(ccp, 0.02, 5);
   grid.add(ccp, 0.01, 0.4);
-  judge_load_errors(grid.plan, 0, grid.found);
+  grid.judge(0);
   EXPECT_NEAR(grid.found.rows[4].load_error->law, 0.3, 1e-12) << "0.4 beside 0.1 at half the step";
   EXPECT_NEAR(grid.found.rows[5].load_error->law, 4.8, 1e-12);
   EXPECT_EQ(grid.found.rows[0].load_error->law, 0);
@@ -113,14 +122,13 @@ TEST(LoadErrors, LawsPartHoldsWhatTheLawDoesAtOtherSteps) {
 
 TEST(LoadErrors, ChaosIsTheLesserOfTheComparisonsAndOfTwoRunsThatEachSayTheirOwn) {
   Grid grid;
-  auto& own = grid.found.rows[0].result.summary["load_error"]["channels"]["ice_resistance_N"];
-  own["chaos"] = 0.5;
-  judge_load_errors(grid.plan, 2, grid.found);
+  grid.found.rows[0].result.summary.load_errors["ice_resistance_N"].chaos = 0.5;
+  grid.judge(2);
   EXPECT_NEAR(grid.found.rows[0].load_error->chaos, std::sqrt(0.5), 1e-12);
   EXPECT_EQ(grid.found.rows[1].load_error->chaos, 2);  // says nothing of chaos
-  judge_load_errors(grid.plan, 0.1, grid.found);
+  grid.judge(0.1);
   EXPECT_EQ(grid.found.rows[0].load_error->chaos, 0.1);
-  judge_load_errors(grid.plan, std::numeric_limits<double>::quiet_NaN(), grid.found);
+  grid.judge(k_nan);
   EXPECT_NEAR(grid.found.rows[0].load_error->chaos, std::sqrt(0.5), 1e-12);
 }
 

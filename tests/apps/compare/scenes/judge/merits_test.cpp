@@ -1,12 +1,11 @@
 /// What runs are judged to be off, by hand-made loads.
-#include "apps/compare/scenes/judge/merits.h"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <fstream>
 
+#include "apps/compare/scenes/judge/judge.h"
 #include "core/base/statistics.h"
 #include "tests/support/scratch_folder.h"
 
@@ -33,7 +32,7 @@ struct Runs {
     plan.runs.push_back({id, kind, setting, realisation, 1});
     RunResult& result = results[id];
     result.status = "done";
-    result.summary = {{"loads", {{"ice_resistance_N", {{"mean", load}, {"std", 0}, {"max", load}, {"p99", load}}}}}};
+    result.summary.loads = {{"ice_resistance_N", {load, 0, load, load}}};
   }
   void set(std::size_t setting, const std::vector<double>& off) {
     for (std::size_t r = 0; r < off.size(); ++r)
@@ -46,7 +45,7 @@ struct Runs {
   void twin(int realisation, double off) {
     add(fmt::format("twin-r{}", realisation), RunKind::twin, 0, realisation, -k_scale + off);
   }
-  Findings judged(Judged by = Judged::by_reference) const { return find(plan, results, "nowhere", by); }
+  Findings judged(Judged by = Judged::by_reference) const { return judge_runs(plan, results, "nowhere", by); }
 };
 
 TEST(Merits, TellErrorsAboveStudentsLimitOfWhatTwinsDiffer) {
@@ -58,12 +57,12 @@ TEST(Merits, TellErrorsAboveStudentsLimitOfWhatTwinsDiffer) {
   runs.twin(1, 0);
   const Findings found = runs.judged();
   EXPECT_EQ(found.headline, "ice_resistance_N");
-  EXPECT_EQ(found.scale, k_scale);
-  EXPECT_NEAR(found.chaos, 0.1 / std::sqrt(2), 1e-12);
+  EXPECT_EQ(found.measure.scale, k_scale);
+  EXPECT_NEAR(found.chance.run_N, 0.1 / std::sqrt(2), 1e-12);
   EXPECT_NEAR(found.common_floor, student_95(2) * 0.1 / std::sqrt(2), 1e-9);
   EXPECT_NEAR(found.merits[0].error, 0.1, 1e-12);
-  EXPECT_FALSE(found.merits[0].told);
-  EXPECT_TRUE(found.merits[1].told);
+  EXPECT_FALSE(found.merits[0].significant);
+  EXPECT_TRUE(found.merits[1].significant);
 }
 
 TEST(Merits, TellNothingWhereChaosWasNotMeasured) {
@@ -73,9 +72,9 @@ TEST(Merits, TellNothingWhereChaosWasNotMeasured) {
   runs.reference({0});
   const Findings found = runs.judged();
   EXPECT_TRUE(std::isinf(found.common_floor));
-  EXPECT_FALSE(found.horizon_known);
-  for (const auto& m : found.merits) EXPECT_FALSE(m.told);
-  EXPECT_FALSE(found.chosen);
+  EXPECT_FALSE(found.horizon.known);
+  for (const auto& m : found.merits) EXPECT_FALSE(m.significant);
+  EXPECT_FALSE(found.choice.chosen);
 }
 
 TEST(Merits, OfASettingThatScattersMoreThanAllOthersAreHeldAgainstItsOwnScatter) {
@@ -87,8 +86,8 @@ TEST(Merits, OfASettingThatScattersMoreThanAllOthersAreHeldAgainstItsOwnScatter)
   runs.reference({0, 0, 0});
   for (int r = 0; r < 3; ++r) runs.twin(r, 0.1);
   const Findings found = runs.judged();
-  EXPECT_TRUE(found.merits[1].told);
-  EXPECT_FALSE(found.merits[3].told);
+  EXPECT_TRUE(found.merits[1].significant);
+  EXPECT_FALSE(found.merits[3].significant);
   EXPECT_NEAR(found.merits[3].floor, student_95(2) * std::sqrt(variance_of({2, -2, 3}) / 3), 1e-6);
   EXPECT_LT(found.merits[2].floor, 0.1);
 }
@@ -111,14 +110,14 @@ TEST(Merits, WithoutAReferenceAreJudgedByItsCheckThenByTheFinestSetting) {
   runs.set(1, {0.2});
   runs.set(2, {0.1});
   runs.twin(0, 0.41);
-  EXPECT_EQ(runs.judged().stand_in, "\"step 0.005 s\"");
+  EXPECT_EQ(runs.judged().judges.stand_in, "\"step 0.005 s\"");
   EXPECT_NEAR(runs.judged().merits[0].error, 0.3, 1e-12);
   EXPECT_TRUE(runs.judged().merits[2].judges);
   runs.add("check-r0", RunKind::check, 0, 0, -k_scale);
-  EXPECT_EQ(runs.judged().stand_in, "the reference at twice its step");
+  EXPECT_EQ(runs.judged().judges.stand_in, "the reference at twice its step");
   EXPECT_NEAR(runs.judged().merits[0].error, 0.4, 1e-12);
   runs.reference({0});
-  EXPECT_TRUE(runs.judged().stand_in.empty());
+  EXPECT_TRUE(runs.judged().judges.stand_in.empty());
 }
 
 TEST(Merits, SayWhenTheReferenceMovesMoreThanTheSmallestErrorTold) {
@@ -128,10 +127,10 @@ TEST(Merits, SayWhenTheReferenceMovesMoreThanTheSmallestErrorTold) {
   runs.reference({0});
   runs.twin(0, 0.2);
   runs.add("check-r0", RunKind::check, 0, 0, -k_scale + 0.1);
-  EXPECT_NEAR(*runs.judged().reference_moves, 0.1, 1e-12);
-  EXPECT_FALSE(runs.judged().reference_coarse);
-  runs.results.at("check-r0").summary["loads"]["ice_resistance_N"]["mean"] = -k_scale + 0.3;
-  EXPECT_TRUE(runs.judged().reference_coarse);
+  EXPECT_NEAR(*runs.judged().check.moves, 0.1, 1e-12);
+  EXPECT_FALSE(runs.judged().check.coarse);
+  runs.results.at("check-r0").summary.loads.front().second.mean = -k_scale + 0.3;
+  EXPECT_TRUE(runs.judged().check.coarse);
 }
 
 TEST(Merits, OfASettingWithoutARunHoldNoFigures) {
@@ -156,7 +155,7 @@ TEST(Merits, OfAnAblationAreJudgedByTheFirstSetting) {
   EXPECT_TRUE(found.merits[0].judges);
   EXPECT_EQ(found.merits[0].error, 0);
   EXPECT_NEAR(found.merits[1].error, 0.5, 1e-12);
-  EXPECT_TRUE(found.merits[1].told);
+  EXPECT_TRUE(found.merits[1].significant);
 }
 
 /// As a new user met it: every exact setting within 3 % of the others and twins 36 N apart, the pyramid 20 % off.
@@ -187,10 +186,10 @@ TEST(Merits, TellASureDifferenceInTheOneFieldThatWasRun) {
 
 TEST(Merits, OfOneFieldSayNothingOfOtherFields) {
   Runs runs = one_field();
-  runs.results.at("twin-r0").summary["loads"]["ice_resistance_N"]["mean"] = 3.40e5 + 1e5;
+  runs.results.at("twin-r0").summary.loads.front().second.mean = 3.40e5 + 1e5;
   const Findings found = runs.judged();
   EXPECT_EQ(found.merits[3].from_own.certainty, Certainty::none) << "twins part by more than the pyramid does";
-  EXPECT_FALSE(found.merits[3].told);
+  EXPECT_FALSE(found.merits[3].significant);
 }
 
 TEST(Merits, MeansAreNeverOverOtherRealisationsUnmarked) {
@@ -208,8 +207,8 @@ TEST(Merits, MeansAreNeverOverOtherRealisationsUnmarked) {
     EXPECT_EQ(m.load_difference.count, 1);
     EXPECT_FALSE(m.partial);
   }
-  EXPECT_NEAR(half.reference_mean.mean, -k_scale, 1e-12);
-  EXPECT_NEAR(half.scale, k_scale, 1e-12);
+  EXPECT_NEAR(half.reference.mean.mean, -k_scale, 1e-12);
+  EXPECT_NEAR(half.measure.scale, k_scale, 1e-12);
   // with three of four the second counts, and the one that lacks it is marked and neither ranked nor chosen
   runs.add("s2-r1", RunKind::grid, 2, 1, -k_scale + 51);
   const Findings most = runs.judged();
@@ -220,7 +219,7 @@ TEST(Merits, MeansAreNeverOverOtherRealisationsUnmarked) {
     EXPECT_NEAR(m.load_difference.mean, 1, 1e-12) << "differences are of the same ice all the same";
   }
   EXPECT_TRUE(most.merits[3].dominated);
-  EXPECT_NE(most.chosen, 3U);
+  EXPECT_NE(most.choice.chosen, 3U);
 }
 
 TEST(Merits, OfSeveralRealisationsAreSureByStudent) {
@@ -252,13 +251,13 @@ TEST(Merits, AreOverTheSameWindowWhateverAStepSaysOfTheFirstContact) {
   write_course(folder.path(), "s1-r0", 0.01, 0.511, 5);
   write_course(folder.path(), "reference-r0", 0.005, 0.509, 6);
   for (const auto& [id, from] : {std::pair("s0-r0", 0.5), std::pair("s1-r0", 0.5), std::pair("reference-r0", 0.505)})
-    runs.results.at(id).summary["window"] = {{"from_s", from}, {"to_s", 1.0}, {"reason", "from the first contact"}};
-  const Findings found = find(runs.plan, runs.results, folder.path(), Judged::by_reference);
+    runs.results.at(id).summary.window = {from, 1.0, "from the first contact"};
+  const Findings found = judge_runs(runs.plan, runs.results, folder.path(), Judged::by_reference);
   ASSERT_TRUE(found.windows[0]);
   EXPECT_NEAR(found.windows[0]->from, 0.5, 1e-12) << "where the coarsest step ends, before the reference's contact";
   EXPECT_NEAR(found.merits[0].load.mean, 4 * 0.48 / 0.5, 1e-9);
   EXPECT_NEAR(found.merits[1].load.mean, 5 * 0.49 / 0.5, 1e-9);
-  EXPECT_NEAR(found.reference_load, 6 * 0.495 / 0.5, 1e-9);
+  EXPECT_NEAR(found.reference.mean.mean, 6 * 0.495 / 0.5, 1e-9);
   EXPECT_EQ(found.windows[0]->reason, "from the first contact");
 }
 

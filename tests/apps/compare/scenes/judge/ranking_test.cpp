@@ -17,21 +17,21 @@ Merit merit(std::size_t setting, double time, double error, double floor = 0.1) 
   m.time = time;
   m.error = error;
   m.floor = floor;
-  m.told = error > floor;
+  m.significant = error > floor;
   return m;
 }
 
 Findings findings(const std::vector<Merit>& merits, double scale = 10) {
   Findings found;
   found.merits = merits;
-  found.scale = scale;
+  found.measure.scale = scale;
   found.time_spread = 0.05;
   return found;
 }
 
 TEST(Ranking, OneThatIsSlowerAndWorseIsBeaten) {
   Findings found = findings({merit(0, 1, 1), merit(1, 2, 0.5), merit(2, 2, 2), merit(3, 0.5, 3)});
-  rank(found);
+  found.merits = with_dominance(found.merits);
   EXPECT_FALSE(found.merits[0].dominated);
   EXPECT_FALSE(found.merits[1].dominated);
   EXPECT_TRUE(found.merits[2].dominated);
@@ -40,7 +40,7 @@ TEST(Ranking, OneThatIsSlowerAndWorseIsBeaten) {
 
 TEST(Ranking, ErrorsBelowTheFloorAreAlike) {
   Findings found = findings({merit(0, 1, 0.05), merit(1, 2, 0.01)});
-  rank(found);
+  found.merits = with_dominance(found.merits);
   EXPECT_FALSE(found.merits[0].dominated);
   EXPECT_TRUE(found.merits[1].dominated);
 }
@@ -48,38 +48,38 @@ TEST(Ranking, ErrorsBelowTheFloorAreAlike) {
 TEST(Ranking, WhatFailedBeatsNothing) {
   Findings found = findings({merit(0, 1, 1), merit(1, 0.1, 0.2)});
   found.merits[1].failed = 1;
-  rank(found);
+  found.merits = with_dominance(found.merits);
   EXPECT_FALSE(found.merits[0].dominated);
   EXPECT_TRUE(found.merits[1].dominated);
-  choose(found);
-  EXPECT_FALSE(found.chosen);
+  found.choice = choose(found.merits, found.measure, found.common_floor, found.time_spread);
+  EXPECT_FALSE(found.choice.chosen);
 }
 
 TEST(Choice, IsTheFastestWithinTwoPercent) {
   Findings found = findings({merit(0, 1, 0.15), merit(1, 0.5, 0.19), merit(2, 0.1, 0.21)});
-  choose(found);
-  EXPECT_EQ(found.chosen, 1U);
+  found.choice = choose(found.merits, found.measure, found.common_floor, found.time_spread);
+  EXPECT_EQ(found.choice.chosen, 1U);
 }
 
 TEST(Choice, IsTheScenesOwnWhereNothingIsSurelyFaster) {
   Findings found = findings({merit(0, 1, 0.19), merit(1, 0.95, 0.12)});
-  choose(found);
-  EXPECT_EQ(found.chosen, 0U);
+  found.choice = choose(found.merits, found.measure, found.common_floor, found.time_spread);
+  EXPECT_EQ(found.choice.chosen, 0U);
 }
 
 TEST(Choice, IsTheMostAccurateOfThoseThatAreAsFast) {
   Findings found = findings({merit(0, 2, 0.15), merit(1, 1, 0.19), merit(2, 1.05, 0.12)});
-  choose(found);
-  EXPECT_EQ(found.chosen, 2U);
+  found.choice = choose(found.merits, found.measure, found.common_floor, found.time_spread);
+  EXPECT_EQ(found.choice.chosen, 2U);
 }
 
 TEST(Choice, IsNoneThatSinksIn) {
   Findings found = findings({merit(0, 2, 0.15), merit(1, 1, 0.15)});
   found.merits[0].penetration_max_m = 1e-3;
   found.merits[1].penetration_max_m = 3e-3;
-  choose(found);
-  EXPECT_EQ(found.chosen, 0U);
-  EXPECT_EQ(found.deeper, 1U);
+  found.choice = choose(found.merits, found.measure, found.common_floor, found.time_spread);
+  EXPECT_EQ(found.choice.chosen, 0U);
+  EXPECT_EQ(found.choice.deeper, 1U);
 }
 
 TEST(Orders, AreSlopesOverThreeStepsThatTellAnError) {
@@ -91,7 +91,7 @@ TEST(Orders, AreSlopesOverThreeStepsThatTellAnError) {
     plan.settings.back().step = 0.04 / std::pow(2, k);
     found.merits.push_back(merit(k, 1, 8 * std::pow(0.25, k)));
   }
-  find_orders(plan, found);
+  found.orders = orders_of(plan, found);
   ASSERT_EQ(found.orders.size(), 1U);
   EXPECT_NEAR(found.orders[0].order, 2, 1e-6);
   EXPECT_EQ(found.orders[0].rest, "own setting");
@@ -100,11 +100,11 @@ TEST(Orders, AreSlopesOverThreeStepsThatTellAnError) {
   plan.reference = own;
   plan.reference.step = 0.005;
   for (std::size_t k = 0; k < 3; ++k) found.merits[k].error -= 8 * std::pow(0.25, 3);
-  find_orders(plan, found);
+  found.orders = orders_of(plan, found);
   EXPECT_NEAR(found.orders[0].order, 2, 1e-6);
   found.orders.clear();
-  found.merits[2].told = false;
-  find_orders(plan, found);
+  found.merits[2].significant = false;
+  found.orders = orders_of(plan, found);
   EXPECT_TRUE(found.orders.empty());
 }
 

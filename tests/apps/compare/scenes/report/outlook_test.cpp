@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "apps/compare/scenes/judge/floors.h"
 #include "core/base/statistics.h"
 
 namespace {
@@ -13,16 +14,16 @@ using namespace nilas;
 
 /// Loads of 100 N that chance makes differ by a variance of 8 N^2, of `realisations` realisations of two settings.
 struct Case {
-  Study study;
+  SceneStudy study;
   Findings found;
 
   explicit Case(int realisations) {
     study.plan.settings.resize(2);
     study.plan.realisations = realisations;
     study.budget_s = 60;
-    found.measure = "load";
-    found.scale = 100;
-    found.chance = {8, static_cast<double>(realisations), false};
+    found.measure = {"load", "N", 0};
+    found.measure.scale = 100;
+    found.chance.variance = {8, static_cast<double>(realisations), false};
     for (int r = 0; r < realisations; ++r) found.shared.push_back(r);
     found.common_floor = floor_of(8, realisations, realisations, 0);
   }
@@ -39,13 +40,13 @@ TEST(Outlook, SmallestDifferenceFallsWithTheRootOfRealisationsAndStudentsT) {
   EXPECT_NEAR(*smallest_difference(one.found, 1), student_95(1) * std::sqrt(8), 1e-9);
   EXPECT_NEAR(*smallest_difference(one.found, 4), student_95(4) * std::sqrt(8 / 4.0), 1e-9) << "each has its twin";
   Case settings(2);
-  settings.found.chance = {8, 5, true};
+  settings.found.chance.variance = {8, 5, true};
   EXPECT_NEAR(*smallest_difference(settings.found, 3), student_95(10) * std::sqrt(8 / 3.0), 1e-9);
 }
 
 TEST(Outlook, OfOneReferenceKeepsItsChance) {
   Case one(1);
-  one.found.one_reference = true;
+  one.found.judges.one_run = true;
   EXPECT_NEAR(*smallest_difference(one.found, 4), student_95(4) * std::sqrt(4 / 4.0 + 4), 1e-9);
 }
 
@@ -53,8 +54,8 @@ TEST(Outlook, IsNotKnownWhereChanceIsNot) {
   Case none(2);
   none.found.chance = {};
   EXPECT_FALSE(smallest_difference(none.found, 3));
-  none.found.chance = {8, 2, false};
-  none.found.measure = "distance";
+  none.found.chance.variance = {8, 2, false};
+  none.found.measure.name = "distance";
   EXPECT_FALSE(smallest_difference(none.found, 3));
 }
 
@@ -62,7 +63,7 @@ TEST(Outlook, OfMissingRunsSaysWhatTheyTakeTellAndHowToGoOn) {
   Case cut(3);
   cut.found.shared = {0};
   cut.found.common_floor = floor_of(8, 1, 1, 0);
-  cut.found.chance.degrees = 1;
+  cut.found.chance.variance.degrees = 1;
   for (const char* status : {"done", "failed", "not run", "budget"}) cut.row(status);
   const Outlook view = cut.view(400);
   ASSERT_TRUE(view.next);
@@ -74,8 +75,8 @@ TEST(Outlook, OfMissingRunsSaysWhatTheyTakeTellAndHowToGoOn) {
   const auto lines = outlook_lines(view, cut.study, cut.found);
   ASSERT_GE(lines.size(), 3U);
   EXPECT_EQ(lines[0],
-            "With about 6 min 40 s more all 2 settings would have 3 realisations. Differences of the mean ice load "
-            "above about 5.197 N (5.2 %) could then be told, now above 35.94 N (36 %).");
+            "With about 6 min 40 s more, all 2 settings would have 3 realisations. Differences of the mean ice load "
+            "above about 5.197 N (5.2 %) would then be significant, now only those above 35.94 N (36 %).");
   EXPECT_EQ(lines[2], "  nilas compare --resume out --budget 470");
 }
 

@@ -33,7 +33,7 @@ TEST(Motion, IsReadByTimeAndId) {
   ASSERT_EQ(motion.size(), 2U);
   EXPECT_EQ(motion[0].bodies.size(), 2U);
   EXPECT_EQ(motion[0].bodies.at(2).p.x(), 5);
-  EXPECT_DOUBLE_EQ(largest_way(motion), 5);
+  EXPECT_DOUBLE_EQ(longest_path(motion), 5);
 }
 
 SampledBody at(const Vec3& p, const Vec3& v = Vec3::Zero(), double yaw = 0) {
