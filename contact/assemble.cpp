@@ -29,7 +29,7 @@ class Assembly {
     out_.problem.facets = settings.facets;
   }
 
-  AssembledContacts build(const std::vector<ContactPoint>& points, FrictionTable& friction) {
+  AssembledContacts build(const std::vector<ContactPoint>& points, const FrictionPairs& friction) {
     add_blocks(points);
     reserve_contacts(points.size());
     for (const auto& point : points) add_contact(point, friction);
@@ -52,9 +52,9 @@ class Assembly {
   void fill_free_block(int body);
   void fill_articulated_block(const ArticulatedBlock& articulated, std::size_t block);
   void reserve_contacts(std::size_t count);
-  const FrictionPair& friction_of(const ContactPoint& point, FrictionTable& friction);
-  void add_contact(const ContactPoint& point, FrictionTable& friction);
-  void add_moment(int c, const ContactPoint& point, FrictionTable& friction);
+  const FrictionPair& friction_of(const ContactPoint& point, const FrictionPairs& friction) const;
+  void add_contact(const ContactPoint& point, const FrictionPairs& friction);
+  void add_moment(int c, const ContactPoint& point, const FrictionPairs& friction);
   MatX moment_rows(int body, const Mat3& C, double sign, Vec3& w) const;
   Vec3 add_side(int body, const Mat3& C, const Vec3& p, double sign);
   bool are_joined(const ContactPoint& point) const;
@@ -69,8 +69,6 @@ class Assembly {
   const AssemblySettings& settings_;
   const std::vector<ArticulatedBlock>& articulated_;
   AssembledContacts out_;
-  int last_a_ = -1, last_b_ = -1;  ///< bodies of the point before, whose friction is last_pair_
-  FrictionPair last_pair_;
 };
 
 int Assembly::place_block(int size) {
@@ -214,16 +212,12 @@ double Assembly::speed_asked(const ContactPoint& point) const {
   return excess > 0 ? std::min(stabilisation.erp * excess / settings_.h, stabilisation.max_speed) : 0;
 }
 
-/// A pair's points follow each other, and names of materials are slow to compare.
-const FrictionPair& Assembly::friction_of(const ContactPoint& point, FrictionTable& friction) {
-  if (point.a == last_a_ && point.b == last_b_) return last_pair_;
-  last_a_ = point.a;
-  last_b_ = point.b;
-  const auto a = static_cast<std::size_t>(point.a), b = static_cast<std::size_t>(point.b);
-  return last_pair_ = friction.find(bodies_.material[a], bodies_.material[b]);
+const FrictionPair& Assembly::friction_of(const ContactPoint& point, const FrictionPairs& friction) const {
+  return friction.of(bodies_.material[static_cast<std::size_t>(point.a)],
+                     bodies_.material[static_cast<std::size_t>(point.b)]);
 }
 
-void Assembly::add_contact(const ContactPoint& point, FrictionTable& friction) {
+void Assembly::add_contact(const ContactPoint& point, const FrictionPairs& friction) {
   const auto a = static_cast<std::size_t>(point.a), b = static_cast<std::size_t>(point.b);
   ContactProblem& problem = out_.problem;
   const Mat3 C = contact_frame(point.n, bodies_.R_GB[a], settings_.axes);
@@ -263,7 +257,7 @@ MatX Assembly::moment_rows(int body, const Mat3& C, double sign, Vec3& w) const 
   return rows * one.jacobian;
 }
 
-void Assembly::add_moment(int c, const ContactPoint& point, FrictionTable& friction) {
+void Assembly::add_moment(int c, const ContactPoint& point, const FrictionPairs& friction) {
   const FrictionPair& pair = friction_of(point, friction);
   if (pair.rolling == 0 && pair.spinning == 0) return;
   const Mat3 C = out_.C[static_cast<std::size_t>(c)] * Vec3(pair.spinning, pair.rolling, pair.rolling).asDiagonal();
@@ -282,7 +276,7 @@ void Assembly::add_moment(int c, const ContactPoint& point, FrictionTable& frict
 }  // namespace
 
 AssembledContacts assemble(const Bodies& bodies, const Wrenches& free, const std::vector<ContactPoint>& points,
-                           FrictionTable& friction, const AssemblySettings& settings,
+                           const FrictionPairs& friction, const AssemblySettings& settings,
                            const std::vector<ArticulatedBlock>& articulated) {
   return Assembly(bodies, free, settings, articulated).build(points, friction);
 }

@@ -67,11 +67,10 @@ struct AssembledContacts {
 /// A point's force limit times h limits its impulse; its compliance is that of its row. Points that crush do not
 /// bounce. Moments against rolling and spinning follow all points, in their order, for pairs that have them and laws
 /// with friction. A point between two bodies of one articulated system has that block on its side B alone, with the
-/// difference of both Jacobians. All rows: what prescribed motion adds. Friction pairs come from `friction`, which
-/// remembers those it lacks. Throws ContractError for an articulated body without its block and for a point that names
-/// no body.
+/// difference of both Jacobians. All rows: what prescribed motion adds. `friction` resolves the materials of `bodies`.
+/// Throws ContractError for an articulated body without its block and for a point that names no body.
 AssembledContacts assemble(const Bodies& bodies, const Wrenches& free, const std::vector<ContactPoint>& points,
-                           FrictionTable& friction, const AssemblySettings& settings,
+                           const FrictionPairs& friction, const AssemblySettings& settings,
                            const std::vector<ArticulatedBlock>& articulated);
 
 }  // namespace nilas

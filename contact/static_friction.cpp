@@ -10,34 +10,42 @@ static double slip_of(const ContactSolution& solution, std::size_t c) {
   return std::hypot(solution.u[first + 1], solution.u[first + 2]);
 }
 
-ContactSolution StaticFriction::solve(const ContactSolver& solver, const VecX& guess, ContactProblem& problem) {
+static SlippingContacts slipping_contacts(const StaticFriction& friction, const ContactProblem& problem,
+                                          const ContactSolution& solution) {
+  SlippingContacts slipping;
+  for (std::size_t c = 0; c < problem.key.size(); ++c)
+    if (slip_of(solution, c) > friction.slip_speed) slipping.push_back(problem.key[c]);
+  std::sort(slipping.begin(), slipping.end());
+  return slipping;
+}
+
+StaticFrictionSolution solve_with_static_friction(const StaticFriction& friction, const ContactSolver& solver,
+                                                  const VecX& guess, const SlippingContacts& slipped,
+                                                  ContactProblem& problem) {
   const std::vector<double> kinetic = problem.mu;
   for (std::size_t c = 0; c < kinetic.size(); ++c)
-    if (!std::binary_search(slipped_.begin(), slipped_.end(), problem.key[c])) problem.mu[c] = problem.mu_static[c];
-  ContactSolution solution;
+    if (!std::binary_search(slipped.begin(), slipped.end(), problem.key[c])) problem.mu[c] = problem.mu_static[c];
+  StaticFrictionSolution out;
   VecX start = guess;
   int iterations = 0;
   bool settled = false;
-  for (rounds_ = 0; rounds_ < k_most_rounds && !settled;) {
-    ++rounds_;
-    solution = solver.solve(problem, start);
-    iterations += solution.iterations;
-    if (solution.status == SolveStatus::numerical_error) break;
-    start = solution.r;
+  while (out.rounds < StaticFriction::k_most_rounds && !settled) {
+    ++out.rounds;
+    out.solution = solver.solve(problem, start);
+    iterations += out.solution.iterations;
+    if (out.solution.status == SolveStatus::numerical_error) break;
+    start = out.solution.r;
     std::vector<std::size_t> loose;
     for (std::size_t c = 0; c < kinetic.size(); ++c)
-      if (problem.mu[c] > kinetic[c] && slip_of(solution, c) > slip_speed_) loose.push_back(c);
+      if (problem.mu[c] > kinetic[c] && slip_of(out.solution, c) > friction.slip_speed) loose.push_back(c);
     settled = loose.empty();
-    if (rounds_ < k_most_rounds)
+    if (out.rounds < StaticFriction::k_most_rounds)
       for (const std::size_t c : loose) problem.mu[c] = kinetic[c];
   }
-  solution.iterations = iterations;
-  if (!settled) solution.status = worse(solution.status, SolveStatus::stalled);
-  slipped_.clear();
-  for (std::size_t c = 0; c < kinetic.size(); ++c)
-    if (slip_of(solution, c) > slip_speed_) slipped_.push_back(problem.key[c]);
-  std::sort(slipped_.begin(), slipped_.end());
-  return solution;
+  out.solution.iterations = iterations;
+  if (!settled) out.solution.status = worse(out.solution.status, SolveStatus::stalled);
+  out.slipping = slipping_contacts(friction, problem, out.solution);
+  return out;
 }
 
 }  // namespace nilas

@@ -10,31 +10,29 @@
 #include <vector>
 
 #include "contact/solvers/solver.h"
-#include "core/base/state.h"
 
 namespace nilas {
 
-class StaticFriction {
- public:
-  /// `slip_speed`: a contact faster than this slips [m/s]; keep it above the solver's tolerance.
-  explicit StaticFriction(double slip_speed = 1e-5) : slip_speed_(slip_speed) {}
+/// Keys of the contacts that slip, in rising order.
+using SlippingContacts = std::vector<std::uint64_t>;
 
-  /// Solves, remembers which keys slip, and leaves in `problem.mu` the coefficient that each contact had: the solution
-  /// is one of that problem, and `measure` judges it. `iterations` counts all rounds; after `k_most_rounds` the last
-  /// solution stands, and its status is no better than stalled.
-  ContactSolution solve(const ContactSolver& solver, const VecX& guess, ContactProblem& problem);
-
-  int rounds() const { return rounds_; }  ///< solves that the last step took
+struct StaticFriction {
+  /// A contact faster than this slips; above the solver's tolerance [m/s].
+  double slip_speed = 1e-5;
   static constexpr int k_most_rounds = 20;
-
-  /// Which keys slipped in the last step.
-  void save(StateWriter out) const { out.add("slipped", slipped_); }
-  void restore(const StateReader& in) { in.get("slipped", slipped_); }
-
- private:
-  double slip_speed_;
-  int rounds_ = 0;
-  std::vector<std::uint64_t> slipped_;  ///< keys of the last step, rising
 };
+
+struct StaticFrictionSolution {
+  ContactSolution solution;   ///< `iterations` counts all rounds
+  SlippingContacts slipping;  ///< at this solution, for the next step
+  int rounds = 0;             ///< solves that it took
+};
+
+/// Solves from the contacts that slipped in the last step, and leaves in `problem.mu` the coefficient that each contact
+/// had: the solution is one of that problem, and `measure` judges it. After k_most_rounds the last solution stands, and
+/// its status is no better than stalled.
+StaticFrictionSolution solve_with_static_friction(const StaticFriction& friction, const ContactSolver& solver,
+                                                  const VecX& guess, const SlippingContacts& slipped,
+                                                  ContactProblem& problem);
 
 }  // namespace nilas

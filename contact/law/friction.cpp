@@ -28,56 +28,42 @@ void FrictionTable::add(const std::string& material_a, const std::string& materi
   check(material_a, material_b, values);
   for (const auto& entry : entries_)
     if (entry.joins(material_a, material_b)) refuse(material_a, material_b, "named twice");
-  entries_.push_back({std::min(material_a, material_b), std::max(material_a, material_b), values, true});
-  met_.clear();
+  entries_.push_back({material_a, material_b, values});
 }
 
-FrictionTable::Entry FrictionTable::resolve(const std::string& a, const std::string& b) const {
-  const auto answer = [&](const FrictionPair& values, bool named) {
-    return Entry{std::min(a, b), std::max(a, b), values, named};
-  };
+const FrictionTable::Entry* FrictionTable::entry_of(const std::string& a, const std::string& b) const {
   for (const auto& entry : entries_)
-    if (entry.joins(a, b)) return answer(entry.values, true);
+    if (entry.joins(a, b)) return &entry;
   for (const auto& entry : entries_)
-    if (entry.joins(a, k_any_material) || entry.joins(b, k_any_material)) return answer(entry.values, true);
+    if (entry.joins(a, k_any_material) || entry.joins(b, k_any_material)) return &entry;
   for (const auto& entry : entries_)
-    if (entry.joins(k_any_material, k_any_material)) return answer(entry.values, true);
-  return answer({}, false);
+    if (entry.joins(k_any_material, k_any_material)) return &entry;
+  return nullptr;
 }
 
-FrictionPair FrictionTable::find(const std::string& material_a, const std::string& material_b) {
-  for (const auto& entry : met_)
-    if (entry.joins(material_a, material_b)) return entry.values;
-  met_.push_back(resolve(material_a, material_b));
-  return met_.back().values;
+FrictionPair FrictionTable::find(const std::string& material_a, const std::string& material_b) const {
+  const Entry* entry = entry_of(material_a, material_b);
+  return entry ? entry->values : FrictionPair{};
 }
 
-std::vector<std::pair<std::string, std::string>> FrictionTable::unnamed_pairs() const {
-  std::vector<std::pair<std::string, std::string>> pairs;
-  for (const auto& entry : met_)
-    if (!entry.named) pairs.emplace_back(entry.first, entry.second);
-  return pairs;
+bool FrictionTable::names(const std::string& material_a, const std::string& material_b) const {
+  return entry_of(material_a, material_b) != nullptr;
 }
 
-void FrictionTable::save(StateWriter out) const {
-  const auto pairs = unnamed_pairs();
-  out.add("unnamed_pairs", pairs.size());
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    StateWriter pair = out.group(std::to_string(k));
-    pair.add("first", pairs[k].first);
-    pair.add("second", pairs[k].second);
-  }
+FrictionPairs FrictionTable::resolve(const std::vector<std::string>& materials) const {
+  FrictionPairs resolved;
+  resolved.materials_ = static_cast<int>(materials.size());
+  for (const std::string& a : materials)
+    for (const std::string& b : materials) {
+      resolved.pairs_.push_back(find(a, b));
+      resolved.named_.push_back(names(a, b) ? 1 : 0);
+    }
+  return resolved;
 }
 
-void FrictionTable::restore(const StateReader& in) {
-  std::size_t count = 0;
-  in.get("unnamed_pairs", count);
-  for (std::size_t k = 0; k < count; ++k) {
-    std::string first, second;
-    in.group(std::to_string(k)).get("first", first);
-    in.group(std::to_string(k)).get("second", second);
-    find(first, second);
-  }
+std::size_t FrictionPairs::place(int a, int b) const {
+  NILAS_DEMAND(a >= 0 && b >= 0 && a < materials_ && b < materials_);
+  return static_cast<std::size_t>(a * materials_ + b);
 }
 
 }  // namespace nilas

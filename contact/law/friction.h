@@ -1,10 +1,7 @@
 #pragma once
 /// Friction and restitution by pair of materials.
 #include <string>
-#include <utility>
 #include <vector>
-
-#include "core/base/state.h"
 
 namespace nilas {
 
@@ -16,6 +13,25 @@ struct FrictionPair {
   double spinning = 0;     ///< the same about the normal [m]
 };
 
+/// Friction of bodies by the numbers of their materials (Bodies::material). Resolved once, so that a step compares no
+/// names.
+class FrictionPairs {
+ public:
+  FrictionPairs() = default;
+  /// Throws ContractError for a number without a material.
+  const FrictionPair& of(int material_a, int material_b) const { return pairs_[place(material_a, material_b)]; }
+  /// False for a pair that the scene does not name: it is frictionless.
+  bool names(int material_a, int material_b) const { return named_[place(material_a, material_b)] != 0; }
+
+ private:
+  friend class FrictionTable;
+  std::size_t place(int a, int b) const;
+
+  int materials_ = 0;
+  std::vector<FrictionPair> pairs_;  ///< materials x materials
+  std::vector<char> named_;
+};
+
 /// The pairs that a scene names. The order of the two materials never matters.
 class FrictionTable {
  public:
@@ -24,29 +40,25 @@ class FrictionTable {
   void add(const std::string& material_a, const std::string& material_b, const FrictionPair& values);
 
   /// The exact pair, else one with one `*` (the first added when both materials have one), else `* *`. A pair that
-  /// nothing names is frictionless and remembered.
-  FrictionPair find(const std::string& material_a, const std::string& material_b);
+  /// nothing names is frictionless.
+  FrictionPair find(const std::string& material_a, const std::string& material_b) const;
+  /// False for a pair that nothing names.
+  bool names(const std::string& material_a, const std::string& material_b) const;
 
-  /// Pairs that `find` met and nothing names, each once, in the order they were met.
-  std::vector<std::pair<std::string, std::string>> unnamed_pairs() const;
-
-  /// The unnamed pairs, which are told once.
-  void save(StateWriter out) const;
-  void restore(const StateReader& in);
+  /// All pairs of these materials, which a body names by its place in the list.
+  FrictionPairs resolve(const std::vector<std::string>& materials) const;
 
  private:
   struct Entry {
-    std::string first, second;  ///< in alphabetical order
+    std::string first, second;
     FrictionPair values;
-    bool named = true;
     bool joins(const std::string& a, const std::string& b) const {
       return (first == a && second == b) || (first == b && second == a);
     }
   };
-  Entry resolve(const std::string& a, const std::string& b) const;
+  const Entry* entry_of(const std::string& a, const std::string& b) const;
 
   std::vector<Entry> entries_;
-  std::vector<Entry> met_;  ///< answers so far, by material
 };
 
 }  // namespace nilas

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "contact/solvers/shared/best_iterate.h"
-#include "contact/solvers/shared/island_operator.h"
+#include "contact/solvers/best_iterate.h"
+#include "contact/solvers/island_operator.h"
 #include "contact/solvers/shared/law_cone.h"
 #include "core/base/error.h"
 #include "core/base/order_free_sum.h"

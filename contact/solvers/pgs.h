@@ -14,6 +14,7 @@
 ///
 /// Nominal tolerances: 1e-6 m/s in simulations, 1e-10 m/s in tests. Islands are solved apart, each to its own stop.
 #include "contact/solvers/shared/sweep_loop.h"
+#include "contact/solvers/solver.h"
 
 namespace nilas {
 

@@ -7,6 +7,16 @@
 
 namespace nilas {
 
+/// The place of a name in a list, at whose end it is put where it is new.
+static int number_of(const std::string& name, std::vector<std::string>& names) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) {
+    names.push_back(name);
+    return static_cast<int>(names.size()) - 1;
+  }
+  return static_cast<int>(found - names.begin());
+}
+
 int Bodies::add(const BodySpec& spec) {
   NILAS_DEMAND(spec.shape != nullptr);
   NILAS_DEMAND(spec.pose.p.allFinite() && spec.pose.q.coeffs().allFinite() && spec.pose.q.norm() > 0);
@@ -18,7 +28,7 @@ int Bodies::add(const BodySpec& spec) {
   name.push_back(spec.name);
   kind.push_back(spec.kind);
   motion.push_back(spec.motion);
-  material.push_back(spec.material);
+  material.push_back(number_of(spec.material, materials));
   shape.push_back(spec.shape);
   mass.push_back(spec.mass);
   inertia_B.push_back(spec.inertia_B);
@@ -30,6 +40,10 @@ int Bodies::add(const BodySpec& spec) {
   w_GB.push_back(spec.w);
   set_pose(size() - 1, spec.pose.p, spec.pose.q);
   return size() - 1;
+}
+
+void Bodies::set_material(int b, const std::string& material_name) {
+  material[static_cast<std::size_t>(b)] = number_of(material_name, materials);
 }
 
 std::size_t Bodies::index_of(std::int64_t body_id) const {

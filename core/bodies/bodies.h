@@ -36,7 +36,8 @@ struct Bodies {
   std::vector<std::string> name;
   std::vector<BodyKind> kind;
   std::vector<Motion> motion;
-  std::vector<std::string> material;
+  std::vector<int> material;           ///< its place in `materials`
+  std::vector<std::string> materials;  ///< names, each once, in the order in which bodies brought them
   std::vector<std::shared_ptr<const Shape>> shape;
   std::vector<double> mass;             ///< [kg]
   std::vector<Mat3> inertia_B;          ///< about the centre of mass, body axes [kg m^2]
@@ -53,6 +54,11 @@ struct Bodies {
   /// Appends a body, returns its index; the id is `next_id`, which goes up by one. Throws ContractError when the shape
   /// is missing, a number is not finite, or a body that moves has no positive mass and physically valid inertia.
   int add(const BodySpec& spec);
+  const std::string& material_name(int b) const {
+    return materials[static_cast<std::size_t>(material[static_cast<std::size_t>(b)])];
+  }
+  /// Gives a body another material.
+  void set_material(int b, const std::string& material_name);
   /// Of the body with this id. Throws ContractError where there is none.
   std::size_t index_of(std::int64_t body_id) const;
   /// Takes bodies out; the others keep their order. One entry per body: true for those that go.

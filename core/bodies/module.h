@@ -1,28 +1,108 @@
 #pragma once
-/// What adds forces to bodies outside contact: buoyancy, drag, thrusters, mooring.
+/// One part of a scene's physics, as the time step knows it. A module implements the phases that it needs; all others
+/// do nothing. core/sim/build/module_list.h lists the modules that a scene can name.
+#include <cstdint>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
+#include "core/base/state.h"
 #include "core/bodies/bodies.h"
 
 namespace nilas {
 
+struct ContactPoint;
+struct NewPiece;
+struct StepEnd;
+struct StepMotion;
+
 /// One wrench per body, about its centre of mass, in G.
 using Wrenches = std::vector<Wrench>;
 
-/// A force that the scene named. Simulation holds the list of those, nothing else.
-class ForceModule {
+/// Pairs of bodies a < b, by their indices.
+using BodyPairs = std::vector<std::pair<int, int>>;
+
+/// The length of a substep as a module needs it.
+struct SubstepLength {
+  double h = 0;      ///< the impulses act over this time [s]
+  double ahead = 0;  ///< the share of it in which bodies move after the impulses [s]
+};
+
+class Module {
  public:
-  virtual ~ForceModule() = default;
-  virtual std::string name() const = 0;  ///< as in the ledger column work_<name>_J and in summary.json
-  /// True when the forces derive from potential_energy(); such a module has no work column.
+  virtual ~Module() = default;
+  /// As in the list of built modules, in the ledger's column work_<name>_J and in checkpoints.
+  virtual std::string name() const = 0;
+
+  // Loads other than contact.
+
+  /// True when the phases of this group are called; the work of such a module has a column unless it is conservative.
+  virtual bool exerts_loads() const { return false; }
+  /// True when the loads derive from potential_energy().
   virtual bool conservative() const { return false; }
   /// Adds this module's wrenches at time t [s] for the present poses and velocities. `out` has one entry per body.
-  virtual void add_forces(const Bodies& bodies, double t, Wrenches& out) = 0;
+  virtual void add_forces(const Bodies& /*bodies*/, double /*t*/, Wrenches& /*out*/) {}
   /// Leaves of its own wrenches (`out` holds no others) what an explicit step of length h [s] bears. By default all.
   virtual void limit(const Bodies& /*bodies*/, double /*h*/, Wrenches& /*out*/) const {}
   /// Potential energy of the present poses [J]; zero for a module that is not conservative.
   virtual double potential_energy(const Bodies& /*bodies*/) { return 0; }
+
+  // Contacts.
+
+  /// True when owns_pair() may be true of some pair.
+  virtual bool owns_pairs() const { return false; }
+  /// True when the contact of two bodies is this module's: detection finds no rigid contact between them. Called from
+  /// several threads.
+  virtual bool owns_pair(int /*a*/, int /*b*/) const { return false; }
+  /// Appends contact points of its own at the present poses. `near`: the pairs that it owns and that may touch within
+  /// the substep. A second call at the same poses must remember the same as the first.
+  virtual void add_contacts(const Bodies& /*bodies*/, const BodyPairs& /*near*/, const SubstepLength& /*length*/,
+                            std::vector<ContactPoint>& /*points*/) {}
+  /// Adds to the first guess of the impulses (3 per contact, in the contacts' frames; points first), once [N s].
+  virtual void add_to_guess(const Bodies& /*bodies*/, const std::vector<ContactPoint>& /*points*/,
+                            const std::vector<Mat3>& /*frames*/, VecX& /*guess*/) {}
+  /// The impulses of the substep are found: a guess that was not asked for is of no more use.
+  virtual void end_guess() {}
+
+  // State over the step.
+
+  /// A step begins.
+  virtual void begin_step() {}
+  /// Remembers what add_contacts() changes, and goes back to it where the substep is taken back.
+  virtual void remember() {}
+  virtual void go_back() {}
+  /// A substep was taken: its velocities, impulses and points.
+  virtual void note_motion(const Bodies& /*bodies*/, const StepMotion& /*motion*/) {}
+  /// The step is over: floes may break. See fracture/model/step_end.h.
+  virtual void end_step(StepEnd& /*end*/) {}
+  /// Bodies came or went; `pieces`: those that came in the place of a floe.
+  virtual void follow(const Bodies& /*bodies*/, const std::vector<NewPiece>& /*pieces*/) {}
+
+  // Outputs.
+
+  /// Names of this module's columns in steps.csv, with their units.
+  virtual std::vector<std::string> columns() const { return {}; }
+  /// Appends as many values, of the step that ended.
+  virtual void append_values(std::vector<double>& /*values*/) const {}
+  /// A sum over the run by its name, 0 where the module knows none; see core/sim/simulation.h.
+  virtual double total(std::string_view /*name*/) const { return 0; }
+  /// The same of one body, by its id.
+  virtual double of_body(std::string_view /*name*/, std::int64_t /*id*/) const { return 0; }
+
+  // Checkpoints, between two steps. What follows from scene and poses is not in them.
+
+  virtual void save(const Bodies& /*bodies*/, StateWriter /*out*/) const {}
+  /// Puts the bodies there that were there when saved, before their poses are read.
+  virtual void restore_bodies(const StateReader& /*in*/, Bodies& /*bodies*/) {}
+  virtual void restore(const StateReader& /*in*/) {}
+};
+
+/// A module that exerts loads.
+class ForceModule : public Module {
+ public:
+  bool exerts_loads() const final { return true; }
+  void add_forces(const Bodies& bodies, double t, Wrenches& out) override = 0;
 };
 
 }  // namespace nilas

@@ -8,7 +8,7 @@
 namespace nilas {
 
 /// The only version of the layout that is read.
-constexpr int k_checkpoint_version = 11;
+constexpr int k_checkpoint_version = 12;
 
 /// What a state is worth nothing without.
 struct CheckpointOrigin {

@@ -88,7 +88,7 @@ void FloePieces::add_piece(const FloePiece& piece, std::size_t floe, bool fixed,
 void FloePieces::keep_intact(std::size_t b, const Bodies& bodies, const IceProperties& ice) {
   if (origins_.count(bodies.id[b]) > 0) return;
   intact_[bodies.id[b]] = {bodies.name[b],
-                           bodies.material[b],
+                           bodies.material_name(static_cast<int>(b)),
                            ice.flexural_strength[b],
                            ice.compressive_strength[b],
                            ice.fracture_toughness[b],

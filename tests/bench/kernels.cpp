@@ -76,7 +76,8 @@ void solve(benchmark::State& state) {
   sweeps.max_iterations = static_cast<int>(state.range(1));
   const auto solver = find_solver("pgs").make(sweeps);
   for (auto _ : state) {
-    const AssembledContacts contacts = assemble(bodies, loads, points, friction, settings, {});
+    const AssembledContacts contacts =
+        assemble(bodies, loads, points, friction.resolve(bodies.materials), settings, {});
     benchmark::DoNotOptimize(solver->solve(contacts.problem, {}));
   }
   state.SetItemsProcessed(state.iterations() * static_cast<int>(points.size()) * state.range(1));

@@ -58,8 +58,8 @@ struct TwoFloes {
   }
 
   AssembledContacts assemble(double gap, const std::vector<ArticulatedBlock>& articulated = {}) {
-    return nilas::assemble(bodies, free, {point(1, 2, Vec3(1, 0.2, 0.1), Vec3::UnitX(), gap, 77)}, friction, settings,
-                           articulated);
+    return nilas::assemble(bodies, free, {point(1, 2, Vec3(1, 0.2, 0.1), Vec3::UnitX(), gap, 77)},
+                           friction.resolve(bodies.materials), settings, articulated);
   }
 };
 
@@ -115,8 +115,9 @@ TEST(Assemble, APointThatCrushesHasItsLimitAndDoesNotBounce) {
   ContactPoint rigid = crush;
   rigid.key = 78;
   rigid.force_limit = std::numeric_limits<double>::infinity();
-  const ContactProblem problem =
-      nilas::assemble(scene.bodies, scene.free, {crush, rigid}, scene.friction, scene.settings, {}).problem;
+  const ContactProblem problem = nilas::assemble(scene.bodies, scene.free, {crush, rigid},
+                                                 scene.friction.resolve(scene.bodies.materials), scene.settings, {})
+                                     .problem;
   validate(problem);
   EXPECT_EQ(problem.force_limit[0], 300 * 0.01);
   EXPECT_EQ(problem.compliance[0], 0.002);
@@ -256,7 +257,7 @@ TEST(Assemble, BodiesOfOneSystemShareABlock) {
 TEST(Assemble, EachPairHasItsOwnFriction) {
   Bodies bodies;
   for (int k = 0; k < 3; ++k) add_floe(bodies, Vec3(k, 0, 0), Vec3::Zero(), Vec3::Zero());
-  bodies.material[2] = "steel";
+  bodies.set_material(2, "steel");
   FrictionTable friction = ice_friction();
   FrictionPair rolling{0.5, 0.4, 0};
   rolling.rolling = 0.01;
@@ -265,7 +266,8 @@ TEST(Assemble, EachPairHasItsOwnFriction) {
   std::vector<ContactPoint> points;
   for (const auto& [a, b] : {std::pair{0, 1}, {0, 2}, {0, 2}, {1, 2}, {0, 1}})
     points.push_back(point(a, b, Vec3(0.5, 0, 0), Vec3::UnitX(), 0, points.size()));
-  const ContactProblem problem = assemble(bodies, free, points, friction, {.h = 0.01}, {}).problem;
+  const ContactProblem problem =
+      assemble(bodies, free, points, friction.resolve(bodies.materials), {.h = 0.01}, {}).problem;
   const std::vector<double> kinetic{0.3, 0.4, 0.4, 0.4, 0.3};
   ASSERT_EQ(problem.num_points(), 5);
   for (std::size_t c = 0; c < 5; ++c) {
@@ -274,11 +276,10 @@ TEST(Assemble, EachPairHasItsOwnFriction) {
   }
 }
 
-TEST(Assemble, UnnamedMaterialsAreFrictionlessAndRemembered) {
+TEST(Assemble, UnnamedMaterialsAreFrictionless) {
   TwoFloes scene;
-  scene.bodies.material[2] = "rubber";
+  scene.bodies.set_material(2, "rubber");
   EXPECT_EQ(scene.assemble(0).problem.mu[0], 0);
-  EXPECT_EQ(scene.friction.unnamed_pairs().size(), 1u);
 }
 
 TEST(Assemble, ImpulsesBalanceInLinearAndAngularMomentum) {
@@ -293,7 +294,8 @@ TEST(Assemble, ImpulsesBalanceInLinearAndAngularMomentum) {
   std::vector<ContactPoint> points;
   for (std::uint64_t k = 0; k < 6; ++k) points.push_back(point(0, 1, vector(), vector().normalized(), 0, k));
   FrictionTable friction = ice_friction();
-  const AssembledContacts out = assemble(bodies, Wrenches(2), points, friction, {.h = 0.01}, {});
+  const AssembledContacts out =
+      assemble(bodies, Wrenches(2), points, friction.resolve(bodies.materials), {.h = 0.01}, {});
   for (int c = 0; c < 6; ++c) {
     const Vec3 r = vector();
     const Vec6 on_a = out.problem.jacobian_a(c).transpose() * r, on_b = out.problem.jacobian_b(c).transpose() * r;
@@ -311,7 +313,8 @@ TEST(Assemble, ABallBouncesToItsHeight) {
   const int ball = add_floe(bodies, Vec3(0, 0, 0.5), Vec3(0, 0, -2), Vec3::Zero());
   FrictionTable friction = ice_friction(0.8);
   const std::vector<ContactPoint> points{point(ground, ball, Vec3::Zero(), Vec3::UnitZ(), 0.001)};
-  const AssembledContacts out = assemble(bodies, Wrenches(2), points, friction, {.h = 0.01}, {});
+  const AssembledContacts out =
+      assemble(bodies, Wrenches(2), points, friction.resolve(bodies.materials), {.h = 0.01}, {});
   const ContactSolution s = PgsSolver({}).solve(out.problem, {});
   EXPECT_NEAR(s.v[2], 1.6, 1e-14);
 }

@@ -36,7 +36,8 @@ struct Row {
     }
     FrictionTable friction;
     friction.add("*", "*", {0.3, 0.3, 0});
-    contacts = assemble(bodies, Wrenches(bodies.id.size()), points, friction, {.h = k_step}, articulated);
+    contacts = assemble(bodies, Wrenches(bodies.id.size()), points, friction.resolve(bodies.materials), {.h = k_step},
+                        articulated);
     settings.tolerance = 1e-12;
     settings.max_sweeps = 100000;
   }
@@ -135,7 +136,8 @@ TEST(PositionCorrection, OrderFreeGivesTheSameMotionInAnyOrder) {
   std::reverse(row.points.begin(), row.points.end());
   FrictionTable friction;
   friction.add("*", "*", {0.3, 0.3, 0});
-  row.contacts = assemble(row.bodies, Wrenches(row.bodies.id.size()), row.points, friction, {.h = k_step}, {});
+  row.contacts = assemble(row.bodies, Wrenches(row.bodies.id.size()), row.points,
+                          friction.resolve(row.bodies.materials), {.h = k_step}, {});
   EXPECT_EQ(row.speeds(), one);
 }
 
@@ -159,7 +161,8 @@ TEST(PositionCorrection, OrderFreeSumsManyContactsOfOneBody) {
   FrictionTable friction;
   friction.add("*", "*", {0.3, 0.3, 0});
   const auto correct = [&] {
-    row.contacts = assemble(row.bodies, Wrenches(row.bodies.id.size()), row.points, friction, {.h = k_step}, {});
+    row.contacts = assemble(row.bodies, Wrenches(row.bodies.id.size()), row.points,
+                            friction.resolve(row.bodies.materials), {.h = k_step}, {});
     const PositionCorrection out = position_correction(row.contacts, row.points, row.settings);
     EXPECT_TRUE(out.converged);
     return out.v;
@@ -171,7 +174,8 @@ TEST(PositionCorrection, OrderFreeSumsManyContactsOfOneBody) {
     EXPECT_EQ(correct(), first);
   }
   row.points[3].gap = std::numeric_limits<double>::quiet_NaN();
-  row.contacts = assemble(row.bodies, Wrenches(row.bodies.id.size()), row.points, friction, {.h = k_step}, {});
+  row.contacts = assemble(row.bodies, Wrenches(row.bodies.id.size()), row.points,
+                          friction.resolve(row.bodies.materials), {.h = k_step}, {});
   EXPECT_FALSE(position_correction(row.contacts, row.points, row.settings).converged);
 }
 
@@ -188,7 +192,8 @@ TEST(PositionCorrection, IslandsWithoutDepthStayStill) {
   shallow.key = 99;
   row.points.push_back(shallow);
   FrictionTable friction;
-  row.contacts = assemble(row.bodies, Wrenches(4), row.points, friction, {.h = k_step}, {});
+  row.contacts =
+      assemble(row.bodies, Wrenches(4), row.points, friction.resolve(row.bodies.materials), {.h = k_step}, {});
   PositionCorrection result;
   const auto v = row.speeds(&result);
   EXPECT_EQ(result.contacts, 1);

@@ -1,6 +1,6 @@
 #pragma once
 /// Contact problems for tests: rigid bodies, random heaps, columns, rafts of floes, stacks.
-#include "apps/compare/problems/challenge_problems.h"
+#include "contact/challenge/challenge_problems.h"
 
 namespace nilas::test {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "apps/compare/problems/challenge_problems.h"
+#include "contact/challenge/challenge_problems.h"
 
 namespace nilas {
 

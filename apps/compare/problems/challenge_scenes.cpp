@@ -27,7 +27,7 @@ std::optional<HardestStep> hardest_step(const std::filesystem::path& scene_file,
   const double end = std::min(until, scene.time.end), half_step = 0.5 * scene.time.step;
   while (simulation.time() < end - half_step) {
     simulation.step();
-    for (const auto& part : simulation.solved_parts()) {
+    for (const auto& part : simulation.solved_substeps()) {
       const int contacts = part.problem.num_contacts(), iterations = part.solution.iterations;
       const bool harder =
           !hardest || std::pair(iterations, contacts) > std::pair(hardest->iterations, hardest->problem.num_contacts());

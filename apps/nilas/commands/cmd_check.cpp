@@ -11,7 +11,7 @@
 #include "contact/detect/detector.h"
 #include "core/output/text/console.h"
 #include "core/output/text/phase_progress.h"
-#include "core/sim/build/step_modules.h"
+#include "core/sim/build/build_world.h"
 #include "core/sim/world/world.h"
 
 namespace nilas {
@@ -60,7 +60,6 @@ int check(const CheckOptions& options) {
   PhaseProgress progress(std::cerr, phase_style(options.quiet, options.json), "building the scene");
   progress.make_room_for(*logger);
   WorldParts parts = build_world(scene, 1, warnings);
-  list_step_modules(scene, parts);
   progress.next("finding the contacts at the start");
   const Estimate e = estimate(parts);
   if (scene.vessel) progress.next("finding how the vessel floats");

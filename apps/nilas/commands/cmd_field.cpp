@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/output/text/phase_progress.h"
 #include "core/scene/read/read_scene.h"
+#include "core/sim/build/build_world.h"
 
 namespace nilas {
 

@@ -110,9 +110,9 @@ class Run {
                    ending.message);
     warnings_.summarise();
     SummaryInput input = summary_input(ending, wall);
-    input.brash_mass = simulation.brash_mass();
-    input.crushed_mass = simulation.crushed_mass();
-    input.extruded_mass = simulation.extruded_mass();
+    input.brash_mass = simulation.total("brash_mass");
+    input.crushed_mass = simulation.total("crushed_mass");
+    input.extruded_mass = simulation.total("extruded_mass");
     if (twins_) input.twins = twins_->statistics(folder_.statistics().window());
     const auto twins = input.twins;
     input.ice_load = folder_.statistics().ice_load(twins ? &*twins : nullptr);
@@ -121,10 +121,12 @@ class Run {
           !fault.empty())
         logger_->warn("--open-water: {}", fault);
     const auto ice_load = input.ice_load;
+    const auto& columns = simulation.info().module_columns;
+    const bool crushes = std::find(columns.begin(), columns.end(), "crushed_overlap_max_m") != columns.end();
     std::optional<BrokenIce> ice;
     if (scene_.fracture && simulation.info().floes > 0)
       ice = {simulation.info().floes, floes_of(simulation.bodies()), input.crushed_mass,
-             input.brash_mass,        input.extruded_mass,           simulation.info().crushes};
+             input.brash_mass,        input.extruded_mass,           crushes};
     const auto summary = folder_.finish(std::move(input), simulation.bodies());
     if (const auto count = simulation.info().warnings.size(); count > 0)
       logger_->warn("{} about the scene {} told at the start; see nilas.log", count == 1 ? "a warning" : "warnings",
@@ -229,8 +231,8 @@ class Run {
         if (!ending.early.empty()) break;
         const StepRecord record = twins_ ? twins_->step(simulation) : simulation.step();
         folder_.store(record, simulation.last_problem());
-        folder_.record(record, simulation.solved_parts(), simulation.bodies(),
-                       [&](std::int64_t floe) { return simulation.damage(floe); });
+        folder_.record(record, simulation.solved_substeps(), simulation.bodies(),
+                       [&](std::int64_t floe) { return simulation.of_body("damage", floe); });
         console.progress(simulation.time(), k + 1 - done);
         if (checkpoint_steps > 0 && (k + 1) % checkpoint_steps == 0) write_checkpoint(simulation);
       }

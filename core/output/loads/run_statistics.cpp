@@ -27,7 +27,7 @@ RunStatistics::RunStatistics(const RunInfo& info)
        {"penetration_max_m", "penetration_mean_m", "imbalance_J", "momentum_imbalance_Ns",
         "angular_momentum_imbalance_Nms", "momentum_imbalance_relative", "angular_momentum_imbalance_relative"})
     worst_.push_back({name});
-  if (info.crushes) worst_.push_back({"crushed_overlap_max_m"});
+  for (const std::string& column : info.module_columns) worst_.push_back({column});
   if (!info.has_vessel) return;
   load_names_ = VesselChannels(info).load_names();
   load_series_.resize(load_names_.size());
@@ -49,7 +49,7 @@ void RunStatistics::add(const StepRecord& record, const std::vector<double>& ves
         record.angular_momentum_imbalance, ratio(record.momentum_imbalance, record.momentum_scale),
         ratio(record.angular_momentum_imbalance, record.angular_momentum_scale)})
     note(column++, value, record.t);
-  if (info_.crushes) note(column++, record.crushed_overlap_max, record.t);
+  for (const double value : record.module_values) note(column++, value, record.t);
   for (std::size_t k = 0; k < works_.size(); ++k) energy_put_in_ += std::abs(record.ledger.works[k] - works_[k]);
   works_ = record.ledger.works;
   for (std::size_t p = 0; p < total_ms_.size(); ++p) total_ms_[p] += record.ms[p];

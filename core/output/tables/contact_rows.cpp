@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/sim/build/load_axes.h"
+#include "core/sim/world/load_axes.h"
 
 namespace nilas {
 

@@ -11,7 +11,7 @@ std::vector<std::string> column_names(const RunInfo& info) {
   std::vector<std::string> names{"time_s", "floes", "contacts", "islands", "iterations", "status"};
   for (const auto& residual : residual_columns()) names.emplace_back(residual.name);
   for (const char* name : {"penetration_max_m", "penetration_mean_m"}) names.emplace_back(name);
-  if (info.crushes) names.emplace_back("crushed_overlap_max_m");
+  names.insert(names.end(), info.module_columns.begin(), info.module_columns.end());
   for (const char* name : {"kinetic_J", "potential_J"}) names.emplace_back(name);
   for (const auto& work : info.work_names) names.push_back("work_" + work + "_J");
   for (const char* name :
@@ -27,7 +27,7 @@ std::vector<std::string> column_names(const RunInfo& info) {
 }  // namespace
 
 StepsCsv::StepsCsv(const std::filesystem::path& path, const RunInfo& info, std::optional<std::int64_t> keep)
-    : file_(path, "", keep), num_works_(info.work_names.size()), crushes_(info.crushes) {
+    : file_(path, "", keep), num_works_(info.work_names.size()), num_module_values_(info.module_columns.size()) {
   if (!keep) file_.append(csv_header(column_names(info)));
 }
 
@@ -37,7 +37,8 @@ void StepsCsv::row(const StepRecord& record) {
   row_.integer(record.iterations).text(to_string(record.status));
   for (const auto& residual : residual_columns()) row_.shortest(record.residuals.*residual.member);
   row_.shortest(record.penetration_max).shortest(record.penetration_mean);
-  if (crushes_) row_.shortest(record.crushed_overlap_max);
+  NILAS_DEMAND(record.module_values.size() == num_module_values_);
+  for (const double value : record.module_values) row_.shortest(value);
   add_ledger(record.ledger);
   row_.shortest(record.momentum_imbalance).shortest(record.angular_momentum_imbalance);
   row_.shortest(record.momentum_scale).shortest(record.angular_momentum_scale);

@@ -24,7 +24,7 @@ class StepsCsv {
   OutputFile file_;
   CsvRow row_;
   std::size_t num_works_;
-  bool crushes_;
+  std::size_t num_module_values_;
 };
 
 }  // namespace nilas

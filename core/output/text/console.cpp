@@ -45,9 +45,11 @@ double steady_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-double Progress::share() const { return t_end > t_start ? std::clamp((t - t_start) / (t_end - t_start), 0.0, 1.0) : 1; }
+double RunProgress::share() const {
+  return t_end > t_start ? std::clamp((t - t_start) / (t_end - t_start), 0.0, 1.0) : 1;
+}
 
-double Progress::real_time_factor() const { return wall > 0 ? now() / wall : 0; }
+double RunProgress::real_time_factor() const { return wall > 0 ? now() / wall : 0; }
 
 std::string duration_text(double seconds) {
   constexpr double k_minute = 60, k_hour = 3600;
@@ -59,7 +61,7 @@ std::string duration_text(double seconds) {
   return fmt::format("{} h {:02} min", minutes / static_cast<long>(k_minute), minutes % static_cast<long>(k_minute));
 }
 
-std::string progress_text(const Progress& progress, int width, bool bar) {
+std::string progress_text(const RunProgress& progress, int width, bool bar) {
   constexpr double k_percent = 100;
   constexpr int k_longest_bar = 24, k_brackets = 3;
   const double share = progress.share(),
@@ -96,7 +98,7 @@ void Console::make_room_for(spdlog::logger& logger) {
 void Console::progress(double t, long steps) {
   if (style_ == ConsoleStyle::silent) return;
   const double now = clock_();
-  const Progress state{t, t_start_, t_end_, steps, now - wall_start_, before_};
+  const RunProgress state{t, t_start_, t_end_, steps, now - wall_start_, before_};
   if (style_ == ConsoleStyle::terminal) {
     if (now - last_drawn_ < k_redraw_interval) return;
     last_drawn_ = now;

@@ -26,7 +26,7 @@ using WallClock = std::function<double()>;
 double steady_seconds();
 
 /// How far a run is.
-struct Progress {
+struct RunProgress {
   double t = 0, t_start = 0, t_end = 0;  ///< simulated [s]
   long steps = 0;
   double wall = 0;    ///< [s] since the first step began
@@ -38,7 +38,7 @@ struct Progress {
 };
 /// Percent, simulated and total time, step rate, real-time factor, remaining time; with a bar where the width has room
 /// for it. At most `width` characters.
-std::string progress_text(const Progress& progress, int width, bool bar);
+std::string progress_text(const RunProgress& progress, int width, bool bar);
 /// 8.31 s, 1 min 23 s, 2 h 03 min.
 std::string duration_text(double seconds);
 

@@ -96,9 +96,8 @@ struct StepRecord {
   std::uint64_t state_hash = 0;
   std::optional<VesselRecord> vessel;
   std::vector<StructureRecord> structures;  ///< in the order of RunInfo::structures
-  /// How deep floes stand inside hulls that crush them, 0 where nothing crushes [m].
-  double crushed_overlap_max = 0;
-  std::vector<ContactEvent> events;  ///< in the order of time
+  std::vector<double> module_values;        ///< in the order of RunInfo::module_columns
+  std::vector<ContactEvent> events;         ///< in the order of time
   std::vector<FractureEvent> broken;
 };
 
@@ -123,7 +122,8 @@ struct RunInfo {
   std::vector<std::string> work_names;                       ///< ledger columns work_<name>_J
   std::vector<std::pair<std::string, std::string>> modules;  ///< what was built and why
   std::vector<std::string> not_built;
-  std::vector<Fault> warnings;  ///< what the scene can hardly mean, with places
+  std::vector<std::string> module_columns;  ///< of steps.csv, in the order of the modules
+  std::vector<Fault> warnings;              ///< what the scene can hardly mean, with places
   int floes = 0, bodies = 0;
   double ice_mass = 0;       ///< of free floes [kg]
   double concentration = 0;  ///< 0 when there is no field
@@ -137,7 +137,6 @@ struct RunInfo {
   Vec2 drift_course = Vec2::UnitX();  ///< against the drift of ice or water where a vessel or structure is fixed
   std::optional<double> ramp_end;     ///< of a carriage with a ramp [s]
   bool rigid_contacts = true;         ///< some ice meets the hull as a rigid body
-  bool crushes = false;               ///< some ice is crushed by hulls
   std::vector<StructureInfo> structures;
   std::vector<PartInfo> parts;                      ///< of the vessel
   std::vector<std::string> rods;                    ///< names of those that hold the vessel

@@ -1,38 +1,47 @@
+#include "core/sim/build/build_world.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "contact/detect/detector.h"
-#include "contact/registry.h"
 #include "core/base/error.h"
 #include "core/base/random.h"
 #include "core/sim/build/implausible.h"
-#include "core/sim/build/load_axes.h"
 #include "core/sim/build/vessel_doubts.h"
+#include "core/sim/world/contact_model.h"
 #include "core/sim/world/course.h"
+#include "core/sim/world/load_axes.h"
 #include "core/sim/world/world.h"
-#include "hydro/modules.h"
 
 namespace nilas {
 
-static void build_modules(const Scene& scene, int threads, WorldParts& parts) {
-  if (!scene.hydro) return;
-  const HydroScene& hydro = *scene.hydro;
-  auto add = [&](std::unique_ptr<ForceModule> module, const std::string& why) {
-    parts.info.modules.emplace_back(module->name(), why);
-    if (!module->conservative()) parts.info.work_names.push_back(module->name());
-    parts.modules.push_back(std::move(module));
-  };
-  if (hydro.buoyancy) add(make_buoyancy(*parts.water, threads), "<hydro><buoyancy>");
-  // a solver that keeps mirrored scenes mirrored is of no use where their loads differ by rounding
-  const bool order_free = find_solver(scene.contact.solver).order_free;
-  if (hydro.drag)
-    add(make_drag(*parts.water, {hydro.drag->form, hydro.drag->skin}, threads, order_free),
-        order_free ? "<hydro><drag>, order-free for the solver" : "<hydro><drag>");
-  if (hydro.virtual_drag)
-    add(make_virtual_drag(hydro.virtual_drag->coefficient, hydro.virtual_drag->velocity), "<hydro><virtual_drag>");
-  parts.info.has_hydro = hydro.buoyancy || hydro.drag;
+/// The line of the contact model in the list of what was built.
+static void list_contact(const Scene& scene, RunInfo& info) {
+  const ContactScene& contact = scene.contact;
+  info.modules.emplace_back(
+      "contact", "law " + name_of(contact.law) + ", solver " + name_of(contact.solver) + ", stabilisation " +
+                     name_of(contact.stabilisation) + ", detection " + name_of(contact.detection) + ", narrow phase " +
+                     name_of(contact.narrow_phase) + ", integrator " + name_of(contact.integrator) +
+                     (has_static_friction(contact) ? ", static friction above kinetic" : ""));
+}
+
+static void build_modules(const ModuleSources& from, const ModuleList& modules, WorldParts& parts) {
+  for (const ModuleEntry& entry : modules) {
+    BuiltModule built = entry.build(from);
+    if (!built.module) {
+      if (entry.listed) parts.info.not_built.push_back(entry.name);
+      continue;
+    }
+    Module& module = *parts.modules.emplace_back(std::move(built.module));
+    if (entry.listed) parts.info.modules.emplace_back(entry.name, built.reason);
+    for (std::string& column : module.columns()) parts.info.module_columns.push_back(std::move(column));
+    if (!module.exerts_loads()) continue;
+    parts.forces.push_back(&module);
+    if (!module.conservative()) parts.info.work_names.push_back(module.name());
+  }
 }
 
 static void build_water(const Scene& scene, WorldParts& parts) {
@@ -48,9 +57,11 @@ static void build_water(const Scene& scene, WorldParts& parts) {
   parts.water = water;
 }
 
-static void build_friction(const Scene& scene, WorldParts& parts) {
+static FrictionTable friction_table(const Scene& scene) {
+  FrictionTable table;
   for (const auto& f : scene.contact.friction)
-    parts.friction.add(f.material_a, f.material_b, {f.static_, f.kinetic, f.restitution, f.rolling, f.spinning});
+    table.add(f.material_a, f.material_b, {f.static_, f.kinetic, f.restitution, f.rolling, f.spinning});
+  return table;
 }
 
 static void list_absent(const Scene& scene, RunInfo& info) {
@@ -60,9 +71,6 @@ static void list_absent(const Scene& scene, RunInfo& info) {
   absent(scene.vessel.has_value(), "vessel");
   absent(scene.vessel && scene.vessel->carriage, "carriage");
   absent(scene.ice.has_value(), "ice");
-  absent(scene.hydro && scene.hydro->buoyancy, "buoyancy");
-  absent(scene.hydro && scene.hydro->drag, "drag");
-  absent(scene.hydro && scene.hydro->virtual_drag, "virtual_drag");
   absent(scene.tank.has_value(), "tank");
   absent(scene.fracture.has_value(), "fracture");
 }
@@ -112,21 +120,24 @@ void set_aside(std::uint64_t twin, Bodies& bodies) {
   }
 }
 
-WorldParts build_world(const Scene& scene, int threads, WarningCounts& warnings) {
+WorldParts build_world(const Scene& scene, int threads, WarningCounts& warnings, const ModuleList& modules) {
   WorldParts parts;
   parts.info.scene_name = scene.name;
   build_water(scene, parts);
-  build_friction(scene, parts);
+  const FrictionTable friction = friction_table(scene);
   if (scene.vessel) parts.vessel_index = build_vessel(scene, parts);
   if (scene.ice) build_ice(scene, threads, parts, warnings);
   build_structures(scene, parts);
   if (scene.twin != 0) set_aside(scene.twin, parts.bodies);
   if (parts.ice_properties) parts.ice_properties->resize(parts.bodies.id.size());
-  build_modules(scene, threads, parts);
+  parts.friction = friction.resolve(parts.bodies.materials);
+  parts.info.has_hydro = scene.hydro && (scene.hydro->buoyancy || scene.hydro->drag);
+  list_contact(scene, parts.info);
+  list_absent(scene, parts.info);
+  build_modules({scene, parts, threads, warnings}, modules, parts);
   if (parts.info.has_carriage) parts.info.work_names.emplace_back("carriage");
   if (parts.is_jointed()) parts.info.work_names.emplace_back("joints");
   parts.info.bodies = parts.bodies.size();
-  list_absent(scene, parts.info);
   try {
     refuse_overlaps(scene, parts);
   } catch (const InputError& overlap) {

@@ -74,7 +74,7 @@ double moment_of(const Vec3& p, const Wrench& load) { return (p.cross(load.force
 
 }  // namespace
 
-ReferenceIntegrator::ReferenceIntegrator(const Scene& scene, int threads, WorldParts& parts, ContactModel& model)
+ReferenceIntegrator::ReferenceIntegrator(const Scene& scene, int threads, WorldParts& parts, const ContactModel& model)
     : parts_(parts),
       model_(model),
       gravity_(scene.gravity),
@@ -85,7 +85,7 @@ ReferenceIntegrator::ReferenceIntegrator(const Scene& scene, int threads, WorldP
       contacts_(parts.friction, acceleration_solver(scene.contact, threads), scene.contact.law.law == Law::frictionless,
                 rest_speed(scene.contact.tolerance), vessel_ ? &*vessel_ : nullptr,
                 [&parts](int a, int b) { return parts.are_joined(a, b); }),
-      module_loads_(parts.modules.size(), Wrenches(parts.bodies.id.size())),
+      module_loads_(parts.forces.size(), Wrenches(parts.bodies.id.size())),
       impact_settings_(model.assembly),
       rest_speed_(rest_speed(scene.contact.tolerance)) {
   impact_settings_.h = 1;  // no part of the way is left: points are closed
@@ -129,7 +129,7 @@ Wrenches ReferenceIntegrator::free_loads(double t) {
   for (std::size_t b = 0; b < loads.size(); ++b) loads[b].force = bodies.mass[b] * gravity_;
   for (std::size_t k = 0; k < module_loads_.size(); ++k) {
     std::fill(module_loads_[k].begin(), module_loads_[k].end(), Wrench{});
-    parts_.modules[k]->add_forces(bodies, t, module_loads_[k]);
+    parts_.forces[k]->add_forces(bodies, t, module_loads_[k]);
     for (std::size_t b = 0; b < loads.size(); ++b) loads[b] += module_loads_[k][b];
   }
   return loads;
@@ -156,7 +156,7 @@ ReferenceLoads ReferenceIntegrator::loads(double t) {
     for (std::size_t m = 0; m < module_loads_.size(); ++m) {
       const Wrench& load = module_loads_[m][b];
       weigh(load);
-      if (parts_.modules[m]->conservative()) continue;
+      if (parts_.forces[m]->conservative()) continue;
       out.powers[work++] += load.force.dot(bodies.v_GB[b]) + load.torque.dot(bodies.w_GB[b]);
     }
   }
@@ -222,11 +222,14 @@ void ReferenceIntegrator::impact(double t, std::vector<ContactPoint> points, Ref
                                         [this](const auto& p, const auto& q) { return approach(p) < approach(q); });
   step.events.push_back({t, ContactEventKind::impact, hardest->a, hardest->b, -approach(*hardest)});
   for (auto& point : points) point.gap = 0;
+  step.met.insert(step.met.end(), points.begin(), points.end());
   std::vector<ArticulatedBlock> vessel;
   if (vessel_) vessel.push_back(vessel_->velocity_block());
   AssembledContacts contacts =
       assemble(bodies, Wrenches(bodies.id.size()), points, parts_.friction, impact_settings_, vessel);
-  const ContactSolution solution = model_.solve(contacts.problem, {});
+  StaticFrictionSolution solved = model_.solve(contacts.problem, {}, slipped_);
+  slipped_ = std::move(solved.slipping);
+  const ContactSolution& solution = solved.solution;
   const Residuals residuals = measure(contacts.problem, solution.r, solution.v);
   if (residuals.law_map_m_s >= step.residuals.law_map_m_s) step.residuals = residuals;
   step.iterations += solution.iterations;
@@ -405,6 +408,7 @@ ReferenceStep ReferenceIntegrator::advance(double t0, double t1) {
     if (enter_stretch(t, step) || !reached) settle(t, step);
   }
   step.contacts = static_cast<int>(contacts_.list().size());
+  for (const SustainedContact& contact : contacts_.list()) step.met.push_back(contact.point);
   return step;
 }
 

@@ -24,14 +24,15 @@ struct ReferenceStep {
   int iterations = 0;
   SolveStatus status = SolveStatus::converged;  ///< the worst of all impacts
   std::string message;
-  Residuals residuals;   ///< of the impact with the largest law_map_m_s
-  SolvedProblem impact;  ///< the last one
+  Residuals residuals;            ///< of the impact with the largest law_map_m_s
+  SolvedProblem impact;           ///< the last one
+  std::vector<ContactPoint> met;  ///< contacts that closed, and those that stay closed
 };
 
 class ReferenceIntegrator {
  public:
   /// Moves the bodies of `parts`; impacts by `model`. Throws InputError where too many contacts are closed.
-  ReferenceIntegrator(const Scene& scene, int threads, WorldParts& parts, ContactModel& model);
+  ReferenceIntegrator(const Scene& scene, int threads, WorldParts& parts, const ContactModel& model);
 
   /// From t0 to t1 [s]. Throws SimulationError where the motion cannot be followed.
   ReferenceStep advance(double t0, double t1);
@@ -61,7 +62,8 @@ class ReferenceIntegrator {
   void count_standstill(double t);
 
   WorldParts& parts_;
-  ContactModel& model_;
+  const ContactModel& model_;
+  SlippingContacts slipped_;  ///< at the last impact
   Vec3 gravity_;
   std::optional<ReferenceVessel> vessel_;
   ReferenceVesselLoads no_vessel_loads_;

@@ -184,8 +184,8 @@ Vec3 slip_direction(const SustainedContact& contact, const ContactKinematics& at
 
 }  // namespace
 
-SustainedContacts::SustainedContacts(FrictionTable& friction, std::unique_ptr<ContactSolver> solver, bool frictionless,
-                                     double rest_speed, ReferenceVessel* vessel, PairFilter joined)
+SustainedContacts::SustainedContacts(const FrictionPairs& friction, std::unique_ptr<ContactSolver> solver,
+                                     bool frictionless, double rest_speed, ReferenceVessel* vessel, PairFilter joined)
     : friction_(friction),
       solver_(std::move(solver)),
       frictionless_(frictionless),
@@ -320,10 +320,10 @@ void SustainedContacts::decide(Bodies& bodies, const Wrenches& loads, const std:
   }
 }
 
-FrictionPair SustainedContacts::friction_of(const Bodies& bodies, const ContactPoint& point) {
+FrictionPair SustainedContacts::friction_of(const Bodies& bodies, const ContactPoint& point) const {
   if (frictionless_) return {};
-  return friction_.find(bodies.material[static_cast<std::size_t>(point.a)],
-                        bodies.material[static_cast<std::size_t>(point.b)]);
+  return friction_.of(bodies.material[static_cast<std::size_t>(point.a)],
+                      bodies.material[static_cast<std::size_t>(point.b)]);
 }
 
 SustainedForces SustainedContacts::forces(Bodies& bodies, const Wrenches& loads) {

@@ -65,7 +65,7 @@ class SustainedContacts {
  public:
   /// `solver` decides which contacts bear, stick and slip. `vessel`: null where none moves. `joined`: pairs of bodies
   /// that do not collide.
-  SustainedContacts(FrictionTable& friction, std::unique_ptr<ContactSolver> solver, bool frictionless,
+  SustainedContacts(const FrictionPairs& friction, std::unique_ptr<ContactSolver> solver, bool frictionless,
                     double rest_speed, ReferenceVessel* vessel, PairFilter joined);
 
   const std::vector<SustainedContact>& list() const { return list_; }
@@ -100,9 +100,9 @@ class SustainedContacts {
   AccelerationProblem pose(Bodies& bodies, const Wrenches& loads, const std::vector<ContactPoint>& points);
   std::vector<std::uint64_t> keys() const;
   Vec3 vessel_bias(const Bodies& bodies, const ContactPoint& c, const Mat3& C) const;
-  FrictionPair friction_of(const Bodies& bodies, const ContactPoint& point);
+  FrictionPair friction_of(const Bodies& bodies, const ContactPoint& point) const;
 
-  FrictionTable& friction_;
+  const FrictionPairs& friction_;
   std::unique_ptr<ContactSolver> solver_;
   bool frictionless_;
   double rest_speed_;  ///< slower slip is none [m/s]

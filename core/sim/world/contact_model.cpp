@@ -9,16 +9,29 @@
 
 namespace nilas {
 
-ContactSolution ContactModel::solve(ContactProblem& problem, const VecX& guess) {
-  return static_friction ? static_friction->solve(*solver, guess, problem) : solver->solve(problem, guess);
+StaticFrictionSolution ContactModel::solve(ContactProblem& problem, const VecX& guess,
+                                           const SlippingContacts& slipped) const {
+  if (static_friction) return solve_with_static_friction(*static_friction, *solver, guess, slipped, problem);
+  return {solver->solve(problem, guess), {}, 1};
 }
 
-void ContactModel::set_step(double h) {
-  assembly.h = h;
-  correction.h = h;
+AssemblySettings ContactModel::assembly_over(double h) const {
+  AssemblySettings settings = assembly;
+  settings.h = h;
+  return settings;
+}
+
+CorrectionSettings ContactModel::correction_over(double h) const {
+  CorrectionSettings settings = correction;
+  settings.h = h;
+  return settings;
 }
 
 static void set_stabilisation(const ContactScene& contact, ContactModel& model) {
+  // a hundredth of a millimetre per step at 0.01 s: far below what the split impulse is to remove
+  constexpr double k_correction_tolerance = 1e-3;  // [m/s]
+  // over a step, no more than what the velocities may leave
+  constexpr double k_fixed_sweeps_tolerance = 1e-3;  // [m/s]
   model.correction.slop = contact.slop;
   switch (contact.stabilisation) {
     case Stabilisation::none:
@@ -33,16 +46,12 @@ static void set_stabilisation(const ContactScene& contact, ContactModel& model) 
       model.position_step = PositionStep::split_impulse;
       model.correction.erp = contact.erp;
       model.correction.max_speed = contact.max_speed;
-      // a hundredth of a millimetre per step at 0.01 s: far below what the split impulse is to remove
-      constexpr double k_correction_tolerance = 1e-3;  // [m/s]
       model.correction.tolerance = k_correction_tolerance;
       break;
     case Stabilisation::projection:
       model.position_step = PositionStep::projection;
       model.correction.erp = 1;
       model.correction.max_speed = std::numeric_limits<double>::infinity();
-      // over a step, no more than what the velocities may leave
-      constexpr double k_fixed_sweeps_tolerance = 1e-3;  // [m/s]
       model.correction.tolerance = contact.tolerance > 0 ? contact.tolerance : k_fixed_sweeps_tolerance;
       model.correction.max_sweeps = contact.max_iterations;
       break;
@@ -67,13 +76,12 @@ bool has_static_friction(const ContactScene& contact) {
                      [](const FrictionScene& pair) { return pair.static_ > pair.kinetic; });
 }
 
-ContactModel build_contact_model(const ContactScene& contact, double h, int threads) {
+ContactModel build_contact_model(const ContactScene& contact, int threads) {
   ContactModel model;
   model.assembly.law = contact.law.law;
   model.assembly.facets = contact.law.facets;
   model.assembly.axes = contact.axes_deg * k_deg;
   set_stabilisation(contact, model);
-  model.set_step(h);
   const SolverEntry& solver = find_solver(contact.solver);
   model.correction.order_free = solver.order_free;
   constexpr int k_extragradient_steps = 1000;  // each does less than a sweep
@@ -100,7 +108,8 @@ ContactModel build_contact_model(const ContactScene& contact, double h, int thre
         std::make_unique<WithRetry>(std::move(model.solver), find_solver(SolverName::automatic).make(settings));
   // slower than ten times what the solver may leave is rest
   constexpr double k_least_slip = 1e-5;  // [m/s]
-  if (has_static_friction(contact)) model.static_friction.emplace(std::max(k_least_slip, 10 * contact.tolerance));
+  if (has_static_friction(contact))
+    model.static_friction = StaticFriction{std::max(k_least_slip, 10 * contact.tolerance)};
   return model;
 }
 

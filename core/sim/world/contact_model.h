@@ -31,14 +31,17 @@ struct ContactModel {
   int most_substeps = 1;  ///< parts that a step is cut into at impacts
   double margin = 0;      ///< [m]; 0: from the speeds
 
-  /// Sets the length of the steps to come [s].
-  void set_step(double h);
-  /// Leaves in `problem.mu` the coefficient that each contact had.
-  ContactSolution solve(ContactProblem& problem, const VecX& guess);
+  /// Of a substep of length h [s].
+  AssemblySettings assembly_over(double h) const;
+  CorrectionSettings correction_over(double h) const;
+  /// Solves from the contacts that slipped in the last step. Leaves in `problem.mu` the coefficient that each contact
+  /// had.
+  StaticFrictionSolution solve(ContactProblem& problem, const VecX& guess, const SlippingContacts& slipped) const;
 };
 
 /// Whether some pair of materials has more static than kinetic friction, and the law any friction.
 bool has_static_friction(const ContactScene& contact);
-ContactModel build_contact_model(const ContactScene& contact, double h, int threads);
+
+ContactModel build_contact_model(const ContactScene& contact, int threads);
 
 }  // namespace nilas

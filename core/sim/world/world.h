@@ -23,18 +23,19 @@ namespace nilas {
 struct WorldParts {
   Bodies bodies;
   std::optional<Water> water;
-  std::vector<std::unique_ptr<ForceModule>> modules;
+  std::vector<std::unique_ptr<Module>> modules;  ///< what the scene asks for, in the order of the module list
+  std::vector<Module*> forces;                   ///< of them those that exert loads
   std::optional<VesselSystem> vessel;
   std::optional<CarriageModel> carriage;   ///< of a vessel that is towed
   std::optional<TankScene> course_within;  ///< whose walls end the course of a towed vessel
   std::optional<VesselModel> vessel_model;
-  int vessel_index = -1;                        ///< of its hull
-  std::string restless;                         ///< the part that keeps a towed vessel from starting at rest
-  int num_parts = 0;                            ///< of the vessel, whose bodies follow the hull's in their order
-  std::vector<std::pair<int, int>> joined;      ///< bodies a < b that a joint holds together, in rising order
-  std::vector<PlannedIce> ice;                  ///< its floes in the order of their bodies
-  std::optional<IceProperties> ice_properties;  ///< of a scene with <fracture> and ice
-  FrictionTable friction;
+  int vessel_index = -1;                          ///< of its hull
+  std::string restless;                           ///< the part that keeps a towed vessel from starting at rest
+  int num_parts = 0;                              ///< of the vessel, whose bodies follow the hull's in their order
+  std::vector<std::pair<int, int>> joined;        ///< bodies a < b that a joint holds together, in rising order
+  std::vector<PlannedIce> ice;                    ///< its floes in the order of their bodies
+  std::unique_ptr<IceProperties> ice_properties;  ///< of a scene with <fracture> and ice; modules refer to it
+  FrictionPairs friction;
   RunInfo info;
 
   /// Whether the vessel has parts or rods.
@@ -48,9 +49,6 @@ struct WorldParts {
     return std::binary_search(joined.begin(), joined.end(), std::pair(std::min(a, b), std::max(a, b)));
   }
 };
-
-/// Builds all parts. Throws InputError, FileError for content that cannot run.
-WorldParts build_world(const Scene& scene, int threads, WarningCounts& warnings);
 
 /// The vessel entry of `bodies` and its system. Returns its index.
 int build_vessel(const Scene& scene, WorldParts& parts);

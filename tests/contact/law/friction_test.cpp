@@ -20,7 +20,7 @@ TEST(Friction, ExactPairWinsOverOneWildcardOverTwo) {
   EXPECT_EQ(table.find("wall", "ice").mu_kinetic, 0.4);
   EXPECT_EQ(table.find("ice", "ice").mu_kinetic, 0.4);
   EXPECT_EQ(table.find("wall", "hull").mu_kinetic, 0.9);
-  EXPECT_TRUE(table.unnamed_pairs().empty());
+  EXPECT_TRUE(table.names("wall", "hull"));
 }
 
 TEST(Friction, OfTwoWildcardsTheFirstAddedWins) {
@@ -31,24 +31,30 @@ TEST(Friction, OfTwoWildcardsTheFirstAddedWins) {
   EXPECT_EQ(table.find("hull", "ice").mu_kinetic, 0.2);
 }
 
-TEST(Friction, UnnamedPairsAreFrictionlessAndRememberedOnce) {
+TEST(Friction, PairsThatNothingNamesAreFrictionless) {
   FrictionTable table;
   table.add("ice", "ice", {0.3, 0.3, 0});
-  for (int k = 0; k < 3; ++k) {
-    EXPECT_EQ(table.find("wall", "ice").mu_static, 0);
-    EXPECT_EQ(table.find("ice", "wall").mu_static, 0);
-    EXPECT_EQ(table.find("ice", "ice").mu_static, 0.3);
-  }
-  const std::vector<std::pair<std::string, std::string>> expected{{"ice", "wall"}};
-  EXPECT_EQ(table.unnamed_pairs(), expected);
+  EXPECT_EQ(table.find("wall", "ice").mu_static, 0);
+  EXPECT_FALSE(table.names("ice", "wall"));
+  EXPECT_TRUE(table.names("ice", "ice"));
 }
 
-TEST(Friction, AnEntryAddedLaterCounts) {
+TEST(Friction, PairsByNumberAreThoseByName) {
   FrictionTable table;
-  EXPECT_EQ(table.find("ice", "wall").mu_kinetic, 0);
-  table.add("wall", "ice", {0.1, 0.1, 0});
-  EXPECT_EQ(table.find("ice", "wall").mu_kinetic, 0.1);
-  EXPECT_TRUE(table.unnamed_pairs().empty());
+  table.add("*", "hull", {0.2, 0.1, 0.5});
+  table.add("ice", "ice", {0.3, 0.3, 0});
+  const std::vector<std::string> materials{"ice", "hull", "wall"};
+  const FrictionPairs pairs = table.resolve(materials);
+  for (int a = 0; a < 3; ++a)
+    for (int b = 0; b < 3; ++b) {
+      const std::string& first = materials[static_cast<std::size_t>(a)];
+      const std::string& second = materials[static_cast<std::size_t>(b)];
+      EXPECT_EQ(pairs.of(a, b).mu_static, table.find(first, second).mu_static);
+      EXPECT_EQ(pairs.of(a, b).restitution, table.find(first, second).restitution);
+      EXPECT_EQ(pairs.names(a, b), table.names(first, second));
+    }
+  EXPECT_THROW(pairs.of(0, 3), ContractError);
+  EXPECT_THROW(pairs.of(-1, 0), ContractError);
 }
 
 TEST(Friction, RefusesWrongValues) {

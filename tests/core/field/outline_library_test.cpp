@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/field/field.h"
+#include "core/field/outline_library.h"
 #include "tests/support/scratch_folder.h"
 
 namespace nilas {

@@ -96,7 +96,8 @@ inline void add_body(Bodies& bodies, const std::string& name, BodyKind kind, Mot
   bodies.name.push_back(name);
   bodies.kind.push_back(kind);
   bodies.motion.push_back(motion);
-  bodies.material.emplace_back("ice");
+  bodies.material.push_back(0);
+  bodies.set_material(static_cast<int>(b), "ice");
   bodies.shape.push_back(std::make_shared<const Shape>(shape));
   bodies.mass.push_back(mass);
   bodies.inertia_B.emplace_back(Mat3::Identity());

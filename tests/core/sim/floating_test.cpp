@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/scene/read/read_scene.h"
+#include "core/sim/build/build_world.h"
 #include "core/sim/simulation.h"
-#include "core/sim/world/world.h"
 #include "hydro/equilibrium.h"
 #include "tests/support/scratch_folder.h"
 

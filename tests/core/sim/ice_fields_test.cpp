@@ -4,8 +4,8 @@
 #include "core/base/error.h"
 #include "core/geometry/mass_properties.h"
 #include "core/scene/read/read_scene.h"
+#include "core/sim/build/build_world.h"
 #include "core/sim/simulation.h"
-#include "core/sim/world/world.h"
 #include "tests/support/scratch_folder.h"
 
 namespace {

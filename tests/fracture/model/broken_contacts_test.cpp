@@ -250,7 +250,7 @@ TEST(BrokenContacts, BalanceAStaticLoad) {
   settings.h = k_h;
   Wrenches loads(5);
   loads[1].force.z() = -weight;
-  const AssembledContacts contacts = assemble(bodies, loads, points, friction, settings, {});
+  const AssembledContacts contacts = assemble(bodies, loads, points, friction.resolve(bodies.materials), settings, {});
   const VecX nothing = VecX::Zero(3 * static_cast<Eigen::Index>(points.size()));
   VecX guess = nothing;
   broken.add_to(bodies, points, contacts.C, guess);

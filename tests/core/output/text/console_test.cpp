@@ -19,13 +19,13 @@ std::vector<std::string> split(const std::string& text) {
 }
 
 TEST(ProgressText, SaysPercentTimesRateFactorAndRemaining) {
-  const Progress progress{15, 0, 60, 1500, 30};
+  const RunProgress progress{15, 0, 60, 1500, 30};
   EXPECT_EQ(progress_text(progress, 80, false), " 25 %  15.00/60 s  50 steps/s  0.5 x real time  1 min 30 s left");
   EXPECT_EQ(progress_text(progress, 80, true).substr(0, 15), "[###...........");
 }
 
 TEST(ProgressText, OfARunThatGoesOnCountsThisSessionsTimeOnly) {
-  const Progress progress{40, 0, 60, 1000, 20, 30};  // 10 s simulated in 20 s
+  const RunProgress progress{40, 0, 60, 1000, 20, 30};  // 10 s simulated in 20 s
   EXPECT_EQ(progress_text(progress, 80, false), " 66 %  40.00/60 s  50 steps/s  0.5 x real time  40 s left");
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/scene/read/read_scene.h"
+#include "core/sim/build/build_world.h"
 #include "core/sim/simulation.h"
 #include "core/sim/world/course.h"
 #include "tests/support/scratch_folder.h"

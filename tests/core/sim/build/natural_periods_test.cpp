@@ -7,6 +7,7 @@
 #include <map>
 
 #include "core/scene/read/read_scene.h"
+#include "core/sim/build/build_world.h"
 #include "tests/support/scratch_folder.h"
 
 namespace nilas {

@@ -7,8 +7,8 @@
 #include "core/field/sizes/distribution_statistics.h"
 #include "core/geometry/mass_properties.h"
 #include "core/scene/read/read_scene.h"
+#include "core/sim/build/build_world.h"
 #include "core/sim/simulation.h"
-#include "core/sim/world/world.h"
 #include "tests/support/scratch_folder.h"
 
 namespace nilas {

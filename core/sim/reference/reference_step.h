@@ -1,0 +1,12 @@
+#pragma once
+/// A step of the reference integrator, with as many impacts and other events as fall into it.
+#include "core/sim/account/step_record.h"
+#include "core/sim/reference/reference.h"
+#include "core/sim/world/world_state.h"
+
+namespace nilas {
+
+/// Advances the world by its step with `reference`, which moves the bodies of this world. Throws SimulationError.
+StepRecord take_reference_step(World& world, ReferenceIntegrator& reference);
+
+}  // namespace nilas

@@ -1,0 +1,66 @@
+#include "core/sim/step/choose_substep.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/sim/step/advance.h"
+#include "core/sim/step/fast_bodies.h"
+#include "core/sim/step/find_contacts.h"
+#include "core/sim/step/solve_contacts.h"
+
+namespace nilas {
+
+namespace {
+
+/// The vessel as a system without coordinates that continues as it moves.
+std::vector<ArticulatedBlock> vessel_as_it_moves(const World& world, const Velocities& velocities) {
+  const WorldParts& parts = world.parts;
+  if (!parts.vessel || parts.vessel->fixed()) return {};
+  ArticulatedBlock block;
+  for (int body = parts.vessel_index; parts.is_of_vessel(body); ++body) {
+    const auto b = static_cast<std::size_t>(body);
+    Vec6 twist;
+    twist << velocities.v[b], velocities.w[b];
+    block.bodies.push_back({body, MatX(6, 0), twist});
+  }
+  return {std::move(block)};
+}
+
+/// The velocities that a substep of length h would end with, without the impacts that are still to come.
+Velocities velocities_until_impact(World& world, const Loads& loads, const Substep& substep) {
+  const Bodies& bodies = world.parts.bodies;
+  Velocities velocities;
+  free_velocities(bodies, loads.total, substep.h, velocities);
+  if (fast_pairs(bodies, {velocities.v, velocities.w, substep.h}, world.width, k_fast_share).empty()) return velocities;
+  FoundContacts found = find_contacts(world, loads, substep);
+  add_module_contacts(world, substep, found.points);
+  if (found.points.empty()) return velocities;
+  AssembledContacts contacts = assemble(bodies, loads.total, found.points, world.parts.friction,
+                                        world.model.assembly_over(substep.h), vessel_as_it_moves(world, velocities));
+  const ContactSolution solution = world.model.solve(contacts.problem, VecX(), world.slipping).solution;
+  return new_velocities(world, contacts, solution, loads, substep.h);
+}
+
+/// Impacts are found up to this error [of the step].
+constexpr double k_instant = 1e-9;
+
+}  // namespace
+
+Substep choose_substep(World& world, const Loads& loads, double t, double longest, bool may_cut) {
+  if (!may_cut) return {t, longest, false};
+  const double shortest = k_shortest_cut * world.step;
+  double h = longest;
+  constexpr int k_most_passes = 20;
+  for (int pass = 0; pass < k_most_passes; ++pass) {
+    double first = longest;
+    const Velocities velocities = velocities_until_impact(world, loads, {t, h, true});
+    for (const SweptPair& pair : sweep(world, velocities, h, longest))
+      if (pair.first.hit && pair.first.t * longest >= shortest) first = std::min(first, pair.first.t * longest);
+    if (longest - first < shortest) return {t, longest, false};
+    if (std::abs(first - h) <= k_instant * world.step) return {t, first, first < longest};
+    h = first;
+  }
+  return {t, h, h < longest};
+}
+
+}  // namespace nilas

@@ -1,0 +1,108 @@
+#include "core/sim/step/fast_bodies.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/bodies/free_rotation.h"
+
+namespace nilas {
+
+namespace {
+
+/// The rotation vector of `turned` against `start` that is nearest to `expected`, which may be more than half a turn.
+Vec3 rotation_between(const Quat& start, const Quat& turned, const Vec3& expected) {
+  const Eigen::AngleAxisd turn(turned * start.conjugate());
+  const double whole = 2 * k_pi * std::round((expected.dot(turn.axis()) - turn.angle()) / (2 * k_pi));
+  return (turn.angle() + whole) * turn.axis();
+}
+
+/// Even turns that lead where the bodies of these pairs will be after `exact` [s], continued for `horizon` [s].
+std::vector<BodyMotion> paths(const World& world, const Velocities& velocities, const std::vector<FastPair>& pairs,
+                              double exact, double horizon) {
+  const Bodies& bodies = world.parts.bodies;
+  std::vector<BodyMotion> motions(world.size());
+  std::vector<char> known(world.size(), 0);
+  for (const FastPair& pair : pairs)
+    for (const int k : {pair.a, pair.b}) {
+      const auto b = static_cast<std::size_t>(k);
+      if (known[b]) continue;
+      known[b] = 1;
+      motions[b].p = bodies.p_GB[b];
+      motions[b].R = bodies.R_GB[b];
+      if (bodies.motion[b] == Motion::fixed) continue;
+      motions[b].way = horizon * velocities.v[b];
+      motions[b].turn = horizon * velocities.w[b];
+      if (!world.gyroscopic || !bodies.is_free(k)) continue;
+      Quat q = bodies.q_GB[b];
+      Vec3 w = velocities.w[b];
+      turn_freely(q, w, bodies.inertia_B[b], bodies.inertia_inverse_B[b], exact);
+      motions[b].turn = horizon / exact * rotation_between(bodies.q_GB[b], q, exact * velocities.w[b]);
+    }
+  return motions;
+}
+
+/// Pairs that may overlap, since their contact is not rigid, are left out.
+std::vector<FastPair> list_fast_pairs(const World& world, const Velocities& velocities, double horizon) {
+  std::vector<FastPair> pairs =
+      fast_pairs(world.parts.bodies, {velocities.v, velocities.w, horizon}, world.width, k_fast_share);
+  if (const PairFilter left = pairs_left_out(world))
+    std::erase_if(pairs, [&](const FastPair& pair) { return left(pair.a, pair.b); });
+  return pairs;
+}
+
+/// The width of a body's thickest convex part: a body that pierces a sliver of it is not through it.
+double thickest_part(const Shape& shape, double smallest) {
+  double thickest = smallest;
+  for (const auto& part : shape.parts) thickest = std::max(thickest, part.smallest_width);
+  return thickest;
+}
+
+}  // namespace
+
+PairFilter pairs_left_out(const World& world) {
+  std::vector<const Module*> owners;
+  for (const auto& module : world.parts.modules)
+    if (module->owns_pairs()) owners.push_back(module.get());
+  if (owners.empty() && world.parts.joined.empty()) return {};
+  return [&parts = world.parts, owners](int a, int b) {
+    return std::any_of(owners.begin(), owners.end(), [&](const Module* owner) { return owner->owns_pair(a, b); }) ||
+           parts.are_joined(a, b);
+  };
+}
+
+std::vector<SweptPair> sweep(World& world, const Velocities& velocities, double exact, double horizon,
+                             const SoughtOverlap& overlap) {
+  const std::vector<FastPair> pairs = list_fast_pairs(world, velocities, horizon);
+  if (pairs.empty()) return {};
+  return world.detector.sweep(world.parts.bodies, paths(world, velocities, pairs, exact, horizon), pairs, overlap);
+}
+
+std::optional<std::pair<int, int>> passing_bodies(World& world, const Velocities& velocities, double horizon) {
+  const Bodies& bodies = world.parts.bodies;
+  std::vector<FastPair> pairs = list_fast_pairs(world, velocities, horizon);
+  if (pairs.empty()) return std::nullopt;
+  const auto thickness = [&](int body) {
+    const auto b = static_cast<std::size_t>(body);
+    return thickest_part(*bodies.shape[b], world.width[b]);
+  };
+  for (FastPair& pair : pairs) pair.width = std::min(thickness(pair.a), thickness(pair.b));
+  constexpr SoughtOverlap k_half{k_fast_share, 2 * k_fast_share};
+  const auto motions = paths(world, velocities, pairs, horizon, horizon);
+  for (const SweptPair& pair : world.detector.sweep(bodies, motions, pairs, k_half)) {
+    if (!pair.first.hit || pair.first.t == 0) continue;
+    return std::pair(pair.a, pair.b);
+  }
+  return std::nullopt;
+}
+
+void refuse_passing(const World& world, const std::pair<int, int>& pair, double t) {
+  const auto& name = world.parts.bodies.name;
+  throw SimulationError(
+      fmt::format("at {:g} s body '{}' would pass through body '{}' within one step; try a smaller <time step>", t,
+                  name[static_cast<std::size_t>(pair.second)], name[static_cast<std::size_t>(pair.first)]));
+}
+
+}  // namespace nilas

@@ -1,0 +1,156 @@
+#include "core/sim/step/find_contacts.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "contact/detect/broad/reach.h"
+#include "core/sim/step/advance.h"
+#include "core/sim/step/fast_bodies.h"
+
+namespace nilas {
+
+namespace {
+
+/// Contacts enter the problem when they can close within this multiple of the bodies' path in one substep: a hit turns
+/// some points of a floe faster than what hit it.
+constexpr double k_reach_share = 1.5;
+
+using PartNames = std::tuple<int, int, int, int>;
+template <class OfParts>
+PartNames names(const OfParts& x) {
+  return {x.a, x.b, x.part_a, x.part_b};
+}
+
+double thinner(const World& world, const ContactPoint& c) {
+  return std::min(world.width[static_cast<std::size_t>(c.a)], world.width[static_cast<std::size_t>(c.b)]);
+}
+
+std::vector<ContactPoint> detect_within_reach(World& world, const Loads& loads, const Substep& substep) {
+  const Bodies& bodies = world.parts.bodies;
+  return world.detector.detect(bodies, own_reach(bodies, loads.total, substep.h, k_reach_share), world.model.margin,
+                               pairs_left_out(world));
+}
+
+std::vector<ContactPoint> detect_discrete(World& world, const Loads& loads, const Substep& substep) {
+  if (world.model.margin > 0)
+    return world.detector.detect(world.parts.bodies, world.model.margin, pairs_left_out(world));
+  std::vector<ContactPoint> points = detect_within_reach(world, loads, substep);
+  std::erase_if(points, [&](const ContactPoint& c) { return c.gap > thinner(world, c); });
+  return points;
+}
+
+/// Fast pairs that do not touch yet have the contacts of their paths instead of those that the substep's start shows;
+/// in a substep that ends with an impact none, but those too early to cut at.
+void follow_fast_pairs(World& world, const Loads& loads, const Substep& substep, FoundContacts& found) {
+  const Bodies& bodies = world.parts.bodies;
+  std::vector<ContactPoint>& points = found.points;
+  // what is farther away can only be closed by a fast pair, at the substep's end
+  if (substep.ends_with_impact)
+    std::erase_if(points, [&](const ContactPoint& c) { return c.gap > k_fast_share * thinner(world, c); });
+  Velocities velocities;
+  free_velocities(bodies, loads.total, substep.h, velocities);
+  const FastMotion motion{velocities.v, velocities.w, substep.h};
+  if (!any_fast(bodies, motion, world.width, k_fast_share)) return;
+  const std::vector<SweptPair> swept = sweep(world, velocities, substep.h, substep.h);
+  std::vector<PartNames> touching;
+  for (const SweptPair& pair : swept)
+    if (pair.first.hit && pair.first.t == 0) touching.push_back(names(pair));
+  std::erase_if(points, [&](const ContactPoint& c) {
+    return c.gap > 0 && is_fast(bodies, motion, world.width, k_fast_share, c.a, c.b) &&
+           !std::binary_search(touching.begin(), touching.end(), names(c));
+  });
+  for (const SweptPair& pair : swept) {
+    if (!pair.first.hit || pair.first.t == 0) continue;
+    if (substep.ends_with_impact && pair.first.t * substep.h >= k_shortest_cut * world.step) continue;
+    for (const ContactPoint& met : pair.points) {
+      points.push_back(as_gap(world, met, pair.first.t, velocities, substep.h));
+      found.met_on_path.push_back(met.key);
+    }
+  }
+  sort_as_detected(points);
+}
+
+/// The judgement of assemble(): a slower approach than the threshold ends a series of bounces. A body that could be
+/// half through another when it is met bounces at once.
+bool will_bounce_when_met(const World& world, const ContactPoint& c, double h) {
+  const Bodies& bodies = world.parts.bodies;
+  const double before = c.n.dot(bodies.velocity_at(c.b, c.p) - bodies.velocity_at(c.a, c.p));
+  if (before >= -world.model.assembly.restitution_threshold) return false;
+  constexpr double k_deepest_share = 0.5;
+  if (-before * h > k_deepest_share * thinner(world, c)) return false;
+  return world.parts.friction
+             .of(bodies.material[static_cast<std::size_t>(c.a)], bodies.material[static_cast<std::size_t>(c.b)])
+             .restitution > 0;
+}
+
+}  // namespace
+
+void sort_as_detected(std::vector<ContactPoint>& points) {
+  std::sort(points.begin(), points.end(), [](const ContactPoint& p, const ContactPoint& q) {
+    return std::tuple(names(p), p.key) < std::tuple(names(q), q.key);
+  });
+}
+
+FoundContacts find_contacts(World& world, const Loads& loads, const Substep& substep) {
+  FoundContacts found;
+  switch (world.model.detection) {
+    case Detection::discrete:
+      found.points = detect_discrete(world, loads, substep);
+      break;
+    case Detection::speculative:
+      found.points = detect_within_reach(world, loads, substep);
+      break;
+    case Detection::continuous:
+      found.points = detect_within_reach(world, loads, substep);
+      follow_fast_pairs(world, loads, substep, found);
+      break;
+  }
+  // in the middle of the motion what bounces is hit when it is met: then a bounce is its own image in time
+  if (world.model.hit_when_met)
+    std::erase_if(found.points,
+                  [&](const ContactPoint& c) { return c.gap > 0 && will_bounce_when_met(world, c, substep.h); });
+  return found;
+}
+
+void add_module_contacts(World& world, const Substep& substep, std::vector<ContactPoint>& points) {
+  const std::size_t rigid = points.size();
+  for (const auto& module : world.parts.modules) {
+    if (!module->owns_pairs()) continue;
+    BodyPairs near = world.detector.pairs_left();
+    std::erase_if(near, [&](const auto& pair) {
+      return world.parts.are_joined(pair.first, pair.second) || !module->owns_pair(pair.first, pair.second);
+    });
+    module->add_contacts(world.parts.bodies, near, {substep.h, world.model.theta * substep.h}, points);
+  }
+  if (points.size() > rigid) sort_as_detected(points);
+}
+
+ContactPoint as_gap(const World& world, const ContactPoint& met, double t, const Velocities& velocities, double h) {
+  const Bodies& bodies = world.parts.bodies;
+  const auto a = static_cast<std::size_t>(met.a), b = static_cast<std::size_t>(met.b);
+  const auto path = [&](std::size_t k) -> Vec3 {
+    return bodies.motion[k] == Motion::fixed ? Vec3(Vec3::Zero()) : Vec3(t * h * velocities.v[k]);
+  };
+  const auto turn = [&](std::size_t k) { return bodies.motion[k] == Motion::fixed ? 0 : velocities.w[k].norm(); };
+  double share_b = 0.5;  // one point serves both: the arm of what turns, or moves at all, is right
+  if (bodies.motion[a] == Motion::fixed || bodies.motion[b] == Motion::fixed)
+    share_b = bodies.motion[a] == Motion::fixed ? 1 : 0;
+  else if (turn(a) + turn(b) > 0)
+    share_b = turn(b) / (turn(a) + turn(b));
+  ContactPoint point = met;
+  const auto speed = [&] {
+    const auto velocity = [&](std::size_t k) -> Vec3 {
+      if (bodies.motion[k] == Motion::fixed) return Vec3::Zero();
+      return velocities.v[k] + velocities.w[k].cross(point.p - bodies.p_GB[k]);
+    };
+    return met.n.dot(velocity(b) - velocity(a));
+  };
+  for (const double share : {share_b, 1.0, 0.0}) {
+    point.p = met.p - (1 - share) * path(a) - share * path(b);
+    if (speed() < 0) break;
+  }
+  point.gap = std::max(met.gap, 0.0) + t * h * std::max(-speed(), 0.0);
+  return point;
+}
+
+}  // namespace nilas

@@ -1,0 +1,34 @@
+#pragma once
+/// The contact points of a substep.
+#include <cstdint>
+#include <vector>
+
+#include "contact/detect/broad/contact_point.h"
+#include "contact/step_motion.h"
+#include "core/sim/step/substep.h"
+#include "core/sim/world/world_state.h"
+
+namespace nilas {
+
+/// Impacts earlier than this are contacts of the substep: it is not cut there [of the step].
+constexpr double k_shortest_cut = 1e-3;
+
+struct FoundContacts {
+  std::vector<ContactPoint> points;
+  /// Keys of contacts that fast bodies meet on their paths: their gap is what closes until then, not a distance.
+  std::vector<std::uint64_t> met_on_path;
+};
+
+/// The rigid contacts that can close in the substep, by the scene's mode of detection.
+FoundContacts find_contacts(World& world, const Loads& loads, const Substep& substep);
+/// Adds the points of pairs whose contact is a module's, among those of the last detection.
+void add_module_contacts(World& world, const Substep& substep, std::vector<ContactPoint>& points);
+
+/// A contact that two bodies meet at the share `t` of the substep with these velocities. It has the arm that each body
+/// will have there, and a gap that these velocities close just then: the substep may go up to it and no further.
+ContactPoint as_gap(const World& world, const ContactPoint& met, double t, const Velocities& velocities, double h);
+
+/// Sorts points as ContactDetector gives them.
+void sort_as_detected(std::vector<ContactPoint>& points);
+
+}  // namespace nilas

@@ -1,0 +1,12 @@
+#pragma once
+/// Loads other than contact.
+#include "core/sim/step/substep.h"
+#include "core/sim/world/world_state.h"
+
+namespace nilas {
+
+/// Weight and the modules' loads at the present poses, for a substep that begins at `t` and may be as long as `h` [s].
+/// Throws SimulationError naming a body whose loads left finite numbers.
+Loads evaluate_loads(World& world, double t, double h);
+
+}  // namespace nilas

@@ -1,0 +1,99 @@
+#include "core/sim/step/move.h"
+
+#include <algorithm>
+
+#include "contact/position_correction.h"
+#include "core/sim/step/advance.h"
+#include "core/sim/step/fast_bodies.h"
+
+namespace nilas {
+
+namespace {
+
+void add_couples(const AssembledContacts& contacts, const ContactSolution& solution, StepMotion& motion) {
+  motion.couples.assign(motion.points.size(), Vec3::Zero());
+  for (std::size_t c = motion.points.size(); c < contacts.C.size(); ++c)
+    motion.couples[static_cast<std::size_t>(contacts.problem.moments[c].contact)] =
+        contacts.C[c] * solution.r.segment<3>(3 * static_cast<Eigen::Index>(c));
+}
+
+StepMotion velocity_step(const World& world, const Loads& loads, const Substep& substep, const SolvedContacts& solved,
+                         const VesselStart& vessel) {
+  const Bodies& bodies = world.parts.bodies;
+  const AssembledContacts& contacts = solved.contacts;
+  StepMotion motion;
+  motion.h = substep.h;
+  motion.p = bodies.p_GB;
+  motion.R = bodies.R_GB;
+  motion.before = {bodies.v_GB, bodies.w_GB};
+  if (is_booked_whole(world.parts)) {
+    const auto hull = static_cast<std::size_t>(world.parts.vessel_index);
+    motion.before.v[hull] = vessel.v;
+    motion.before.w[hull] = vessel.w;
+  }
+  motion.points = solved.found.points;
+  for (std::size_t i = 0; i < motion.points.size(); ++i) {
+    const Vec3 r = solved.solution.r.segment<3>(3 * static_cast<Eigen::Index>(i));
+    motion.impulses.emplace_back(contacts.C[i] * r);
+    motion.normal_impulses.emplace_back(contacts.C[i].col(0) * r[0]);
+  }
+  motion.speed_asked = contacts.speed_asked;
+  if (contacts.problem.has_moments()) add_couples(contacts, solved.solution, motion);
+  motion.after = new_velocities(world, contacts, solved.solution, loads, substep.h);
+  return motion;
+}
+
+/// The contact points at the substep's end; those of fast pairs where they were found, since a turn of their bodies
+/// leads elsewhere than what is carried with them.
+std::vector<ContactPoint> points_at_the_end(const World& world, const Substep& substep, const FoundContacts& found,
+                                            const StepMotion& motion) {
+  const Bodies& bodies = world.parts.bodies;
+  std::vector<ContactPoint> points = carried_points(motion, bodies);
+  const FastMotion after{motion.after.v, motion.after.w, substep.h};
+  if (world.model.detection != Detection::continuous) return points;
+  if (found.met_on_path.empty() && !any_fast(bodies, after, world.width, k_fast_share)) return points;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const ContactPoint& start = motion.points[i];
+    const bool met =
+        std::find(found.met_on_path.begin(), found.met_on_path.end(), start.key) != found.met_on_path.end();
+    if (!met && !is_fast(bodies, after, world.width, k_fast_share, start.a, start.b)) continue;
+    points[i] = start;
+    points[i].gap = std::min(start.gap, 0.0);
+  }
+  return points;
+}
+
+/// A point that was hit deep leaves as it came; lifted out as well, it would win height in every bounce.
+void leave_to_their_motion(const StepMotion& motion, std::vector<ContactPoint>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double speed = points[i].n.dot(relative_velocity(motion, motion.after, i));
+    if (points[i].gap < 0 && speed * motion.h >= -points[i].gap) points[i].gap = 0;
+  }
+}
+
+}  // namespace
+
+StepMotion move(World& world, const Loads& loads, const Substep& substep, const SolvedContacts& solved,
+                const VesselStart& vessel) {
+  StepMotion motion = velocity_step(world, loads, substep, solved, vessel);
+  advance(world.parts.bodies, motion.after, world.model.theta * substep.h, world.gyroscopic, world.threads);
+  finish_vessel_step(world, motion);
+  return motion;
+}
+
+CorrectedPositions correct_positions(World& world, const Substep& substep, const SolvedContacts& solved,
+                                     const StepMotion& motion) {
+  const ContactModel& model = world.model;
+  if (model.position_step == PositionStep::none) return {};
+  Velocities pseudo{std::vector<Vec3>(world.size(), Vec3::Zero()), std::vector<Vec3>(world.size(), Vec3::Zero())};
+  std::vector<ContactPoint> points = model.position_step == PositionStep::projection
+                                         ? points_at_the_end(world, substep, solved.found, motion)
+                                         : motion.points;
+  if (model.hit_when_met) leave_to_their_motion(motion, points);
+  const PositionCorrection done =
+      correction_velocities(solved.contacts, points, model.correction_over(substep.h), pseudo.v, pseudo.w);
+  displace(world.parts.bodies, pseudo, substep.h);
+  return {std::move(pseudo), done.converged};
+}
+
+}  // namespace nilas

@@ -1,0 +1,14 @@
+#pragma once
+/// Loads on the bodies that a scene holds fixed.
+#include <vector>
+
+#include "contact/step_motion.h"
+#include "core/sim/account/step_record.h"
+#include "core/sim/world/world_state.h"
+
+namespace nilas {
+
+/// Adds the loads of a substep as its share of the step's means.
+void add_structure_loads(const World& world, const StepMotion& motion, std::vector<StructureRecord>& records);
+
+}  // namespace nilas

@@ -1,0 +1,12 @@
+#pragma once
+/// One time step.
+#include "core/sim/account/step_record.h"
+#include "core/sim/world/world_state.h"
+
+namespace nilas {
+
+/// Advances the world by its step. Throws SimulationError when a body leaves finite numbers, would pass through another
+/// or, where the scene asks for that, the contact solver does not converge.
+StepRecord take_step(World& world);
+
+}  // namespace nilas

@@ -1,0 +1,103 @@
+#include "core/sim/world/load_axes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nilas {
+
+namespace {
+
+constexpr double k_at_rest = 1e-9;  // [m/s]
+
+Vec2 unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
+/// Horizontal velocity of what drifts against a fixed vessel or structure: the first that is not zero of the virtual
+/// drag, the current, and the velocities of the ice.
+Vec2 drift_of(const Scene& scene) {
+  std::vector<Vec3> named;
+  if (scene.hydro && scene.hydro->virtual_drag) named.push_back(scene.hydro->virtual_drag->velocity);
+  if (scene.water && scene.water->current) named.push_back(scene.water->current->velocity);
+  if (scene.ice) {
+    for (const FieldScene& field : scene.ice->fields)
+      if (!field.fixed) named.push_back(field.velocity);
+    for (const FloeScene& floe : scene.ice->floes)
+      if (!floe.fixed) named.push_back(floe.velocity);
+  }
+  for (const Vec3& velocity : named)
+    if (velocity.head<2>().norm() > k_at_rest) return velocity.head<2>();
+  return Vec2::Zero();
+}
+
+bool all_breakable(const IceScene& ice) {
+  const auto breaks = [](const auto& item) { return item.breakable; };
+  return std::all_of(ice.fields.begin(), ice.fields.end(), breaks) &&
+         std::all_of(ice.floes.begin(), ice.floes.end(), breaks);
+}
+
+double horizontal_extent(const Bodies& bodies, std::size_t b) {
+  const Shape& shape = *bodies.shape[b];
+  if (shape.surface.vertices.empty()) return std::isfinite(shape.bounding_radius) ? 2 * shape.bounding_radius : 0;
+  Vec2 low = Vec2::Constant(1e300), high = -low;
+  for (const Vec3& vertex : shape.surface.vertices) {
+    const Vec2 x = (bodies.R_GB[b] * vertex).head<2>();
+    low = low.cwiseMin(x);
+    high = high.cwiseMax(x);
+  }
+  return (high - low).maxCoeff();
+}
+
+double length_along_x(const Shape& hull) {
+  double low = 0, high = 0;
+  for (const Vec3& vertex : hull.surface.vertices) {
+    low = std::min(low, vertex.x());
+    high = std::max(high, vertex.x());
+  }
+  return high - low;
+}
+
+}  // namespace
+
+void describe_loads(const Scene& scene, WorldParts& parts) {
+  RunInfo& info = parts.info;
+  const Vec2 drift = drift_of(scene);
+  const bool drifts = drift.norm() > k_at_rest;
+  if (drifts) info.drift_course = -drift.normalized();
+  if (scene.vessel) {
+    info.vessel_length = length_along_x(*parts.bodies.shape[static_cast<std::size_t>(parts.vessel_index)]);
+    if (scene.vessel->fixed && drifts) info.course = CourseKind::drift;
+    if (const auto& carriage = scene.vessel->carriage; carriage && (carriage->speed != 0 || !carriage->path.empty())) {
+      info.course = CourseKind::carriage;
+      if (carriage->path.empty() && carriage->ramp > 0) info.ramp_end = scene.time.start + carriage->ramp;
+    }
+  }
+  info.statistics = scene.output.statistics;
+  info.peak_filter = scene.output.peak_filter;
+  const bool crushes = scene.fracture && scene.fracture->crushing && scene.ice;
+  info.rigid_contacts = !crushes || !all_breakable(*scene.ice);
+  // its impacts within a step leave no contacts to sum
+  if (scene.contact.integrator == Integrator::reference) return;
+  for (std::size_t b = 0; b < parts.bodies.id.size(); ++b)
+    if (is_structure(parts.bodies, b))
+      info.structures.push_back({parts.bodies.name[b], horizontal_extent(parts.bodies, b)});
+}
+
+bool is_structure(const Bodies& bodies, std::size_t b) {
+  return bodies.kind[b] == BodyKind::rigid && bodies.motion[b] == Motion::fixed &&
+         bodies.shape[b]->kind != ShapeKind::plane;
+}
+
+Vec2 course_at(const WorldParts& parts, double t) {
+  if (parts.info.course == CourseKind::drift) return parts.info.drift_course;
+  if (parts.info.course == CourseKind::carriage) {
+    const CarriageMotion& motion = parts.carriage->motion;
+    if (!motion.follows_path()) return unit(motion.direction());
+    const Vec2 v = motion.at(t).v.head<2>();
+    if (v.norm() > k_at_rest) return v.normalized();
+  }
+  const Vec3 forward = parts.vessel->state().pose.q * Vec3::UnitX();
+  const Vec2 heading = forward.head<2>();
+  // a vessel that stands on end has no heading
+  return heading.norm() > k_at_rest ? Vec2(heading.normalized()) : Vec2(Vec2::UnitX());
+}
+
+}  // namespace nilas

@@ -1,0 +1,112 @@
+/// A module of one's own takes part in every phase of a run without a change of the step: it pushes, keeps a state, has
+/// a column, closes the energy account and continues from a checkpoint.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <memory>
+
+#include "core/output/tables/steps_csv.h"
+#include "core/scene/read/read_scene.h"
+#include "core/sim/simulation.h"
+#include "tests/support/scratch_folder.h"
+
+namespace {
+
+using namespace nilas;
+
+constexpr double k_push = 30, k_mass = 60, k_step = 0.01;
+
+/// A constant force on every free body that has used up its fuel after `seconds` [s].
+class Push : public ForceModule {
+ public:
+  explicit Push(double seconds) : left_(seconds) {}
+
+  std::string name() const override { return "push"; }
+  void add_forces(const Bodies& bodies, double /*t*/, Wrenches& out) override {
+    if (left_ <= 0) return;
+    for (int b = 0; b < bodies.size(); ++b)
+      if (bodies.is_free(b)) out[static_cast<std::size_t>(b)].force += Vec3(k_push, 0, 0);
+  }
+  void note_motion(const Bodies& /*bodies*/, const StepMotion& /*motion*/) override { left_ -= k_step; }
+  std::vector<std::string> columns() const override { return {"push_left_s"}; }
+  void append_values(std::vector<double>& values) const override { values.push_back(left_); }
+  double total(std::string_view name) const override { return name == "push_left" ? left_ : 0; }
+  void save(const Bodies& /*bodies*/, StateWriter out) const override { out.add("left", left_); }
+  void restore(const StateReader& in) override { in.get("left", left_); }
+
+ private:
+  double left_;  ///< [s]
+};
+
+ModuleList with_push() {
+  ModuleList modules = scene_modules();
+  modules.push_back({"push", true, [](const ModuleSources&) -> BuiltModule {
+                       return {std::make_unique<Push>(0.1), "the test"};
+                     }});
+  return modules;
+}
+
+class OwnModule : public testing::Test {
+ protected:
+  Simulation simulation() { return {scene_, 1, warnings_, with_push()}; }
+
+  test::ScratchFolder folder_;
+  Scene scene_ =
+      read_scene(folder_.write("scene.xml",
+                               "<scene version='1'><gravity value='0 0 0'/><time step='0.01' end='1'/>"
+                               "<body name='box' shape='box' size='1 1 1' mass='60'/></scene>"));
+  WarningCounts warnings_{make_logger("off", "")};
+};
+
+TEST_F(OwnModule, PushesAsNewtonSaysAndItsWorkIsBooked) {
+  Simulation run = simulation();
+  EXPECT_EQ(run.info().modules.back(), (std::pair<std::string, std::string>{"push", "the test"}));
+  ASSERT_EQ(run.info().work_names, std::vector<std::string>{"push"});
+  StepRecord record;
+  for (int k = 0; k < 20; ++k) record = run.step();
+  const double speed = k_push / k_mass * 0.1;
+  EXPECT_NEAR(run.bodies().v_GB[0].x(), speed, 1e-14);
+  EXPECT_NEAR(record.ledger.works[0], 0.5 * k_mass * speed * speed, 1e-13);
+  EXPECT_NEAR(record.ledger.imbalance, 0, 1e-13);
+  EXPECT_NEAR(run.total("push_left"), -0.1, 1e-14);
+  EXPECT_EQ(run.total("no such sum"), 0);
+}
+
+TEST_F(OwnModule, HasAColumnInTheTableOfSteps) {
+  Simulation run = simulation();
+  StepsCsv table(folder_ / "steps.csv", run.info());
+  for (int k = 0; k < 3; ++k) table.row(run.step());
+  table.finish();
+  std::ifstream in(folder_ / "steps.csv");
+  std::string header, row;
+  std::getline(in, header);
+  std::getline(in, row);
+  const auto place = static_cast<std::size_t>(
+      std::count(header.begin(), header.begin() + static_cast<std::ptrdiff_t>(header.find("push_left_s")), ','));
+  std::size_t start = 0;
+  for (std::size_t k = 0; k < place; ++k) start = row.find(',', start) + 1;
+  EXPECT_NEAR(std::stod(row.substr(start)), 0.09, 1e-15);
+  EXPECT_NE(header.find("work_push_J"), std::string::npos);
+}
+
+TEST_F(OwnModule, ContinuesFromACheckpoint) {
+  Simulation whole = simulation(), first = simulation(), rest = simulation();
+  for (int k = 0; k < 5; ++k) first.step();
+  State state;
+  first.save(StateWriter(state));
+  rest.restore(StateReader(state));
+  StepRecord of_whole, of_rest;
+  for (int k = 0; k < 20; ++k) of_whole = whole.step();
+  for (int k = 5; k < 20; ++k) of_rest = rest.step();
+  EXPECT_EQ(of_rest.state_hash, of_whole.state_hash);
+  EXPECT_EQ(of_rest.module_values, of_whole.module_values);
+}
+
+TEST_F(OwnModule, IsNotThereWhereNobodyListsIt) {
+  Simulation plain(scene_, 1, warnings_);
+  EXPECT_TRUE(plain.info().module_columns.empty());
+  EXPECT_TRUE(plain.info().work_names.empty());
+}
+
+}  // namespace

@@ -1,0 +1,127 @@
+#!/usr/bin/env python3
+"""Refuses dead links in the pages, and names of pages in the sources that no page has.
+
+usage: links.py [FOLDER]
+
+FOLDER is the repository (default: the one that holds this script). Checked are README.md, CHANGELOG.md and docs/**/*.md:
+every relative link and picture must name a file of the repository, and every #anchor a heading of its page, by the rule
+that GitHub makes anchors with. Links with a scheme (https:) are not followed: the check needs no network. In sources,
+scripts and scenes, every page that is named by its path from docs/ must exist. Exit code 1 where something is dead, with
+file and line.
+"""
+import os
+import re
+import sys
+import urllib.parse
+from pathlib import Path
+
+SOURCE_FOLDERS = ("core", "contact", "hydro", "fracture", "apps", "tests")
+SOURCE_SUFFIXES = {".cpp", ".h", ".py", ".sh", ".txt", ".xml", ".awk"}
+PAGE_NAME = re.compile(r"\bdocs/[\w/-]+\.md\b")
+LINK = re.compile(r"!?\[(?:[^\[\]]|\[[^\]]*\](?:\([^)]*\))?)*\]\(\s*<?([^)\s>]+)>?(?:\s+[\"'][^)]*)?\)")
+DEFINITION = re.compile(r"^ {0,3}\[[^\]]+\]:\s+<?(\S+?)>?(?:\s|$)")
+HTML_LINK = re.compile(r"<(?:a|img)\b[^>]*?\b(?:href|src)=[\"']([^\"']+)[\"']")
+HTML_ANCHOR = re.compile(r"<\w+\b[^>]*?\b(?:id|name)=[\"']([^\"']+)[\"']")
+
+
+def prose_lines(text):
+    """Number and text of each line outside code blocks; comments and inline code are blanked."""
+    text = re.sub(r"<!--.*?-->", lambda m: "\n" * m[0].count("\n"), text, flags=re.DOTALL)
+    fence = None
+    for number, line in enumerate(text.split("\n"), 1):
+        mark = re.match(r" {0,3}(`{3,}|~{3,})", line)
+        if fence:
+            if mark and mark[1].startswith(fence) and not line.strip().strip(fence[0]):
+                fence = None
+            continue
+        if mark:
+            fence = mark[1]
+            continue
+        yield number, line
+
+
+def anchor_of(heading):
+    """What GitHub makes of a heading: lower case, spaces to hyphens, other signs than letters, digits, - and _ dropped."""
+    heading = re.sub(r"!?\[([^\]]*)\]\([^)]*\)", r"\1", heading)
+    parts = re.split(r"(`[^`]*`)", heading)
+    heading = "".join(p if p.startswith("`") else re.sub(r"<[^>]+>", "", p) for p in parts)
+    return re.sub(r"[^\w\- ]", "", heading.strip().lower()).replace(" ", "-")
+
+
+def anchors(path):
+    found, counts = set(), {}
+    for _, line in prose_lines(path.read_text(encoding="utf-8")):
+        found.update(HTML_ANCHOR.findall(line))
+        heading = re.match(r" {0,3}#{1,6}\s+(.*?)\s*#*\s*$", line)
+        if not heading:
+            continue
+        name = anchor_of(heading[1])
+        count = counts.get(name, 0)
+        counts[name] = count + 1
+        found.add(f"{name}-{count}" if count else name)
+    return found
+
+
+def exact_case(path, root):
+    """Whether a path exists with just these letters, on file systems that do not tell capitals too."""
+    inside = [part for part in (path, *path.parents) if part != root and part.is_relative_to(root)]
+    return all(part.name in os.listdir(part.parent) for part in inside)
+
+
+def fault_of_link(target, page, root, known):
+    if re.match(r"[a-zA-Z][a-zA-Z0-9+.-]*:|//", target):
+        return None
+    name, _, anchor = urllib.parse.unquote(target).partition("#")
+    if name.startswith("/"):
+        return "is absolute; links are relative to their page"
+    path = Path(os.path.normpath(page.parent / name)) if name else page
+    if not path.is_relative_to(root):
+        return "leaves the repository"
+    if not path.exists() or not exact_case(path, root):
+        return "names no file"
+    if not anchor:
+        return None
+    if path.suffix != ".md":
+        return None
+    if path not in known:
+        known[path] = anchors(path)
+    return None if anchor in known[path] else f"names no heading of {path.relative_to(root)}"
+
+
+def faults_of_page(page, root, known):
+    for number, line in prose_lines(page.read_text(encoding="utf-8")):
+        line = re.sub(r"(`+)(?!`).*?(?<!`)\1(?!`)", lambda m: "`" if "](" not in m[0] else " ", line)
+        targets = LINK.findall(line) + DEFINITION.findall(line) + HTML_LINK.findall(line)
+        # a picture that is a link: [![..](a)](b)
+        targets += re.findall(r"!\[[^\]]*\]\(([^)\s]+)\)", line)
+        for target in dict.fromkeys(targets):
+            fault = fault_of_link(target, page, root, known)
+            if fault:
+                yield number, f"'{target}' {fault}"
+
+
+def faults_of_source(path, root):
+    for number, line in enumerate(path.read_text(encoding="utf-8", errors="replace").split("\n"), 1):
+        for name in PAGE_NAME.findall(line):
+            if not (root / name).exists():
+                yield number, f"'{name}' is no page"
+
+
+def main():
+    root = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).resolve().parents[2]).resolve()
+    pages = [root / "README.md", root / "CHANGELOG.md", *sorted((root / "docs").rglob("*.md"))]
+    sources = [path for folder in SOURCE_FOLDERS for path in sorted((root / folder).rglob("*"))
+               if path.suffix in SOURCE_SUFFIXES and path.is_file()]
+    known, count = {}, 0
+    faults = [(path, *fault) for path in pages for fault in faults_of_page(path, root, known)]
+    faults += [(path, *fault) for path in pages + sources for fault in faults_of_source(path, root)]
+    for path, number, text in faults:
+        count += 1
+        print(f"{path.relative_to(root)}:{number}: {text}", file=sys.stderr)
+    if count:
+        print(f"{count} dead links", file=sys.stderr)
+    return 1 if count else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
