@@ -3,10 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "apps/report/axis_ticks.h"
 #include "apps/report/hull_lines.h"
+#include "apps/report/templates.h"
 #include "core/output/loads/ice_load_text.h"
+#include "core/output/text/fill_template.h"
 
 namespace nilas {
 
@@ -14,16 +18,9 @@ namespace {
 
 std::string point(const View& view, const Vec3& p) { return fmt::format("{:.6g} {:.6g}", p[view.across], p[view.up]); }
 
-std::string block(const std::string& name, const std::string& lines) {
-  return "$" + name + " << EOD\n" + lines + "EOD\n";
-}
+using Json = nlohmann::ordered_json;
 
-/// In single quotes, within which gnuplot reads nothing but the quote.
-std::string quoted(const std::string& text) {
-  std::string out = "'";
-  for (const char c : text) out += c == '\'' ? std::string("''") : std::string(1, c);
-  return out + "'";
-}
+Json block(const std::string& name, const std::string& rows) { return {{"name", name}, {"rows", rows}}; }
 
 std::string segments(const View& view, const std::vector<Segment>& lines) {
   std::string text;
@@ -83,60 +80,74 @@ double step_of_ticks(double length, double pixels, double room) {
   return tick_step(length, static_cast<int>(std::clamp(pixels / room, 2.0, k_most)));
 }
 
+/// Names of the data of a view or a row.
+std::string bodies_name(std::size_t v) { return fmt::format("bodies_{}", v); }
+std::string marks_name(std::size_t v, std::size_t w) { return fmt::format("marks_{}_{}", v, w); }
+std::string water_name(std::size_t v, std::size_t w) { return fmt::format("water_{}_{}", v, w); }
+std::string floes_name(std::size_t w) { return fmt::format("floes_{}", w); }
+
 /// Lines that all rows share, and the marks of each.
-std::string data_of(const ContactPictureInput& input, double unit) {
-  std::string data;
+Json data_of(const ContactPictureInput& input, double unit) {
+  Json data = Json::array();
   for (std::size_t v = 0; v < input.views.size(); ++v) {
     const View& view = input.views[v];
     std::string lines;
     for (const auto& mesh : input.bodies) lines += segments(view, visible_lines(mesh, view.from));
-    data += block(fmt::format("bodies_{}", v), lines);
+    data.push_back(block(bodies_name(v), lines));
     for (std::size_t w = 0; w < input.rows.size(); ++w) {
       const PictureRow& row = input.rows[w];
-      data += block(fmt::format("marks_{}_{}", v, w), marks(view, row.window, unit));
+      data.push_back(block(marks_name(v, w), marks(view, row.window, unit)));
       std::string water;
       for (const auto& mesh : input.bodies)
         water += segments(view, waterline(mesh, input.water_level - row.window.floating_level));
-      data += block(fmt::format("water_{}_{}", v, w), water);
-      if (view.is_plan()) data += block(fmt::format("floes_{}", w), outlines(view, row.floes));
+      data.push_back(block(water_name(v, w), water));
+      if (view.is_plan()) data.push_back(block(floes_name(w), outlines(view, row.floes)));
     }
   }
   return data;
 }
 
-std::string panel(const ContactPictureInput& input, std::size_t v, std::size_t w, double height, double scale_end) {
+/// Ranges, tics and labels of a panel's axes.
+Json axes_of(const ContactPictureInput& input, std::size_t v, bool lowest, double height) {
   const View& view = input.views[v];
-  const PictureRow& row = input.rows[w];
   const Range &across = input.frame.axes[static_cast<std::size_t>(view.across)],
               &up = input.frame.axes[static_cast<std::size_t>(view.up)];
   const double pixels_per_metre = std::min(k_panel_width / across.width(), height / up.width());
-  const double beside = 0.5 * (k_panel_width / pixels_per_metre - across.width());  // room that the panel has left
-  constexpr double k_room_across = 45, k_room_up = 18;                              // of a number [px]
+  const double spare = 0.5 * (k_panel_width / pixels_per_metre - across.width());  // room that the panel has left
+  constexpr double k_room_across = 45, k_room_up = 18;                             // of a number [px]
   constexpr const char* k_axes = "xyz";
-  std::string text = fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n",
-                                 view.reversed ? across.high + beside : across.low - beside,
-                                 view.reversed ? across.low - beside : across.high + beside, up.low, up.high);
-  text += fmt::format("set xtics {}\nset ytics {}\n",
-                      step_of_ticks(across.width() + 2 * beside, k_panel_width, k_room_across),
-                      step_of_ticks(up.width(), pixels_per_metre * up.width(), k_room_up));
-  const std::string said = view.is_plan() ? fmt::format("t = {:g} ± {:g} s: {} contacts\\n{}", row.window.t,
-                                                        row.window.half_width, row.window.marks.size(), row.loads)
-                                          : view.name;
-  text += fmt::format("set title \"{}\" noenhanced offset 0,-0.6\n", said);
-  text += fmt::format("set xlabel '{}'\nset ylabel '{} [m]' offset 0.5,0\n",
-                      w + 1 == input.rows.size() ? fmt::format("{} [m]", k_axes[view.across]) : "", k_axes[view.up]);
-  text += "plot ";
-  if (view.is_plan() && !row.floes.empty()) {
-    text += fmt::format("$floes_{} using 1:2 with filledcurves closed fc rgb '#dbeaf5' notitle, ", w);
-    text += fmt::format("$floes_{} using 1:2 with lines lc rgb '#7fa6c4' lw 0.7 notitle, ", w);
-  }
-  text += fmt::format("$bodies_{} using 1:2 with lines lc rgb '#333333' lw 1 notitle, ", v);
-  text += fmt::format("$water_{}_{} using 1:2 with lines lc rgb '#2b6ca3' lw 1 dt 2 notitle", v, w);
-  if (!row.window.marks.empty())
-    text +=
-        fmt::format(", $marks_{}_{} using 1:2:(0.35+0.9*sqrt($3/{})):3 with points pt 7 ps variable lc palette notitle",
-                    v, w, scale_end);
-  return text + "\n";
+  const double low = across.low - spare, high = across.high + spare;
+  return {{"x_low", view.reversed ? high : low},
+          {"x_high", view.reversed ? low : high},
+          {"y_low", up.low},
+          {"y_high", up.high},
+          {"x_step", step_of_ticks(across.width() + 2 * spare, k_panel_width, k_room_across)},
+          {"y_step", step_of_ticks(up.width(), pixels_per_metre * up.width(), k_room_up)},
+          {"x_label", lowest ? fmt::format("{} [m]", k_axes[view.across]) : ""},
+          {"y_label", std::string(1, k_axes[view.up])}};
+}
+
+Json panel(const ContactPictureInput& input, std::size_t v, std::size_t w, double row_height, double height) {
+  constexpr double k_scale_from_foot = 82, k_scale_height = 9, k_note_from_foot = 12;  // [px]
+  const View& view = input.views[v];
+  const PictureRow& row = input.rows[w];
+  const bool lowest = w + 1 == input.rows.size();
+  Json panel = axes_of(input, v, lowest, row_height);
+  panel["heading"] = view.is_plan() ? fmt::format("t = {:g} ± {:g} s: {} contacts", row.window.t, row.window.half_width,
+                                                  row.window.marks.size())
+                                    : view.name;
+  panel["loads"] = view.is_plan() ? row.loads : "";
+  panel["floes"] = view.is_plan() && !row.floes.empty() ? floes_name(w) : "";
+  panel["marks"] = row.window.marks.empty() ? "" : marks_name(v, w);
+  panel["bodies"] = bodies_name(v);
+  panel["water"] = water_name(v, w);
+  panel["colour_scale"] = nullptr;
+  if (lowest && view.is_plan())
+    panel["colour_scale"] = {{"origin", k_scale_from_foot / height}, {"size", k_scale_height / height}};
+  panel["left_out"] = nullptr;
+  if (w == 0 && v == 0 && !input.frame.left_out.empty())  // every panel would draw it again
+    panel["left_out"] = {{"text", input.frame.left_out}, {"place", k_note_from_foot / height}};
+  return panel;
 }
 
 }  // namespace
@@ -147,35 +158,31 @@ std::string contact_picture_script(const ContactPictureInput& input) {
   const double scale_end = strongest(input) / unit.size, row_height = panel_height(input);
   const auto rows = static_cast<double>(input.rows.size());
   const double height = k_head + k_foot + rows * row_height + (rows - 1) * k_above_row;
-  std::string script = data_of(input, unit.size);
-  script += "set size ratio -1\nset tics font ',9' nomirror out\nset border 3 lc rgb '#888888'\nset key off\n";
-  script += "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')\n";
-  script +=
-      fmt::format("set logscale cb\nset cbrange [{:g}:{:g}]\nset cblabel 'force of a contact [{}]' offset 0,0.5\n",
-                  k_decades * scale_end, scale_end, unit.name);
-  for (const char* kind : {"svg", "png"}) {
-    const bool vector = kind == std::string("svg");
-    script += fmt::format("set terminal {} size {},{:.0f} font 'sans,{}' {}\nset output 'contacts.{}'\n",
-                          vector ? "svg" : "pngcairo", k_width, height, 11, vector ? "background '#ffffff'" : "", kind);
-    script +=
-        fmt::format("set multiplot layout {},{} title {} noenhanced margins {},{},{:.4f},{:.4f} spacing {},{:.4f}\n",
-                    input.rows.size(), input.views.size(), quoted(input.title), k_left, k_right, k_foot / height,
-                    1 - k_head / height, k_gap, k_above_row / height);
-    if (!input.frame.left_out.empty())
-      script += fmt::format("set label 1 \"{}\" at screen 0.5,{:.4f} center font ',9' noenhanced\n",
-                            input.frame.left_out, 12 / height);
-    for (std::size_t w = 0; w < input.rows.size(); ++w)
-      for (std::size_t v = 0; v < input.views.size(); ++v) {
-        const bool scale = w + 1 == input.rows.size() && input.views[v].is_plan();
-        script += scale ? fmt::format("set colorbox horizontal user origin 0.36,{:.4f} size 0.28,{:.4f}\n",
-                                      82.0 / height, 9.0 / height)
-                        : "unset colorbox\n";
-        script += panel(input, v, w, row_height, scale_end);
-        if (w == 0 && v == 0) script += "unset label 1\n";  // every panel would draw it again
-      }
-    script += "unset multiplot\nunset output\n";
-  }
-  return script;
+  Json formats = Json::array(), panels = Json::array();
+  for (const bool vector : {true, false})
+    formats.push_back({{"terminal", vector ? "svg" : "pngcairo"},
+                       {"background", vector ? "#ffffff" : ""},
+                       {"file", vector ? "contacts.svg" : "contacts.png"}});
+  for (std::size_t w = 0; w < input.rows.size(); ++w)
+    for (std::size_t v = 0; v < input.views.size(); ++v) panels.push_back(panel(input, v, w, row_height, height));
+  const Json data{{"blocks", data_of(input, unit.size)},
+                  {"force_low", k_decades * scale_end},
+                  {"force_high", scale_end},
+                  {"force_unit", unit.name},
+                  {"formats", formats},
+                  {"width", k_width},
+                  {"height", std::lround(height)},
+                  {"row_count", input.rows.size()},
+                  {"view_count", input.views.size()},
+                  {"title", input.title},
+                  {"left", k_left},
+                  {"right", k_right},
+                  {"bottom", k_foot / height},
+                  {"top", 1 - k_head / height},
+                  {"gap_across", k_gap},
+                  {"gap_up", k_above_row / height},
+                  {"panels", panels}};
+  return fill_template(report_template("contacts.gnuplot"), data, Escape::gnuplot);
 }
 
 }  // namespace nilas

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "apps/compare/scenes/csv_columns.h"
 #include "apps/report/floe_outlines.h"
+#include "core/base/csv.h"
 #include "core/base/error.h"
 #include "core/output/loads/ice_load_text.h"
 #include "core/output/tables/contact_rows.h"

@@ -24,6 +24,16 @@ static double immovable_map(const ContactScale& scale, const Vec3& r, const Vec3
   return std::isfinite(expected) && r[0] == expected ? 0 : std::abs(u[0]);
 }
 
+/// Beside an impulse that would move its contact faster than this, rounding hides the velocities that the law speaks
+/// of.
+constexpr double k_largest_speed = 1e12;
+
+/// `map`, unless the impulse is beyond any answer: then d |r|, so that what runs away never counts as solved.
+static double unless_beyond(const ContactScale& scale, const Vec3& r, double map) {
+  const double speed = scale.d * r.cwiseAbs().maxCoeff();
+  return speed > k_largest_speed ? speed : map;
+}
+
 static Vec3 cone_residual(const ContactScale& scale, const Vec3& r, const Vec3& u_hat) {
   return r - project_cone(r - u_hat / scale.d, scale.mu, scale.force_limit);
 }
@@ -33,11 +43,13 @@ static Vec3 coulomb_residual(const ContactScale& scale, const Vec3& r, const Vec
 }
 
 double ccp_map(const ContactScale& scale, const Vec3& r, const Vec3& u) {
-  return scale.d == 0 ? immovable_map(scale, r, u) : scale.d * cone_residual(scale, r, u).norm();
+  return scale.d == 0 ? immovable_map(scale, r, u)
+                      : unless_beyond(scale, r, scale.d * cone_residual(scale, r, u).norm());
 }
 
 double natural_map(const ContactScale& scale, const Vec3& r, const Vec3& u) {
-  return scale.d == 0 ? immovable_map(scale, r, u) : scale.d * coulomb_residual(scale, r, u).norm();
+  return scale.d == 0 ? immovable_map(scale, r, u)
+                      : unless_beyond(scale, r, scale.d * coulomb_residual(scale, r, u).norm());
 }
 
 static Vec3 pyramid_k_residual(int facets, const ContactScale& scale, const Vec3& r, const Vec3& u) {
@@ -79,8 +91,8 @@ Vec3 law_residual(Law law, int facets, const ContactScale& scale, const Vec3& r,
 
 double law_map(Law law, int facets, const ContactScale& scale, const Vec3& r, const Vec3& u) {
   if (scale.d == 0) return immovable_map(scale, r, u);
-  if (law == Law::frictionless) return scale.d * std::abs(normal_residual(scale, r, u));
-  return scale.d * law_residual(law, facets, scale, r, u).norm();
+  if (law == Law::frictionless) return unless_beyond(scale, r, scale.d * std::abs(normal_residual(scale, r, u)));
+  return unless_beyond(scale, r, scale.d * law_residual(law, facets, scale, r, u).norm());
 }
 
 }  // namespace nilas

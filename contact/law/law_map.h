@@ -26,7 +26,8 @@ Vec3 natural_residual(const ContactScale& scale, const Vec3& r, const Vec3& u);
 Vec3 law_residual(Law law, int facets, const ContactScale& scale, const Vec3& r, const Vec3& u);
 
 /// d times the length of it, in m/s. A contact that cannot move (d = 0) has r_N = force_limit
-/// while it closes and 0 otherwise; being elsewhere counts as |u_N|, and so does closing without a limit.
+/// while it closes and 0 otherwise; being elsewhere counts as |u_N|, and so does closing without a limit. An impulse
+/// that moves its contact by more than 1e12 m/s, beside which u is lost in rounding, counts as d |r|.
 double natural_map(const ContactScale& scale, const Vec3& r, const Vec3& u);
 double ccp_map(const ContactScale& scale, const Vec3& r, const Vec3& u);
 double law_map(Law law, int facets, const ContactScale& scale, const Vec3& r, const Vec3& u);

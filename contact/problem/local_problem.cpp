@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
-#include "contact/problem/islands.h"
 #include "contact/problem/operators.h"
 #include "core/base/error.h"
 
@@ -63,24 +61,6 @@ std::vector<std::vector<int>> neighbours(const ContactProblem& problem,
   return lists;
 }
 
-void copy_scalars(const ContactProblem& from, LocalProblem& to) {
-  to.law = from.law;
-  to.facets = from.facets;
-  to.mu = from.mu;
-  to.mu_static = from.mu_static;
-  to.force_limit = from.force_limit;
-  to.compliance = from.compliance;
-  to.key = from.key;
-}
-
-int root_of(std::vector<int>& parent, int k) {
-  while (parent[at(k)] != k) {
-    parent[at(k)] = parent[at(parent[at(k)])];
-    k = parent[at(k)];
-  }
-  return k;
-}
-
 }  // namespace
 
 const Mat3& LocalProblem::diagonal(int a) const {
@@ -104,7 +84,7 @@ VecX contact_velocities(const LocalProblem& problem, const VecX& r) {
 LocalProblem reduce(const ContactProblem& problem) {
   NILAS_DEMAND(!problem.has_moments());
   LocalProblem local;
-  copy_scalars(problem, local);
+  static_cast<ContactCoefficients&>(local) = problem;
   const MassInverse masses(problem);
   const auto sides_of_block = sides_by_block(problem);
   for (const auto& list : neighbours(problem, sides_of_block)) {
@@ -121,53 +101,6 @@ LocalProblem reduce(const ContactProblem& problem) {
     }
   local.q = contact_velocities(problem, velocities(problem, masses, VecX::Zero(row_of(problem.num_contacts()))));
   return local;
-}
-
-std::vector<std::vector<int>> find_islands(const LocalProblem& problem) {
-  std::vector<int> parent(at(problem.num_contacts()));
-  std::iota(parent.begin(), parent.end(), 0);
-  for (int a = 0; a < problem.num_contacts(); ++a)
-    for (int k = problem.row_start[at(a)]; k < problem.row_start[at(a) + 1]; ++k) {
-      if (problem.block[at(k)].isZero(0)) continue;
-      const int one = root_of(parent, a), other = root_of(parent, problem.column[at(k)]);
-      parent[at(std::max(one, other))] = std::min(one, other);
-    }
-  std::vector<std::vector<int>> islands;
-  std::vector<int> island_of(parent.size(), -1);
-  for (int a = 0; a < problem.num_contacts(); ++a) {
-    int& island = island_of[at(root_of(parent, a))];
-    if (island < 0) {
-      island = static_cast<int>(islands.size());
-      islands.emplace_back();
-    }
-    islands[at(island)].push_back(a);
-  }
-  return islands;
-}
-
-LocalProblem select(const LocalProblem& problem, const std::vector<int>& contacts) {
-  LocalProblem part;
-  part.law = problem.law;
-  part.facets = problem.facets;
-  part.q.resize(row_of(static_cast<int>(contacts.size())));
-  std::vector<int> place(at(problem.num_contacts()), -1);
-  for (std::size_t i = 0; i < contacts.size(); ++i) place[at(contacts[i])] = static_cast<int>(i);
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const std::size_t c = at(contacts[i]);
-    for (int k = problem.row_start[c]; k < problem.row_start[c + 1]; ++k) {
-      if (place[at(problem.column[at(k)])] < 0) continue;
-      part.column.push_back(place[at(problem.column[at(k)])]);
-      part.block.push_back(problem.block[at(k)]);
-    }
-    part.row_start.push_back(static_cast<int>(part.column.size()));
-    part.q.segment<3>(row_of(static_cast<int>(i))) = problem.q.segment<3>(row_of(contacts[i]));
-    part.mu.push_back(problem.mu[c]);
-    part.mu_static.push_back(problem.mu_static[c]);
-    part.force_limit.push_back(problem.force_limit[c]);
-    part.compliance.push_back(problem.compliance[c]);
-    part.key.push_back(problem.key[c]);
-  }
-  return part;
 }
 
 double asymmetry(const LocalProblem& problem) {

@@ -7,8 +7,6 @@
 
 namespace nilas {
 
-const char* to_string(Law law) { return choice_text(law).name.data(); }
-
 ContactProblem::ConstMatrix ContactProblem::mass(int k) const {
   const int n = block_size(k);
   return ConstMatrix(mass_data.data() + mass_offset[static_cast<std::size_t>(k)], n, n);

@@ -10,24 +10,21 @@
 #include <limits>
 #include <vector>
 
+#include "contact/problem/contact_coefficients.h"
 #include "core/base/math.h"
-#include "core/choices/law.h"
 
 namespace nilas {
 
-/// Its name in scene files.
-const char* to_string(Law law);
-
-struct ContactProblem {
+/// With the law and, per contact, friction, force limit, compliance and key of ContactCoefficients.
+struct ContactProblem : ContactCoefficients {
   /// One contact row triple between two blocks; a block index of -1 is a prescribed or fixed side.
   struct Pair {
     int a = -1;  ///< block of body A
     int b = -1;  ///< block of body B
+    bool operator==(const Pair&) const = default;
   };
 
   double h = 0;  ///< step [s]
-  Law law = Law::coulomb;
-  int facets = 8;  ///< of pyramid_k
 
   std::vector<int> block_offset{0};         ///< nb + 1: block k holds v[offset[k] .. offset[k+1])
   std::vector<std::size_t> mass_offset{0};  ///< nb + 1, into mass_data
@@ -39,12 +36,7 @@ struct ContactProblem {
   std::vector<std::size_t> jacobian_offset{
       0};  ///< nc + 1, into jacobian_data: J_A (3 x n_a) then J_B (3 x n_b), row-major; u = J_A v_A + J_B v_B + w
   std::vector<double> jacobian_data;
-  VecX w;                           ///< 3 nc: prescribed motion, gap, restitution and stabilisation folded in [m/s]
-  std::vector<double> mu;           ///< nc, kinetic friction coefficient
-  std::vector<double> mu_static;    ///< nc, >= mu
-  std::vector<double> force_limit;  ///< nc, largest normal impulse (infinite: none) [N s]
-  std::vector<double> compliance;   ///< nc, u_N + c r_N replaces u_N [m/(s N s)]
-  std::vector<std::uint64_t> key;   ///< nc, stable from step to step
+  VecX w;  ///< 3 nc: prescribed motion, gap, restitution and stabilisation folded in [m/s]
 
   /// Rolling and spinning friction: the moment (S, R1, R2) about a contact's normal and tangents, divided by its
   /// lengths, is a row triple of its own (contact/law/moment_cone.h). Empty where no contact has one.
@@ -52,6 +44,7 @@ struct ContactProblem {
     int contact = -1;    ///< of a moment: whose normal impulse bounds it, a lower index
     int moment = -1;     ///< of a contact: its moment
     double rolling = 0;  ///< of a moment: the length that R1, R2 are divided by, 0 without rolling friction [m]
+    bool operator==(const Moment&) const = default;
   };
   std::vector<Moment> moments;  ///< empty or nc
 
@@ -84,6 +77,8 @@ struct ContactProblem {
   /// Appends the moment of a contact between the same blocks: rows of u = (S, R1, R2), already times their lengths.
   int add_moment(int contact, const Eigen::Ref<const MatX>& jacobian_a, const Eigen::Ref<const MatX>& jacobian_b,
                  double rolling, std::uint64_t key);
+
+  bool operator==(const ContactProblem&) const = default;
 };
 
 /// Throws ContractError naming the field when sizes, signs or finiteness are wrong.

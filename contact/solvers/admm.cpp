@@ -60,16 +60,28 @@ class Alternation {
     out_.status = SolveStatus::iteration_limit;
     best_ = y_;
     offer(y_);
+    if (!std::isfinite(best_map_)) start_from_nothing();
     if (out_.status == SolveStatus::iteration_limit) iterate();
-    if (!std::isfinite(best_map_)) {
-      out_.status = SolveStatus::numerical_error;
-      out_.message = "no finite impulses were reached";
-    }
     out_.r = problem_.impulses(best_);
     return out_;
   }
 
  private:
+  /// The guess is beyond all numbers.
+  void start_from_nothing() {
+    y_.setZero();
+    best_ = y_;
+    offer(y_);
+    if (!std::isfinite(best_map_)) fail("even impulses of zero have a residual beyond all numbers");
+  }
+
+  void fail(const std::string& why) {
+    out_.status = SolveStatus::numerical_error;
+    out_.message = "admm: " + why;
+  }
+
+  void fail_to_factorise() { fail("W and the penalty together are not positive definite"); }
+
   VecX project(const VecX& r) const {
     VecX inside(r.size());
     for (int a = 0; a < problem_.num_contacts(); ++a)
@@ -140,7 +152,8 @@ class Alternation {
     largest_ = largest_eigenvalue(problem_.symmetric);
     regular_ = k_regularisation * largest_;
     z_ = VecX::Zero(y_.size());
-    if (best_map_ == 0 || !set_penalty()) return;
+    if (best_map_ == 0) return;
+    if (!set_penalty()) return fail_to_factorise();
     Anderson mixer(settings_.anderson_depth);
     double least = std::numeric_limits<double>::infinity();
     VecX least_state;
@@ -153,9 +166,9 @@ class Alternation {
       ++out_.iterations;
       if (out_.iterations % period == 0 || out_.iterations == settings_.shared.max_iterations) offer(y_);
       const VecX after = state();
-      if (!after.allFinite()) return;
+      if (!after.allFinite()) return fail("the impulses grew beyond all numbers");
       if (out_.iterations % k_balance_period == 0 && balance()) {
-        if (!set_penalty()) return;
+        if (!set_penalty()) return fail_to_factorise();
         mixer.restart();
         least = std::numeric_limits<double>::infinity();
         continue;

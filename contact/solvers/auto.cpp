@@ -1,6 +1,7 @@
 #include "contact/solvers/auto.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -14,6 +15,7 @@
 #include "contact/solvers/ipm.h"
 #include "contact/solvers/newton.h"
 #include "contact/solvers/nsgs.h"
+#include "contact/solvers/shared/row_residual.h"
 #include "core/base/error.h"
 
 namespace nilas {
@@ -73,6 +75,10 @@ class Climb {
     best_.r = guess.size() > 0 ? guess : VecX(VecX::Zero(island_.q.size()));
     best_.status = SolveStatus::iteration_limit;
     best_map_ = measure(island_, best_.r).law_map_m_s;
+    if (!std::isfinite(best_map_)) {
+      best_.r.setZero();
+      best_map_ = std::numeric_limits<double>::infinity();
+    }
     const bool warm = !start.cold && !start.swept;
     if (best_map_ <= settings_.shared.tolerance) best_.status = SolveStatus::converged;
     if (!start.swept && goes_on()) sweep("nsgs", settings_.first_sweeps);
@@ -90,8 +96,8 @@ class Climb {
 
  private:
   bool goes_on() const {
-    return best_.status != SolveStatus::converged && best_.status != SolveStatus::numerical_error &&
-           best_.iterations < settings_.shared.max_iterations && !settings_.shared.out_of_time();
+    return best_.status != SolveStatus::converged && !hopeless_ && best_.iterations < settings_.shared.max_iterations &&
+           !settings_.shared.out_of_time();
   }
 
   SolverSettings stage(int most_iterations) const {
@@ -149,9 +155,13 @@ class Climb {
     best_.status = found.status;
     best_.message = found.message;
     const double map = measure(island_, found.r).law_map_m_s;
-    if (!(map <= best_map_)) return;
-    best_map_ = map;
-    best_.r = found.r;
+    if (map <= best_map_) {
+      best_map_ = map;
+      best_.r = found.r;
+    }
+    // a rung that fails is no reason to stop, unless no rung could do it
+    hopeless_ = found.status == SolveStatus::numerical_error &&
+                !find_culprit(island_, best_.r, settings_.shared.tolerance).empty();
   }
 
   const LocalProblem& island_;
@@ -159,6 +169,7 @@ class Climb {
   Log& log_;
   ContactSolution best_;
   double best_map_ = 0;
+  bool hopeless_ = false;
 };
 
 /// The guess as the solution.
@@ -209,12 +220,14 @@ SolveStatus solve_without_w(const ContactProblem& problem, const std::vector<int
     const int swept = found.iterations;
     ContactSolution next = ApgdSolver({.shared = left}).solve(part, found.r);
     log.add("apgd", "iterations", next.iterations);
-    if (measure(part, next.r).law_map_m_s <= measure(part, found.r).law_map_m_s) found = std::move(next);
+    const double map = measure(part, next.r).law_map_m_s, swept_map = measure(part, found.r).law_map_m_s;
+    if (map <= swept_map || std::isnan(swept_map)) found = std::move(next);
     found.iterations += swept;
   }
   for (std::size_t i = 0; i < island.size(); ++i)
     whole.r.segment<3>(3 * static_cast<Eigen::Index>(island[i])) = found.r.segment<3>(3 * static_cast<Eigen::Index>(i));
   whole.iterations += found.iterations;
+  if (found.status == SolveStatus::numerical_error) whole.message = found.message;
   return found.status;
 }
 
@@ -243,8 +256,9 @@ ContactSolution AutoSolver::solve(const ContactProblem& problem, const VecX& gue
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const double tolerance = settings_.shared.tolerance;
   const bool cold = is_cold(guess);
-  const double guess_map = guess.size() > 0 ? measure(problem, guess).law_map_m_s : infinity;
+  double guess_map = guess.size() > 0 ? measure(problem, guess).law_map_m_s : infinity;
   if (guess_map <= tolerance) return accepted(problem, guess);
+  if (std::isnan(guess_map)) guess_map = infinity;
   AutoSettings running = settings_;
   running.shared = with_margin(settings_.shared.started());
   Log log;
@@ -262,7 +276,8 @@ ContactSolution AutoSolver::solve(const ContactProblem& problem, const VecX& gue
     describe(log, swept);
     return swept;
   }
-  if (guess_map < measure(problem, swept.r).law_map_m_s) swept.r = guess;
+  const double swept_map = measure(problem, swept.r).law_map_m_s;
+  if (guess_map < swept_map || (std::isnan(swept_map) && std::isfinite(guess_map))) swept.r = guess;
   running.shared.max_iterations -= swept.iterations;
   auto islands = unsolved(problem, swept.r, running.shared.tolerance);
   const auto first_large =
@@ -276,6 +291,7 @@ ContactSolution AutoSolver::solve(const ContactProblem& problem, const VecX& gue
         return Climb(island, running, log).run(start, {cold, true});
       });
   solution.iterations += swept.iterations;
+  if (large == SolveStatus::numerical_error && solution.message.empty()) solution.message = swept.message;
   solution.status = worse(solution.status, large);
   solution.history.insert(solution.history.begin(), swept.history.begin(), swept.history.end());
   if (solution.status == SolveStatus::converged && !(measure(problem, solution.r).law_map_m_s <= tolerance))

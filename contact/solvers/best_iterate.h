@@ -28,6 +28,10 @@ class BestIterate {
   ContactSolution solution(const VecX& r) {
     if (shared_.tolerance > 0 && !current_) judge(r, 1);
     out_.r = shared_.tolerance > 0 && best_.size() > 0 ? best_ : r;
+    if (!out_.r.allFinite()) {
+      out_.r.setZero();
+      out_.status = SolveStatus::numerical_error;
+    }
     if (out_.status == SolveStatus::numerical_error) out_.message = "the impulses grew beyond all numbers";
     return std::move(out_);
   }

@@ -29,6 +29,7 @@ ContactSolution continue_in_friction(const LocalProblem& island, const NewtonSet
   sweeps.max_iterations = std::min(sweeps.max_iterations, k_sweeps);
   ContactSolution out = NsgsSolver({.shared = sweeps}).solve(with_friction(island, k_first_share), {});
   const auto out_of_budget = [&] { return left.shared.max_iterations <= 0 || left.shared.out_of_time(); };
+  std::string failure;  ///< of the last solve
   double solved = 0, share = k_first_share, step = k_first_step;
   while (solved < 1 && step >= k_least_step) {
     left.shared.max_iterations = settings.shared.max_iterations - out.iterations;
@@ -37,8 +38,9 @@ ContactSolution continue_in_friction(const LocalProblem& island, const NewtonSet
     ContactSolution next = newton_island(with_friction(island, share), out.r, left);
     out.iterations += next.iterations;
     const bool success = next.status == SolveStatus::converged;
-    if (success || share == 1) out.status = next.status;
+    failure = next.status == SolveStatus::numerical_error ? next.message : "";
     if (success) {
+      out.status = next.status;
       out.r = next.r;
       solved = share;
     } else if (solved == 0) {
@@ -49,7 +51,8 @@ ContactSolution continue_in_friction(const LocalProblem& island, const NewtonSet
     step *= success ? (share == k_first_share ? 1 : k_longer) : k_shorter;
     share = std::min(1.0, solved + step);
   }
-  if (solved < 1) out.status = SolveStatus::stalled;
+  out.message = solved < 1 ? failure : "";
+  if (solved < 1) out.status = failure.empty() ? SolveStatus::stalled : SolveStatus::numerical_error;
   return out;
 }
 

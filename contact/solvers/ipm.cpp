@@ -39,10 +39,10 @@ class Rounds {
       if (!done()) finish(best_);
     }
     iterate();
-    if (!std::isfinite(best_map_)) {
-      out_.status = SolveStatus::numerical_error;
-      out_.message = "no finite impulses were reached";
-    }
+    if (!done() && !std::isfinite(best_map_))
+      fail("even impulses of zero have a residual beyond all numbers");
+    else if (!done() && rounds_ > 0 && failed_rounds_ == rounds_)
+      fail("W and the barrier together are not positive definite");
     out_.r = problem_.impulses(best_);
     return out_;
   }
@@ -50,6 +50,10 @@ class Rounds {
  private:
   const SolverSettings& shared() const { return settings_.shared; }
   bool done() const { return shared().tolerance > 0 && best_map_ <= shared().tolerance; }
+  void fail(const std::string& why) {
+    out_.status = SolveStatus::numerical_error;
+    out_.message = "ipm: " + why;
+  }
   int left() const { return shared().max_iterations - out_.iterations; }
 
   /// Keeps r' if it measures best.
@@ -94,6 +98,8 @@ class Rounds {
       const auto inner =
           inner_.minimise(problem_.q + added, tolerance, std::min(k_inner_limit, left()), shared(), point);
       out_.iterations += inner.iterations;
+      ++rounds_;
+      if (!inner.finite) ++failed_rounds_;
       const VecX r = inner_.impulses(point);
       offer(r);
       if (!done()) finish(r);
@@ -124,6 +130,7 @@ class Rounds {
   ContactSolution out_;
   VecX best_;
   double best_map_ = std::numeric_limits<double>::infinity();
+  int rounds_ = 0, failed_rounds_ = 0;  ///< failed: without one iterate
 };
 
 }  // namespace

@@ -41,11 +41,25 @@ class Island {
     out_.status = SolveStatus::iteration_limit;
     weight_ = settings_.first_weight;
     judge(r_);
+    if (!std::isfinite(best_)) start_from_nothing();
     while (out_.status == SolveStatus::iteration_limit && !out_of_budget()) outer_step();
     return out_;
   }
 
  private:
+  /// The guess is beyond all numbers.
+  void start_from_nothing() {
+    out_.r.resize(0);
+    r_.setZero();
+    judge(r_);
+    if (!std::isfinite(best_)) fail("even impulses of zero have a residual beyond all numbers");
+  }
+
+  void fail(const std::string& why) {
+    out_.status = SolveStatus::numerical_error;
+    out_.message = "newton: " + why;
+  }
+
   /// Measures, keeps the best.
   void judge(const VecX& scaled_r) {
     const VecX r = system_.impulses(scaled_r);
@@ -73,7 +87,10 @@ class Island {
     judge(r);
     if (out_.status != SolveStatus::iteration_limit) return;
     if (out_.iterations == steps_before) {  // |F| is rounding already
-      out_.status = SolveStatus::stalled;
+      if (std::isfinite(before))
+        out_.status = SolveStatus::stalled;
+      else
+        fail("the map grew beyond all numbers");
       return;
     }
     if (after <= std::max(10 * target, k_good * before)) {
@@ -95,7 +112,11 @@ class Island {
     if (weight_ <= k_most_weight) return;
     weight_ = 10 * settings_.first_weight;
     r_ = system_.scaled(out_.r);
-    if (++retreats_ == k_patience) out_.status = SolveStatus::stalled;
+    if (++retreats_ < k_patience) return;
+    if (singular_)
+      fail("the linear system stays singular whatever the proximal weight");
+    else
+      out_.status = SolveStatus::stalled;
   }
 
   /// Newton on the problem with velocities u + a (r - r_0), r and u those of r_0 on entry. Returns |F|.
@@ -111,7 +132,8 @@ class Island {
         system_.linearise(now.r, now.u);
       }
       ++out_.iterations;
-      if (!system_.step(weight_, now.r, dr)) break;
+      singular_ = !system_.step(weight_, now.r, dr);
+      if (singular_) break;
       const VecX du = system_.product(dr) + weight_ * dr;
       if (in_vain < settings_.free_steps) {
         now = {now.r + dr, now.u + du, 0};
@@ -150,6 +172,7 @@ class Island {
   double best_ = 0;
   double weight_ = 0;
   int retreats_ = 0;
+  bool singular_ = false;  ///< the last linear system
 };
 
 }  // namespace

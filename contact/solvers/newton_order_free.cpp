@@ -30,7 +30,9 @@ ContactSolution OrderFreeNewtonSolver::solve(const ContactProblem& problem, cons
     return solve_islands(problem, find_islands(problem), start, island_solve(with_margin(shared)));
   };
   ContactSolution solution = newton(guess);
-  if (solution.status == SolveStatus::iteration_limit || solution.status == SolveStatus::stalled) {
+  // where not one step was taken the problem itself is at fault
+  if (solution.status != SolveStatus::converged &&
+      (solution.status != SolveStatus::numerical_error || solution.iterations > 0)) {
     const ContactSolution nearer = EgSolver({.shared = shared, .order_free = true}).solve(problem, solution.r);
     const int done = solution.iterations + nearer.iterations;
     solution = newton(nearer.r);

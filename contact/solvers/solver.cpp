@@ -19,7 +19,9 @@ void take_over(const ContactSolution& part, const std::vector<int>& contacts, Co
         part.r.segment<3>(3 * static_cast<Eigen::Index>(i));
   whole.status = worse(whole.status, part.status);
   whole.iterations = std::max(whole.iterations, part.iterations);
-  if (!part.message.empty()) whole.message += (whole.message.empty() ? "" : "; ") + part.message;
+  // islands that failed alike are named once
+  if (whole.message.find(part.message) == std::string::npos)
+    whole.message += (whole.message.empty() ? "" : "; ") + part.message;
   // an island that stopped early keeps its last value
   const double last = whole.history.empty() ? 0 : whole.history.back();
   whole.history.resize(std::max(whole.history.size(), part.history.size()), last);
@@ -44,13 +46,13 @@ ContactSolution nothing_solved(int num_contacts) {
 
 /// What makes a problem unfit for any solver; empty: nothing.
 std::string unfit(const LocalProblem& problem, const VecX& guess) {
-  double sum = problem.q.sum() + guess.sum();
-  for (const Mat3& block : problem.block) sum += block.sum();
+  bool finite = problem.q.allFinite() && guess.allFinite();
+  for (const Mat3& block : problem.block) finite = finite && block.allFinite();
   for (std::size_t a = 0; a < problem.mu.size(); ++a) {
-    sum += problem.mu[a] + problem.compliance[a];
+    finite = finite && std::isfinite(problem.mu[a]) && std::isfinite(problem.compliance[a]);
     if (std::isnan(problem.force_limit[a])) return "a force limit is not a number";
   }
-  if (!std::isfinite(sum)) return "the problem or the guess holds numbers that are not finite";
+  if (!finite) return "the problem or the guess holds numbers that are not finite";
   for (int a = 0; a < problem.num_contacts(); ++a)
     if (problem.diagonal(a).trace() < 0)
       return "contact " + std::to_string(problem.key[static_cast<std::size_t>(a)]) + " has a negative inverse mass";

@@ -1,5 +1,7 @@
 #include "contact/solvers/with_retry.h"
 
+#include <cmath>
+
 namespace nilas {
 
 template <class Problem>
@@ -9,8 +11,8 @@ static ContactSolution solve_with_both(const ContactSolver& first, const Contact
   if (solution.status == SolveStatus::converged) return solution;
   ContactSolution again = second.solve(problem, solution.r.allFinite() ? solution.r : VecX());
   const int iterations = solution.iterations + again.iterations;
-  const bool is_better = again.status == SolveStatus::converged ||
-                         !(measure(problem, solution.r).law_map_m_s <= measure(problem, again.r).law_map_m_s);
+  const double first_map = measure(problem, solution.r).law_map_m_s, map = measure(problem, again.r).law_map_m_s;
+  const bool is_better = again.status == SolveStatus::converged || map < first_map || std::isnan(first_map);
   if (is_better) solution = std::move(again);
   solution.iterations = iterations;
   solution.message = "retried with " + second.name() + (solution.message.empty() ? "" : ": " + solution.message);

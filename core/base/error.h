@@ -6,6 +6,12 @@
 
 namespace nilas {
 
+/// Exit codes of every command.
+enum ExitCode { exit_done = 0, exit_bad_input = 2, exit_numerics = 3, exit_file = 4, exit_interrupted = 130 };
+/// Exit codes of a child process as a shell has them: it could not be started, or ended by a signal whose number is
+/// added.
+constexpr int k_exit_not_started = 127, k_exit_signal = 128;
+
 /// One fault in a scene or input file.
 struct Fault {
   std::string file;

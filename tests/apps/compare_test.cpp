@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/output/text/html.h"
 #include "tests/apps/compare_scenes.h"
 #include "tests/support/size_limit.h"
 #include "tests/support/started_program.h"
@@ -38,9 +39,18 @@ TEST(Compare, LeavesTablesPicturesAndAPageThatSayTheSame) {
   }
   for (const char* name : {"front.svg", "front.png", "compare.html"})
     EXPECT_GT(fs::file_size(out / name), 1000U) << name;
-  expect_page(out, json["text"][0].get<std::string>().substr(0, 20));
+  expect_page(out, nilas::html_text(json["text"][0].get<std::string>().substr(0, 20)));
   EXPECT_EQ(read_text(out / "compare.html").find("http"), read_text(out / "compare.html").find("http://www.w3.org"));
   EXPECT_NE(result.out.find("parallel efficiency"), std::string::npos) << result.out;
+}
+
+TEST(Compare, AHostileNameDoesNotBreakItsPage) {
+  const ScratchFolder folder;
+  folder.write("sh<i>p&.xml", k_ship);
+  const auto result = run_nilas("compare \"sh<i>p&.xml\" --dt 0.01,0.005 --seeds 1 --quiet --out out", folder.path());
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  expect_page(folder.path() / "out", "sh&lt;i&gt;p&amp;: accuracy and cost");
+  EXPECT_EQ(read_text(folder.path() / "out/compare.html").find("<i>"), std::string::npos);
 }
 
 TEST(Compare, GivesTheSameTableAgainButForTimings) {

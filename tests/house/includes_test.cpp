@@ -153,16 +153,12 @@ TEST(House, ACycleOverSeveralFoldersIsFound) {
 
 TEST(House, NoFolderIsCrowded) {
   constexpr std::size_t k_most = 20;
-  // A header and its source count once. The study of scenes is still one room.
-  const std::map<std::string, std::size_t> larger{{"apps/compare/scenes", 30}};
+  // A header and its source count once.
   std::map<std::string, Rooms> stems;
   Rooms tops = k_product;
   tops.insert("tests");
   for (const std::string& file : sources(tops)) stems[folder_of(file)].insert(fs::path(file).stem().string());
-  for (const auto& [folder, names] : stems) {
-    const auto found = larger.find(folder);
-    EXPECT_LE(names.size(), found == larger.end() ? k_most : found->second) << folder;
-  }
+  for (const auto& [folder, names] : stems) EXPECT_LE(names.size(), k_most) << folder;
 }
 
 TEST(House, OnlyItsRoomsKnowALibrary) {

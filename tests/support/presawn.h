@@ -13,7 +13,7 @@
 #include "core/field/field.h"
 #include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
-#include "tests/support/sat_oracle.h"
+#include "tests/support/collision/sat_oracle.h"
 
 namespace nilas::test {
 

@@ -14,11 +14,7 @@ inline ContactProblem without_contacts(const ContactProblem& problem) {
   out.pairs.clear();
   out.jacobian_offset = {0};
   out.jacobian_data.clear();
-  out.key.clear();
-  out.mu.clear();
-  out.mu_static.clear();
-  out.force_limit.clear();
-  out.compliance.clear();
+  for_each_list(out, problem, [](auto& list, const auto&) { list.clear(); });
   out.w.resize(0);
   return out;
 }
@@ -31,10 +27,8 @@ inline void copy_contact(const ContactProblem& from, int c, std::uint64_t key, b
     to.add_contact(pair.b, from.jacobian_b(c), pair.a, from.jacobian_a(c), key);
   else
     to.add_contact(pair.a, from.jacobian_a(c), pair.b, from.jacobian_b(c), key);
-  to.mu.back() = from.mu[i];
-  to.mu_static.back() = from.mu_static[i];
-  to.force_limit.back() = from.force_limit[i];
-  to.compliance.back() = from.compliance[i];
+  for_each_list(to, from, [i](auto& list, const auto& source) { list.back() = source[i]; });
+  to.key.back() = key;
   to.w.tail<3>() = from.w.segment<3>(3 * c);
 }
 

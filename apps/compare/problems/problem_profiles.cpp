@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "apps/compare/statistics.h"
+#include "core/base/statistics.h"
 
 namespace nilas {
 

@@ -32,15 +32,15 @@ RowsByRun by_run(const std::vector<StudyRow>& rows) {
   return all;
 }
 
-void add_scores(Comparison& out) {
+void add_scores(SolverComparison& out) {
   out.by_ratio = profiles(time_ratios(out.times));
   out.by_time = profiles(out.times);
   out.scores = scores(out.times);
 }
 
-Comparison compare_at(const RowsByRun& runs, const std::string& law, double tolerance,
-                      const std::vector<std::string>& problems, const std::vector<std::string>& solvers) {
-  Comparison out;
+SolverComparison compare_at(const RowsByRun& runs, const std::string& law, double tolerance,
+                            const std::vector<std::string>& problems, const std::vector<std::string>& solvers) {
+  SolverComparison out;
   out.law = law;
   out.tolerance = tolerance;
   out.solvers = solvers;
@@ -67,7 +67,7 @@ std::string count_of(std::size_t solved, std::size_t problems) {
 
 }  // namespace
 
-std::vector<Comparison> compare_solvers(const std::vector<StudyRow>& rows) {
+std::vector<SolverComparison> compare_solvers(const std::vector<StudyRow>& rows) {
   std::vector<std::string> laws, problems;
   std::map<std::string, std::vector<std::string>> solvers;
   std::map<std::string, std::vector<double>> tolerances;
@@ -79,17 +79,17 @@ std::vector<Comparison> compare_solvers(const std::vector<StudyRow>& rows) {
     add_once(tolerances[row.law], row.tolerance);
   }
   const RowsByRun runs = by_run(rows);
-  std::vector<Comparison> all;
+  std::vector<SolverComparison> all;
   for (const auto& law : laws)
     for (const double tolerance : middle_first(tolerances[law])) {
-      const Comparison one = compare_at(runs, law, tolerance, problems, solvers[law]);
+      const SolverComparison one = compare_at(runs, law, tolerance, problems, solvers[law]);
       if (!one.problems.empty()) all.push_back(one);
     }
   return all;
 }
 
-Comparison restricted(const Comparison& all, const std::vector<std::string>& problems) {
-  Comparison out;
+SolverComparison restricted(const SolverComparison& all, const std::vector<std::string>& problems) {
+  SolverComparison out;
   out.law = all.law;
   out.tolerance = all.tolerance;
   out.solvers = all.solvers;
@@ -102,7 +102,7 @@ Comparison restricted(const Comparison& all, const std::vector<std::string>& pro
   return out;
 }
 
-std::string headline(const Comparison& c) {
+std::string headline(const SolverComparison& c) {
   const auto solves = [&](std::size_t k) {
     return std::tuple(c.scores[k].solved, c.scores[k].fastest, -c.scores[k].mean_ratio);
   };
@@ -139,13 +139,14 @@ std::string headline(const Comparison& c) {
   return text;
 }
 
-std::vector<WorkPoint> median_points(const std::vector<StudyRow>& rows, const std::vector<Comparison>& comparisons) {
+std::vector<WorkPoint> median_points(const std::vector<StudyRow>& rows,
+                                     const std::vector<SolverComparison>& comparisons) {
   const RowsByRun runs = by_run(rows);
-  std::map<std::string, const Comparison*> first;
+  std::map<std::string, const SolverComparison*> first;
   std::vector<WorkPoint> points;
   for (const auto& c : comparisons) {
     // medians over unlike problems would not compare
-    const Comparison& whole = *first.try_emplace(c.law, &c).first->second;
+    const SolverComparison& whole = *first.try_emplace(c.law, &c).first->second;
     if (c.problems != whole.problems) continue;
     for (std::size_t s = 0; s < c.solvers.size(); ++s) {
       std::vector<double> seconds, residuals;
@@ -161,10 +162,10 @@ std::vector<WorkPoint> median_points(const std::vector<StudyRow>& rows, const st
   return points;
 }
 
-std::vector<WorkPoint> problem_points(const std::vector<StudyRow>& rows, const std::vector<Comparison>& comparisons,
-                                      std::size_t count) {
+std::vector<WorkPoint> problem_points(const std::vector<StudyRow>& rows,
+                                      const std::vector<SolverComparison>& comparisons, std::size_t count) {
   if (comparisons.empty()) return {};
-  const Comparison& first = comparisons.front();
+  const SolverComparison& first = comparisons.front();
   std::vector<std::pair<double, std::string>> by_time;
   for (std::size_t p = 0; p < first.problems.size(); ++p)
     by_time.emplace_back(*std::min_element(first.times[p].begin(), first.times[p].end()), first.problems[p]);
@@ -190,7 +191,7 @@ std::vector<ProblemClass> problem_classes(const std::vector<StudyRow>& rows) {
     if (!is_new && (own < known || std::isnan(known))) place->second = &row;
   }
   std::vector<ProblemClass> classes{
-      {"mass ratio above 1e4", {}}, {"mostly sliding", {}}, {"mostly sticking", {}}, {"not told", {}}};
+      {"mass ratio above 1e4", {}}, {"mostly sliding", {}}, {"mostly sticking", {}}, {"not known", {}}};
   for (const auto& [name, row] : best) {
     std::size_t kind = row->sliding > row->sticking ? 1 : 2;
     if (!(row->residuals.law_map_m_s <= k_good)) kind = 3;

@@ -9,7 +9,7 @@
 namespace nilas {
 
 /// All solvers on the problems that all of them were tried on, for one law and tolerance.
-struct Comparison {
+struct SolverComparison {
   std::string law;
   double tolerance = 0;
   std::vector<std::string> problems, solvers;
@@ -19,12 +19,12 @@ struct Comparison {
 };
 /// Laws in the order of their names in the rows, of each the middle tolerance first. Those without a problem that every
 /// solver was tried on are left out.
-std::vector<Comparison> compare_solvers(const std::vector<StudyRow>& rows);
+std::vector<SolverComparison> compare_solvers(const std::vector<StudyRow>& rows);
 /// The comparison of some of its problems.
-Comparison restricted(const Comparison& all, const std::vector<std::string>& problems);
+SolverComparison restricted(const SolverComparison& all, const std::vector<std::string>& problems);
 
 /// One sentence or two: who solves most, who is fastest, what nobody solves.
-std::string headline(const Comparison& comparison);
+std::string headline(const SolverComparison& comparison);
 
 /// A point of accuracy against time: of one problem, or (no problem) the medians over all of a comparison.
 struct WorkPoint {
@@ -33,10 +33,11 @@ struct WorkPoint {
 };
 /// Medians per law, solver and tolerance, where a failure took for ever: there is a point only where most are solved.
 /// Tolerances that were not tried on the same problems as the first of the law are left out.
-std::vector<WorkPoint> median_points(const std::vector<StudyRow>& rows, const std::vector<Comparison>& comparisons);
+std::vector<WorkPoint> median_points(const std::vector<StudyRow>& rows,
+                                     const std::vector<SolverComparison>& comparisons);
 /// Of single problems, whatever was reached: up to `count` of them, from the quickest to the slowest to be solved.
-std::vector<WorkPoint> problem_points(const std::vector<StudyRow>& rows, const std::vector<Comparison>& comparisons,
-                                      std::size_t count);
+std::vector<WorkPoint> problem_points(const std::vector<StudyRow>& rows,
+                                      const std::vector<SolverComparison>& comparisons, std::size_t count);
 
 /// Problems of a kind.
 struct ProblemClass {
@@ -44,7 +45,7 @@ struct ProblemClass {
   std::vector<std::string> problems;
 };
 /// By mass ratio (files of the global form), else by what most loaded contacts do in the most accurate answer of all
-/// runs; "not told" where none came within 1e-4 m/s.
+/// runs; "not known" where none came within 1e-4 m/s.
 std::vector<ProblemClass> problem_classes(const std::vector<StudyRow>& rows);
 
 }  // namespace nilas

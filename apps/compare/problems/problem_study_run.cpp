@@ -14,7 +14,6 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr double k_grace_s = 2, k_grace_factor = 1.5;  // for starting, repeating, and looking at the clock
-constexpr int k_signal_base = 128, k_not_started = 127, k_bad_input = 2, k_unreadable_file = 4;
 
 std::string first_line(const std::string& text) {
   const std::string line = text.substr(0, text.find('\n'));
@@ -80,18 +79,18 @@ StudyRow judge(const StudyFile& file, const StudyRun& run, double limit_s, const
   if (ended.timed_out) {
     row.outcome = RunOutcome::time_limit;
     row.message = "the process was ended";
-  } else if (ended.exit_code > k_signal_base) {
+  } else if (ended.exit_code > k_exit_signal) {
     row.outcome = RunOutcome::crashed;
-    row.message = fmt::format("signal {}", ended.exit_code - k_signal_base);
+    row.message = fmt::format("signal {}", ended.exit_code - k_exit_signal);
   } else if (result.is_object()) {
     take(result, row);
     row.outcome = outcome_of(row, limit_s);
-  } else if (ended.exit_code == k_not_started) {
+  } else if (ended.exit_code == k_exit_not_started) {
     throw FileError(own_program().string() + ": cannot be started again");
   } else if (logged.empty()) {
     throw FileError("the result of a run is cut short: is the disk full?");
   } else {
-    const bool input = ended.exit_code == k_bad_input || ended.exit_code == k_unreadable_file;
+    const bool input = ended.exit_code == exit_bad_input || ended.exit_code == exit_file;
     row.outcome = input ? RunOutcome::unreadable : RunOutcome::crashed;
     row.message = first_line(logged);
   }

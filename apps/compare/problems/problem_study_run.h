@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <string>
 
-#include "apps/compare/child.h"
 #include "apps/compare/problems/problem_study_plan.h"
+#include "apps/compare/workshop/child.h"
 
 namespace nilas {
 

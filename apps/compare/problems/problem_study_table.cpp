@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <functional>
-#include <sstream>
 
 #include "contact/registry.h"
+#include "core/base/csv.h"
 #include "core/base/error.h"
 #include "core/output/file/csv_row.h"
 
@@ -115,30 +114,17 @@ const std::vector<Column>& columns() {
   return all;
 }
 
-/// Cells of one line, quotes undone. Messages hold no line breaks, so a line is a row.
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells(1);
-  bool quoted = false;
-  for (std::size_t k = 0; k < line.size(); ++k) {
-    const char c = line[k];
-    if (c == '"' && quoted && k + 1 < line.size() && line[k + 1] == '"')
-      cells.back() += line[++k];
-    else if (c == '"')
-      quoted = !quoted;
-    else if (c == ',' && !quoted)
-      cells.emplace_back();
-    else
-      cells.back() += c;
-  }
-  return cells;
-}
-
-bool read_row(const std::string& line, StudyRow& row) {
-  const std::vector<std::string> cells = cells_of(line);
+bool read_row(const std::vector<std::string>& cells, StudyRow& row) {
   if (cells.size() != columns().size()) return false;
   for (std::size_t k = 0; k < cells.size(); ++k)
     if (!columns()[k].read(row, cells[k])) return false;
   return true;
+}
+
+std::vector<std::string> column_names() {
+  std::vector<std::string> names;
+  for (const auto& one : columns()) names.push_back(one.name);
+  return names;
 }
 
 std::size_t place_of(const std::string& solver) {
@@ -150,11 +136,7 @@ std::size_t place_of(const std::string& solver) {
 
 }  // namespace
 
-std::string study_header() {
-  std::vector<std::string> names;
-  for (const auto& one : columns()) names.push_back(one.name);
-  return csv_header(names);
-}
+std::string study_header() { return csv_header(column_names()); }
 
 std::string study_line(const StudyRow& row) {
   CsvRow out;
@@ -169,25 +151,17 @@ Json study_json(const StudyRow& row) {
 }
 
 StoredRows read_study(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw FileError(file.string() + ": cannot be opened");
-  std::ostringstream content;
-  content << in.rdbuf();
-  const std::string text = content.str(), header = study_header();
-  if (text.rfind(header, 0) != 0)
+  const CsvRecords records = csv_records(file);
+  if (records.header != column_names())
     throw InputError(file.string() + ":1: found no header of a study of stored problems by this version");
   StoredRows stored;
-  std::size_t begin = header.size();
-  for (int line = 2; begin < text.size(); ++line) {
-    const std::size_t end = text.find('\n', begin);
-    if (end == std::string::npos) break;
+  for (const auto& cells : records.rows) {
     StudyRow row;
-    if (!read_row(text.substr(begin, end - begin), row))
-      throw InputError(file.string() + ":" + std::to_string(line) + ": found no row of a study");
+    if (!read_row(cells, row))
+      throw InputError(file.string() + ":" + std::to_string(stored.rows.size() + 2) + ": found no row of a study");
     stored.rows.push_back(row);
-    begin = end + 1;
   }
-  stored.bytes = static_cast<std::int64_t>(begin);
+  stored.bytes = records.bytes;
   return stored;
 }
 

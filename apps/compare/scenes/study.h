@@ -3,7 +3,7 @@
 #include <functional>
 #include <optional>
 
-#include "apps/compare/scenes/grid.h"
+#include "apps/compare/scenes/plan/grid.h"
 
 namespace nilas {
 

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <csignal>
 #include <memory>
 
 #include "apps/compare/problems/problem_study.h"
@@ -8,14 +7,11 @@
 #include "apps/nilas/commands/commands.h"
 #include "apps/nilas/commands/scene_flags.h"
 #include "core/base/error.h"
+#include "core/base/stop_request.h"
 
 namespace nilas {
 
 namespace {
-
-/// Set by SIGINT and SIGTERM; the only thing a signal handler may touch.
-volatile std::sig_atomic_t stop_requested = 0;
-void request_stop(int) { stop_requested = 1; }
 
 struct CompareOptions {
   StudyOptions study;
@@ -40,7 +36,7 @@ int compare_problems(const CompareOptions& options, bool goes_on) {
   study.quiet = shared.quiet;
   study.force = shared.force;
   if (goes_on) study.resume = shared.resume;
-  return run_problem_study(study, [] { return stop_requested != 0; });
+  return run_problem_study(study, stop_requested);
 }
 
 /// Whether a folder holds a study of stored problems and not of a scene.
@@ -49,8 +45,7 @@ bool holds_problem_study(const std::filesystem::path& folder) {
 }
 
 int compare(CompareOptions options) {
-  std::signal(SIGINT, request_stop);
-  std::signal(SIGTERM, request_stop);
+  listen_for_stop();
   const bool goes_on = !options.study.resume.empty() && holds_problem_study(options.study.resume);
   if (goes_on && options.study.realisations)
     throw InputError("--seeds: the comparison in " + options.study.resume +
@@ -60,7 +55,7 @@ int compare(CompareOptions options) {
   for (const auto& text : options.scene.set) options.study.overrides.push_back(split_override(text));
   if (options.scene.until) options.study.overrides.emplace_back("time/@end", fmt::format("{}", *options.scene.until));
   if (options.scene.seed) options.study.overrides.emplace_back("seed/@value", fmt::format("{}", *options.scene.seed));
-  return run_study(options.study, [] { return stop_requested != 0; });
+  return run_study(options.study, stop_requested);
 }
 
 template <class List>

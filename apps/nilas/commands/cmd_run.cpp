@@ -1,10 +1,8 @@
 #include <fmt/format.h>
-#include <sys/utsname.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <csignal>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -17,6 +15,8 @@
 #include "apps/nilas/commands/scene_flags.h"
 #include "apps/nilas/commands/twin_runs.h"
 #include "core/base/error.h"
+#include "core/base/machine.h"
+#include "core/base/stop_request.h"
 #include "core/output/run/claim_folder.h"
 #include "core/output/run/closing_account.h"
 #include "core/output/run/run_folder.h"
@@ -33,10 +33,6 @@ std::filesystem::path default_folder(const Scene& scene) {
   return scene.output.folder.empty() ? dated_folder(scene.name) : std::filesystem::path(scene.output.folder);
 }
 
-/// Set by SIGINT and SIGTERM; the only thing a signal handler may touch.
-volatile std::sig_atomic_t stop_requested = 0;
-void request_stop(int) { stop_requested = 1; }
-
 struct RunOptions {
   SceneFlags scene;
   std::string out, resume, log_level = "info";
@@ -44,12 +40,6 @@ struct RunOptions {
   bool force = false, json = false, quiet = false, open_water = false;
   std::string open_water_run;
 };
-
-std::string machine() {
-  utsname name{};
-  uname(&name);
-  return std::string(name.sysname) + " " + name.release + " " + name.machine;
-}
 
 /// Throws before anything of an earlier run is replaced.
 std::optional<OpenWater> stored_open_water(const RunOptions& options, const Scene& scene) {
@@ -222,11 +212,9 @@ class Run {
     const double every = scene_.output.checkpoint_every;
     Ending ending;
     const long checkpoint_steps = every > 0 ? std::max(1L, std::lround(every / scene_.time.step)) : 0;
-    stop_requested = 0;
-    std::signal(SIGINT, request_stop);
-    std::signal(SIGTERM, request_stop);
+    listen_for_stop();
     try {
-      for (long k = done; k < steps && !stop_requested; ++k) {
+      for (long k = done; k < steps && !stop_requested(); ++k) {
         ending.early = simulation.end_of_course();
         if (!ending.early.empty()) break;
         const StepRecord record = twins_ ? twins_->step(simulation) : simulation.step();
@@ -241,7 +229,7 @@ class Run {
       return {"failed", exit_numerics, e.what()};
     }
     if (checkpoint_steps > 0 && steps_saved_ != simulation.steps()) write_checkpoint(simulation);
-    if (stop_requested)
+    if (stop_requested())
       return {"interrupted", exit_interrupted,
               fmt::format("The run was interrupted at {:g} s of {:g} s; its outputs are complete up to there.",
                           simulation.time(), scene_.time.end)};
@@ -270,7 +258,7 @@ class Run {
     input.wall_s = wall;
     input.seed = scene_.seed;
     input.threads = options_.threads;
-    input.machine = machine();
+    input.machine = system_text();
     input.versions = program_versions();
     return input;
   }

@@ -4,6 +4,8 @@
 #include <functional>
 #include <string>
 
+#include "core/base/error.h"
+
 namespace nilas {
 
 /// What the chosen subcommand does; returns the exit code.
@@ -20,9 +22,6 @@ void add_compare(CLI::App& app, Action& action);
 void add_report(CLI::App& app, Action& action);
 void add_problems(CLI::App& app, Action& action);
 void add_schema(CLI::App& app, Action& action);
-
-/// Exit codes of every command.
-enum ExitCode { exit_done = 0, exit_bad_input = 2, exit_numerics = 3, exit_file = 4, exit_interrupted = 130 };
 
 /// Checks whose messages CLI11 has no readable form of.
 inline CLI::Validator at_least(double least) {

@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "apps/nilas/commands/program_identity.h"
 #include "core/base/error.h"
+#include "core/base/file_bytes.h"
 #include "core/output/run/run_folder.h"
 
 namespace nilas {
@@ -16,14 +15,12 @@ namespace fs = std::filesystem;
 
 /// summary.json where it tells of a run that did all its steps, or all that its course allows.
 static std::string summary_of_done_run(const fs::path& file, long steps) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return "";
-  std::ostringstream text;
-  text << in.rdbuf();
-  const auto summary = nlohmann::json::parse(text.str(), nullptr, false);
+  if (!fs::exists(file)) return "";
+  const std::string text = file_bytes(file);
+  const auto summary = nlohmann::json::parse(text, nullptr, false);
   const bool done = summary.is_object() && summary.value("status", nlohmann::json()) == "done" &&
                     (summary.value("steps", nlohmann::json()) == steps || summary.contains("ended_early"));
-  return done ? text.str() : "";
+  return done ? text : "";
 }
 
 static long steps_of(const State& checkpoint) {

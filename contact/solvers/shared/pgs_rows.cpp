@@ -212,13 +212,14 @@ static void fill_contact(const ContactProblem& problem, const MassInverse& masse
 }
 
 static bool all_finite(const PgsRows& rows) {
-  double sum = rows.velocities.sum();
-  for (const auto& contact : rows.contacts) {
-    for (int i = 0; i < 3; ++i) sum += contact.w[i] + contact.diagonal[i] + contact.r[i];
-    sum += contact.mu + contact.compliance;
-    if (std::isnan(contact.force_limit)) return false;
-  }
-  return std::isfinite(sum);
+  if (!rows.velocities.allFinite()) return false;
+  return std::all_of(rows.contacts.begin(), rows.contacts.end(), [](const PgsContact& contact) {
+    bool finite = std::isfinite(contact.mu) && std::isfinite(contact.compliance) && !std::isnan(contact.force_limit);
+    for (int i = 0; i < 3; ++i)
+      finite =
+          finite && std::isfinite(contact.w[i]) && std::isfinite(contact.diagonal[i]) && std::isfinite(contact.r[i]);
+    return finite;
+  });
 }
 
 void set_block_velocities(const MassInverse& masses, int k, const double* momentum, PgsRows& rows) {

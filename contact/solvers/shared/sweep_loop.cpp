@@ -27,6 +27,11 @@ void RowSweeps::restore() {
     std::copy_n(saved_at(k), 3, rows_.contacts[static_cast<std::size_t>(k)].r);
 }
 
+bool RowSweeps::finite() const {
+  return std::all_of(rows_.contacts.begin() + island_.first, rows_.contacts.begin() + island_.last,
+                     [](const PgsContact& contact) { return Eigen::Map<const Vec3>(contact.r).allFinite(); });
+}
+
 LocalSweeps::LocalSweeps(const LocalProblem& problem, const VecX& guess)
     : problem_(problem), r_(guess.size() > 0 ? guess : VecX(VecX::Zero(problem.q.size()))), saved_(r_) {
   for (int c = 0; c < problem.num_contacts(); ++c) scales_.push_back(contact_scale(problem, c));

@@ -22,6 +22,7 @@ class RowSweeps {
   void correct() { residual_.correct(rows_, island_); }
   void save();
   void restore();
+  bool finite() const;  ///< the impulses
 
  protected:
   PgsRows& rows_;
@@ -41,6 +42,7 @@ class LocalSweeps {
   void correct() {}
   void save() { saved_ = r_; }
   void restore() { r_ = saved_; }
+  bool finite() const { return r_.allFinite(); }
   const VecX& impulses() const { return r_; }
 
  protected:
@@ -79,6 +81,10 @@ ContactSolution sweep_to_tolerance(Sweeps& sweeps, int contacts, const SweepSett
     const double last = sweeps.law_map();
     if (!(last <= progress.best())) sweeps.restore();
     if (last <= shared.tolerance) outcome.status = SolveStatus::converged;
+  }
+  if (!sweeps.finite()) {  // with tolerance 0 nobody looked
+    sweeps.restore();
+    outcome.status = SolveStatus::numerical_error;
   }
   if (outcome.status == SolveStatus::numerical_error) outcome.message = "the impulses grew beyond all numbers";
   return outcome;

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/base/error.h"
+#include "core/base/statistics.h"
 
 namespace nilas {
 
@@ -35,10 +36,6 @@ std::vector<double> normal_scores(const std::vector<double>& sample) {
     for (std::size_t k = first; k < end; ++k) scores[order[k]] = z;
   }
   return scores;
-}
-
-double mean_of(const std::vector<double>& sample) {
-  return std::accumulate(sample.begin(), sample.end(), 0.0) / static_cast<double>(sample.size());
 }
 
 }  // namespace
@@ -72,14 +69,9 @@ DistributionSummary summary_of(std::vector<double> sample) {
   summary.max = sample.back();
   const auto n = static_cast<double>(sample.size());
   summary.mean = sample.front() == sample.back() ? sample.front() : mean_of(sample);
-  double squares = 0;
-  for (const double x : sample) squares += (x - summary.mean) * (x - summary.mean);
-  summary.sd = n > 1 ? std::sqrt(squares / (n - 1)) : 0;
-  for (std::size_t k = 0; k < k_reported_quantiles.size(); ++k) {
-    const double place = k_reported_quantiles[k] * (n - 1);
-    const auto below = static_cast<std::size_t>(place), above = std::min(below + 1, sample.size() - 1);
-    summary.quantiles[k] = sample[below] + (place - std::floor(place)) * (sample[above] - sample[below]);
-  }
+  summary.sd = n > 1 ? std::sqrt(squares_about(sample, summary.mean) / (n - 1)) : 0;
+  for (std::size_t k = 0; k < k_reported_quantiles.size(); ++k)
+    summary.quantiles[k] = percentile_of(sample, k_reported_quantiles[k]);
   return summary;
 }
 

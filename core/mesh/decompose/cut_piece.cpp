@@ -5,8 +5,8 @@
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <map>
-#include <numeric>
 
+#include "core/base/union_find.h"
 #include "core/geometry/mesh_box.h"
 #include "core/mesh/decompose/pieces.h"
 #include "core/mesh/mend/surface_mesh.h"
@@ -137,18 +137,13 @@ void add_cap(TriangleMesh& side, const HalfSpace& plane, const std::vector<std::
 
 /// Triangles that hang together by edges, each with the vertices that they use.
 std::vector<TriangleMesh> connected(const TriangleMesh& mesh) {
-  std::vector<std::size_t> root(mesh.triangles.size());
-  std::iota(root.begin(), root.end(), std::size_t{0});
-  const auto find = [&](std::size_t t) {
-    while (root[t] != t) t = root[t] = root[root[t]];
-    return t;
-  };
-  for (const auto& edge : shared_edges(mesh)) root[find(edge.right)] = find(edge.left);
+  UnionFind joined(mesh.triangles.size());
+  for (const auto& edge : shared_edges(mesh)) joined.join(edge.left, edge.right);
   std::map<std::size_t, std::size_t> place;
   std::vector<TriangleMesh> parts;
   std::vector<std::vector<int>> numbers;
-  for (std::size_t t = 0; t < root.size(); ++t) {
-    const auto [found, fresh] = place.try_emplace(find(t), parts.size());
+  for (std::size_t t = 0; t < joined.size(); ++t) {
+    const auto [found, fresh] = place.try_emplace(joined.find(t), parts.size());
     if (fresh) {
       parts.emplace_back();
       numbers.emplace_back(mesh.vertices.size(), -1);

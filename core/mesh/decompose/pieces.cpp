@@ -3,8 +3,8 @@
 #include <CGAL/convex_hull_3.h>
 
 #include <algorithm>
-#include <numeric>
 
+#include "core/base/union_find.h"
 #include "core/geometry/weld.h"
 #include "core/mesh/mend/surface_mesh.h"
 
@@ -18,20 +18,16 @@ bool comes_before(const Vec3& p, const Vec3& q) {
 
 /// Number of the facet of each face: faces in one plane that meet in edges are one facet.
 std::vector<std::size_t> facets_of(const SurfaceMesh& hull) {
-  std::vector<std::size_t> root(hull.num_faces());
-  std::iota(root.begin(), root.end(), std::size_t{0});
-  const auto find = [&](std::size_t f) {
-    while (root[f] != f) f = root[f] = root[root[f]];
-    return f;
-  };
+  UnionFind joined(hull.num_faces());
   for (const auto e : hull.edges()) {
     const auto h = hull.halfedge(e), o = hull.opposite(h);
     const auto beyond = [&](const auto& side) { return hull.point(hull.target(hull.next(side))); };
     if (CGAL::coplanar(hull.point(hull.source(h)), hull.point(hull.target(h)), beyond(h), beyond(o)))
-      root[find(hull.face(h))] = find(hull.face(o));
+      joined.join(hull.face(o), hull.face(h));
   }
-  for (std::size_t f = 0; f < root.size(); ++f) root[f] = find(f);
-  return root;
+  std::vector<std::size_t> facet;
+  for (std::size_t f = 0; f < joined.size(); ++f) facet.push_back(joined.find(f));
+  return facet;
 }
 
 /// Corners of each facet in order, without points on its sides, the first in x, y, z first.

@@ -5,9 +5,9 @@
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 
 #include <map>
-#include <numeric>
 
 #include "core/base/error.h"
+#include "core/base/union_find.h"
 #include "core/mesh/mend/surface_mesh.h"
 
 namespace nilas {
@@ -166,22 +166,17 @@ void wind_alike(Points& points, Polygons& polygons, std::vector<MeshNote>& done)
   std::vector<Kernel::Point_3> first;
   for (const auto& loop : polygons) first.push_back(points[loop.front()]);
   PMP::orient_polygon_soup(points, polygons);
-  std::vector<std::size_t> root(points.size());
-  std::iota(root.begin(), root.end(), std::size_t{0});
-  const auto find = [&](std::size_t v) {
-    while (root[v] != v) v = root[v] = root[root[v]];
-    return v;
-  };
+  UnionFind shells(points.size());
   for (const auto& loop : polygons)
-    for (const std::size_t v : loop) root[find(v)] = find(loop.front());
+    for (const std::size_t v : loop) shells.join(loop.front(), v);
   std::map<std::size_t, long> balance;  // turned faces less those that stand as in the file, per shell
   std::vector<bool> turned;
   for (std::size_t f = 0; f < polygons.size(); ++f) {
     turned.push_back(points[polygons[f].front()] != first[f]);
-    balance[find(polygons[f].front())] += turned.back() ? 1 : -1;
+    balance[shells.find(polygons[f].front())] += turned.back() ? 1 : -1;
   }
   for (std::size_t f = 0; f < polygons.size(); ++f) {
-    if (balance[find(polygons[f].front())] <= 0) continue;
+    if (balance[shells.find(polygons[f].front())] <= 0) continue;
     std::reverse(polygons[f].begin(), polygons[f].end());
     turned[f] = !turned[f];
   }

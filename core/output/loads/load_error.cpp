@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/statistics.h"
 #include "core/output/loads/load_statistics.h"
 #include "core/output/loads/mean_error.h"
 
@@ -127,7 +128,7 @@ std::optional<LoadError> load_error(const LoadRecord& run, const LoadResiduals& 
     if (!component || series.empty()) continue;
     ChannelError error;
     error.channel = run.names[c];
-    error.mean = out.from_twins ? mean_of_runs(twins->mean_loads[c]) : load_statistics(series).mean;
+    error.mean = out.from_twins ? mean_of(twins->mean_loads[c]) : load_statistics(series).mean;
     // the contact load's channels come first, in the order of the components
     const bool of_course = *component >= k_components - k_num_course_loads;
     if (!out.chaos_from_twins)

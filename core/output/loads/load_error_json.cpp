@@ -1,5 +1,6 @@
 #include "core/output/loads/load_error_json.h"
 
+#include "core/base/statistics.h"
 #include "core/output/loads/mean_error.h"
 
 namespace nilas {
@@ -73,7 +74,7 @@ Json twins_json(const TwinStatistics& twins) {
   Json loads = Json::object(), failed = Json::array();
   for (std::size_t c = 0; c < twins.load_names.size(); ++c) {
     const MeanError error = mean_error_of_runs(twins.mean_loads[c]);
-    loads[twins.load_names[c]] = {{"mean", mean_of_runs(twins.mean_loads[c])},
+    loads[twins.load_names[c]] = {{"mean", mean_of(twins.mean_loads[c])},
                                   {"standard_error", error.freedom > 0 ? Json(error.standard_error) : Json(nullptr)}};
   }
   for (const FailedTwin& f : twins.failed)

@@ -1,9 +1,10 @@
 #include "core/output/loads/mean_error.h"
 
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 #include <numeric>
+
+#include "core/base/statistics.h"
 
 namespace nilas {
 
@@ -36,9 +37,7 @@ MeanError second_differences(const std::vector<double>& means) {
 }  // namespace
 
 double MeanError::half_width() const {
-  constexpr double k_upper = 0.975;
-  if (freedom <= 0) return std::numeric_limits<double>::infinity();
-  return standard_error * boost::math::quantile(boost::math::students_t(freedom), k_upper);
+  return freedom > 0 ? standard_error * student_95(freedom) : std::numeric_limits<double>::infinity();
 }
 
 MeanError mean_error(const std::vector<double>& series) {
@@ -56,7 +55,7 @@ MeanError slow_mean_error(const std::vector<double>& series) {
   constexpr double k_freedom = k_batches - 2, k_middle = 0.5 * (k_batches - 1);
   if (series.size() < 2 * k_batches) return {};
   const std::vector<double> means = batch_means(series, k_batches);
-  const double mean = std::accumulate(means.begin(), means.end(), 0.0) / k_batches;
+  const double mean = mean_of(means);
   double across = 0, squares = 0;
   for (std::size_t b = 0; b < k_batches; ++b) {
     const double from_middle = static_cast<double>(b) - k_middle;

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+
+#include "core/base/statistics.h"
 
 namespace nilas {
 
@@ -33,10 +34,6 @@ double largest_distance(const Bodies& one, const Bodies& other) {
 
 }  // namespace
 
-double mean_of_runs(const std::vector<double>& means) {
-  return std::accumulate(means.begin(), means.end(), 0.0) / static_cast<double>(means.size());
-}
-
 TwinHorizon::TwinHorizon(const Bodies& start) : threshold_(k_share_of_diameter * mean_diameter(start)) {}
 
 void TwinHorizon::compare(double t, const std::vector<const Bodies*>& runs) {
@@ -55,7 +52,7 @@ void TwinHorizon::compare(double t, const std::vector<const Bodies*>& runs) {
 std::optional<double> TwinHorizon::e_folding() const {
   constexpr std::size_t k_least = 10;
   if (!horizon_ || times_.size() < k_least) return std::nullopt;
-  const double t_mean = mean_of_runs(times_), log_mean = mean_of_runs(logs_);
+  const double t_mean = mean_of(times_), log_mean = mean_of(logs_);
   double across = 0, squares = 0;
   for (std::size_t i = 0; i < times_.size(); ++i) {
     across += (times_[i] - t_mean) * (logs_[i] - log_mean);

@@ -28,8 +28,6 @@ struct TwinStatistics {
   std::size_t runs() const { return mean_loads.empty() ? 0 : mean_loads.front().size(); }
 };
 
-double mean_of_runs(const std::vector<double>& means);
-
 /// Follows how far the same body is apart in any two runs. The horizon is the first time when that exceeds 1e-4 of the
 /// mean diameter (of the bounding sphere) of the bodies that move freely, or when the runs do not have the same bodies
 /// any more. The e-folding time is that of the exponential fitted to all distances between ten times the first offset

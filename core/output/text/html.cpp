@@ -1,9 +1,6 @@
 #include "core/output/text/html.h"
 
-#include <fstream>
-#include <sstream>
-
-#include "core/base/error.h"
+#include "core/base/file_bytes.h"
 
 namespace nilas {
 
@@ -21,6 +18,10 @@ std::string html_text(const std::string& text) {
       out += "&gt;";
     else if (c == '&')
       out += "&amp;";
+    else if (c == '"')
+      out += "&quot;";
+    else if (c == '\'')
+      out += "&#39;";
     else
       out += c;
   }
@@ -28,11 +29,7 @@ std::string html_text(const std::string& text) {
 }
 
 std::string inline_svg(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  std::ostringstream text;
-  text << in.rdbuf();
-  std::string svg = text.str();
-  if (!in || svg.empty()) throw FileError(file.string() + ": cannot be read");
+  const std::string svg = file_bytes(file);
   const auto start = svg.find("<svg");
   return start == std::string::npos ? svg : svg.substr(start);
 }

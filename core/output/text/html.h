@@ -5,7 +5,7 @@
 
 namespace nilas {
 
-/// With <, > and & written as entities.
+/// With <, >, & and both quotes written as entities, so that it may stand in text and in attributes.
 std::string html_text(const std::string& text);
 
 /// A picture's <svg> element, to stand in a page. Throws FileError where the file cannot be read.

@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "core/base/file_bytes.h"
+
 namespace nilas {
 
 namespace {
@@ -25,12 +27,11 @@ void plot(const std::filesystem::path& folder, const std::string& script) {
   if (!out.flush()) throw FileError("cannot write " + file.string());
   out.close();
   const int status = std::system(("cd " + for_shell(folder.string()) + " && gnuplot .plot.gp 2>.plot.log").c_str());
-  std::ifstream log(folder / ".plot.log");
-  const std::string said((std::istreambuf_iterator<char>(log)), std::istreambuf_iterator<char>());
-  log.close();
+  const std::filesystem::path log = folder / ".plot.log";
+  const std::string said = std::filesystem::exists(log) ? file_bytes(log) : "";
   std::error_code ignored;
   std::filesystem::remove(file, ignored);
-  std::filesystem::remove(folder / ".plot.log", ignored);
+  std::filesystem::remove(log, ignored);
   constexpr int k_not_found = 127;  // of the shell
   if (WIFEXITED(status) && WEXITSTATUS(status) == k_not_found)
     throw PlotError("the pictures need gnuplot (Debian package gnuplot-nox), which is not there");

@@ -1,10 +1,9 @@
 #include "core/scene/read/read_scene.h"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 #include <tuple>
 
+#include "core/base/file_bytes.h"
 #include "core/scene/check/check_document.h"
 #include "core/scene/check/cross_checks.h"
 #include "core/scene/check/implausible_values.h"
@@ -18,13 +17,7 @@
 namespace nilas {
 
 static std::string read_text(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream content;
-  // A folder opens but does not read.
-  if (!in || std::filesystem::is_directory(file)) throw FileError("cannot open scene file " + file.string());
-  content << in.rdbuf();
-  if (in.bad()) throw FileError("cannot read scene file " + file.string());
-  std::string text = content.str();
+  std::string text = file_bytes(file);
   const std::string byte_order_mark = "\xEF\xBB\xBF";
   if (text.rfind(byte_order_mark, 0) == 0) text.erase(0, byte_order_mark.size());
   return text;

@@ -4,8 +4,8 @@
 
 namespace nilas::bench {
 
-/// Every class of tests/support/pair_classes.h against the oracle, `batches` of 1000 pairs each, or the one class
-/// named, with one narrow phase.
+/// Every class of tests/support/collision/pair_classes.h against the oracle, `batches` of 1000 pairs each, or the one
+/// class named, with one narrow phase.
 bool class_table(int batches, int threads, NarrowPhase narrow, const char* only);
 /// Time per pair and correctness of Nilas, FCL and Bullet on the same `pairs` of each class without round parts.
 bool peer_table(int pairs, int rounds);

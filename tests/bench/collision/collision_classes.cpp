@@ -4,7 +4,7 @@
 
 #include "core/base/parallel.h"
 #include "tests/bench/collision/collision.h"
-#include "tests/support/pair_judge.h"
+#include "tests/support/collision/pair_judge.h"
 
 namespace nilas::bench {
 

@@ -11,7 +11,7 @@
 #include "contact/detect/narrow_phase.h"
 #include "tests/bench/collision/collision.h"
 #include "tests/bench/peers/floe_scene.h"
-#include "tests/support/pair_judge.h"
+#include "tests/support/collision/pair_judge.h"
 
 namespace nilas::bench {
 

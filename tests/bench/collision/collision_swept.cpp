@@ -11,7 +11,7 @@
 
 #include "contact/detect/swept.h"
 #include "tests/contact/detect/bodies_of_tests.h"
-#include "tests/support/swept_pairs.h"
+#include "tests/support/collision/swept_pairs.h"
 
 namespace nilas {
 namespace {

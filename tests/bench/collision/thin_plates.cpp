@@ -1,6 +1,6 @@
 /// Thin plates at 100 thicknesses per step against fixed plates as thin: who gets through, alone and in crowds.
 /// usage: bench_thin_plates FLIGHTS PAIRS_PER_SCENE [CONTACT_ATTRIBUTES]
-#include "tests/support/thin_plates.h"
+#include "tests/support/collision/thin_plates.h"
 
 #include <cstdio>
 #include <cstdlib>

@@ -7,7 +7,7 @@
 
 #include "contact/detect/detector.h"
 #include "tests/contact/detect/bodies_of_tests.h"
-#include "tests/support/distance_oracle.h"
+#include "tests/support/collision/distance_oracle.h"
 
 namespace nilas {
 namespace {

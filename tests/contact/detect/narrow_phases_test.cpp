@@ -4,7 +4,7 @@
 
 #include "contact/detect/detector.h"
 #include "tests/contact/detect/crowd.h"
-#include "tests/support/pair_judge.h"
+#include "tests/support/collision/pair_judge.h"
 
 namespace nilas {
 namespace {

@@ -1,4 +1,4 @@
-/// Random pairs against brute force, class by class (tests/support/pair_classes.h): a hundredth of those that
+/// Random pairs against brute force, class by class (tests/support/collision/pair_classes.h): a hundredth of those that
 /// `./dev bench collision` goes through.
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "contact/detect/surface/point_reduction.h"
-#include "tests/support/pair_judge.h"
+#include "tests/support/collision/pair_judge.h"
 
 namespace nilas::pairs {
 

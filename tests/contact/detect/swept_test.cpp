@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "tests/contact/detect/bodies_of_tests.h"
-#include "tests/support/swept_pairs.h"
+#include "tests/support/collision/swept_pairs.h"
 
 namespace nilas {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -77,6 +78,35 @@ TEST_F(CsvTest, RefusesTablesWithoutRows) {
 TEST_F(CsvTest, UnreadableFilesAreFileErrors) {
   EXPECT_THROW(read_csv(testing::TempDir() + "nilas_no_such_file.csv", {"alpha"}), FileError);
   EXPECT_THROW(read_csv(testing::TempDir(), {"alpha"}), FileError);
+}
+
+TEST_F(CsvTest, QuotedFieldsHoldCommasAndQuotes) {
+  CsvLine line;
+  line.split("a,\"b, \"\"c\"\"\",,d");
+  ASSERT_EQ(line.size(), 4U);
+  EXPECT_EQ(line[1], "b, \"c\"");
+  EXPECT_EQ(line[2], "");
+  EXPECT_EQ(line[3], "d");
+  EXPECT_EQ(line.column(3), 14U);
+}
+
+TEST_F(CsvTest, ColumnsOfARunEndWithItsLastCompleteRow) {
+  const auto file = write("t,\"name, with comma\",x\n1,\"p,q\",2\n3,r,word\n5,s,6");
+  const auto columns = csv_columns(file, {"x", "t"});
+  ASSERT_EQ(columns[0].size(), 2U);
+  EXPECT_EQ(columns[0][0], 2);
+  EXPECT_TRUE(std::isnan(columns[0][1])) << "no number";
+  EXPECT_EQ(columns[1], (std::vector<double>{1, 3}));
+  EXPECT_THROW(csv_columns(file, {"y"}), InputError);
+  EXPECT_THROW(csv_columns(testing::TempDir() + "nilas_no_such_file.csv", {"x"}), FileError);
+}
+
+TEST_F(CsvTest, RecordsAreCompleteRowsAsText) {
+  const auto records = csv_records(write("a,b\n1,\"x,y\"\n2"));
+  EXPECT_EQ(records.header, (std::vector<std::string>{"a", "b"}));
+  ASSERT_EQ(records.rows.size(), 1U);
+  EXPECT_EQ(records.rows[0], (std::vector<std::string>{"1", "x,y"}));
+  EXPECT_EQ(records.bytes, 12);
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 #include "core/base/error.h"
 #include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
+#include "tests/support/collision/thin_plates.h"
 #include "tests/support/scratch_folder.h"
-#include "tests/support/thin_plates.h"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "tests/core/sim/crushing_rig.h"
-#include "tests/support/thin_plates.h"
+#include "tests/support/collision/thin_plates.h"
 
 namespace {
 

@@ -5,6 +5,7 @@
 #include <tinyxml2.h>
 
 #include "core/base/error.h"
+#include "core/output/run/run_summary.h"
 #include "tests/core/output/sample_run.h"
 
 namespace nilas {
@@ -172,6 +173,16 @@ TEST(RunFolder, SummaryTellsTheRun) {
   EXPECT_EQ(summary["modules"]["built"][1]["name"], "carriage");
   EXPECT_EQ(summary["modules"]["ms_per_step"]["solver"], 4);
   EXPECT_EQ(summary["not_built"], (std::vector<std::string>{"waves"}));
+  const RunSummary read = read_run_summary(run.folder.path());
+  EXPECT_EQ(read.status, "done");
+  EXPECT_EQ(read.seed, 7U);
+  EXPECT_EQ(read.steps, 2);
+  EXPECT_EQ(read.loads.size(), 32u);
+  EXPECT_DOUBLE_EQ(read.load("contact_fx_N")->p99, 2.98);
+  EXPECT_EQ(read.residuals.law_map_m_s, 1e-7);
+  EXPECT_EQ(read.penetration_max_m, 0.002);
+  EXPECT_EQ(read.phase_ms[static_cast<std::size_t>(Phase::solver)], 4);
+  EXPECT_TRUE(read.window);
   EXPECT_EQ(summary["versions"]["eigen"], "3.4.0");
   EXPECT_EQ(summary["seed"], 7);
   EXPECT_EQ(summary["threads"], 2);

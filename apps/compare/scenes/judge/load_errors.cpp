@@ -1,0 +1,152 @@
+#include "apps/compare/scenes/judge/load_errors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/statistics.h"
+
+namespace nilas {
+
+namespace {
+
+constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double k_same = 1e-9;  // of two steps
+
+/// Of first order: the difference of a step and its half is what the half is off, twice that the whole. By the
+/// setting's own steps, or the first setting's: what a step does has little to do with who solves it.
+double family_step_part(const Plan& plan, const Findings& found, std::size_t setting) {
+  const auto difference = [&](const CompareSetting& family, double step) {
+    for (const auto& m : found.merits) {
+      CompareSetting other = plan.settings[m.setting];
+      if (std::abs(other.step - step) > k_same * step || m.done == 0) continue;
+      other.step = family.step;
+      if (other == family) return m.load_difference.mean;
+    }
+    return k_nan;
+  };
+  const double h = plan.settings[setting].step;
+  for (const std::size_t of : {setting, std::size_t{0}}) {
+    const CompareSetting& family = plan.settings[of];
+    const double own = difference(family, h);
+    const double half = 2 * std::abs(own - difference(family, 0.5 * h)),
+                 whole = std::abs(own - difference(family, 2 * h));
+    if (!std::isnan(half)) return half;
+    if (!std::isnan(whole)) return whole;
+  }
+  return k_nan;
+}
+
+/// That of the family, and not less than what the reference shows: what it moves by between its own step and twice
+/// that is the same again for a step of twice that, and more for larger ones.
+double step_part(const Plan& plan, const Findings& found, std::size_t setting) {
+  const double family = family_step_part(plan, found, setting);
+  const bool coarser = plan.settings[setting].step > (1 - k_same) * plan.check.step;
+  if (!found.check.moves || !coarser || *found.check.moves <= found.check.chance) return family;
+  const double shown = 2 * *found.check.moves;
+  return std::isnan(family) ? shown : std::max(family, shown);
+}
+
+/// Twice what settings of the same law and step scatter that differ in what should not matter: solver, tolerance,
+/// stabilisation, integrator. Without the setting itself, so that it is no echo of what is measured, and without what
+/// chaos does to a mean.
+double scatter_of_kin(const Plan& plan, const Findings& found, std::size_t setting) {
+  const CompareSetting& own = plan.settings[setting];
+  std::vector<double> differences;
+  int most = 1;
+  for (const auto& m : found.merits) {
+    const CompareSetting& other = plan.settings[m.setting];
+    if (m.setting != setting && other.law == own.law && std::abs(other.step - own.step) < k_same * own.step &&
+        m.load_difference.count > 0) {
+      differences.push_back(m.load_difference.mean);
+      most = std::max(most, m.load_difference.count);
+    }
+  }
+  constexpr std::size_t k_least = 3;
+  if (differences.size() < k_least) return 0;
+  const double by_chance = std::isnan(found.chance.run_N) ? 0 : found.chance.run_N * found.chance.run_N / most;
+  return 2 * std::sqrt(std::max(0.0, variance_of(differences) - by_chance));
+}
+
+/// What the law does at the other steps and tolerances that it was run with beside exact friction: the median.
+double law_elsewhere(const Plan& plan, const Findings& found, std::size_t setting) {
+  std::vector<double> shifts;
+  for (const auto& m : found.merits) {
+    const CompareSetting& other = plan.settings[m.setting];
+    if (m.setting == setting || other.law != plan.settings[setting].law || m.load_difference.count == 0) continue;
+    for (const auto& exact : found.merits) {
+      const CompareSetting& like = plan.settings[exact.setting];
+      if (like.law == "coulomb" && like.step == other.step && like.tolerance == other.tolerance &&
+          like.stabilisation == other.stabilisation && like.integrator == other.integrator &&
+          exact.load_difference.count > 0) {
+        shifts.push_back(std::abs(m.load_difference.mean - exact.load_difference.mean));
+        break;
+      }
+    }
+  }
+  return shifts.empty() ? 0 : median_of(shifts);
+}
+
+/// Both are what 95 % of differences of two runs keep within; few twins and a rough course of the load make the one or
+/// the other too wide.
+double chaos_part(double of_comparison, double of_run) {
+  const double of_two_runs = std::sqrt(2.0) * of_run;
+  if (std::isnan(of_comparison) || std::isnan(of_run)) return std::isnan(of_run) ? of_comparison : of_two_runs;
+  return std::min(of_comparison, of_two_runs);
+}
+
+}  // namespace
+
+Coverage coverage(const std::vector<double>& estimates, const std::vector<double>& measured, double rounding) {
+  Coverage c;
+  c.runs = static_cast<int>(measured.size());
+  std::vector<double> widths;
+  for (std::size_t k = 0; k < measured.size(); ++k) {
+    c.share += estimates[k] + rounding >= measured[k] ? 1.0 / c.runs : 0;
+    widths.push_back(estimates[k] / std::max(measured[k], rounding));
+  }
+  c.width = median_of(widths);
+  return c;
+}
+
+double LoadErrorParts::total() const {
+  const auto known = [](double part) { return std::isnan(part) ? 0 : part; };
+  return std::hypot(known(chaos), known(solver) + known(law) + known(step));
+}
+
+/// Nothing where the run does not state its own error.
+static std::optional<LoadErrorParts> parts_of(const Plan& plan, const Findings& found, const RunRow& row) {
+  const auto own = row.result.summary.load_errors.find(found.headline);
+  if (own == row.result.summary.load_errors.end()) return std::nullopt;
+  const LoadErrorFigures& figures = own->second;
+  if (std::isnan(figures.estimate) || std::isnan(figures.solver)) return std::nullopt;
+  const std::size_t setting = row.run.setting;
+  LoadErrorParts parts;
+  parts.alone = figures.estimate;
+  parts.solver = std::max(figures.solver, scatter_of_kin(plan, found, setting));
+  parts.law = figures.law;
+  if (plan.settings[setting].law != "coulomb") parts.law = std::max(parts.law, law_elsewhere(plan, found, setting));
+  parts.chaos = chaos_part(found.chance.difference_95_N, figures.chaos);
+  parts.step = step_part(plan, found, setting);
+  return parts;
+}
+
+LoadErrors load_errors(const Plan& plan, const Findings& found) {
+  LoadErrors errors;
+  std::vector<double> measured, alone, all;
+  for (const auto& row : found.rows) {
+    std::optional<LoadErrorParts>& parts = errors.of_rows.emplace_back();
+    if (row.run.kind != RunKind::grid || !row.load_difference) continue;
+    parts = parts_of(plan, found, row);
+    if (!parts) continue;
+    measured.push_back(std::abs(*row.load_difference));
+    alone.push_back(parts->alone);
+    all.push_back(parts->total());
+  }
+  if (measured.empty()) return errors;
+  errors.coverage = coverage(all, measured, k_rounding_share * found.measure.scale);
+  errors.coverage_alone = coverage(alone, measured, k_rounding_share * found.measure.scale);
+  return errors;
+}
+
+}  // namespace nilas

@@ -1,0 +1,74 @@
+#include "apps/compare/scenes/judge/pairing.h"
+
+#include <cmath>
+
+namespace nilas {
+
+namespace {
+
+std::optional<double> perturbed_difference(const Findings& found, int realisation) {
+  const RunRow* first = done_run(found.rows, RunKind::grid, 0, realisation);
+  const RunRow* perturbed = done_run(found.rows, RunKind::twin, 0, realisation);
+  if (first == nullptr || perturbed == nullptr) return std::nullopt;
+  return mean_load(*first, found.headline) - mean_load(*perturbed, found.headline);
+}
+
+double limit_of(const Findings& found, const std::vector<std::size_t>& alike, int realisation) {
+  std::vector<double> loads;
+  for (const std::size_t setting : alike)
+    if (const RunRow* row = done_run(found.rows, RunKind::grid, setting, realisation))
+      loads.push_back(mean_load(*row, found.headline));
+  return chance_limit(perturbed_difference(found, realisation), loads);
+}
+
+/// `other`: the run of a realisation that the setting's is set against, or null.
+template <class Other>
+PairedDifference difference(const Findings& found, const Merit& merit, const std::vector<double>& limits,
+                            const Other& other, bool one_for_all = false) {
+  std::vector<int> realisations;
+  std::vector<double> values, limits_of_these;
+  for (const int r : merit.realisations) {
+    const RunRow *row = done_run(found.rows, RunKind::grid, merit.setting, r), *other_run = other(r);
+    if (row == nullptr || other_run == nullptr) continue;
+    const double value = mean_load(*row, found.headline) - mean_load(*other_run, found.headline);
+    if (std::isnan(value)) continue;
+    realisations.push_back(r);
+    values.push_back(value);
+    limits_of_these.push_back(limits[static_cast<std::size_t>(r)]);
+  }
+  return paired_difference(realisations, values, limits_of_these, k_rounding_share * found.measure.scale, one_for_all);
+}
+
+}  // namespace
+
+std::vector<std::size_t> alike_settings(const Plan& plan) {
+  const CompareSetting& own = plan.settings.front();
+  constexpr double k_usual = 1e-6;  // [m/s]
+  const double loosest = own.tolerance > 0 ? own.tolerance : k_usual;
+  std::vector<std::size_t> alike;
+  for (std::size_t s = 0; s < plan.settings.size(); ++s) {
+    const CompareSetting& other = plan.settings[s];
+    if (other.tolerance > 0 && other.tolerance <= loosest && other.law == own.law && other.step == own.step &&
+        other.integrator == own.integrator && other.stabilisation == own.stabilisation &&
+        other.simplifications == own.simplifications)
+      alike.push_back(s);
+  }
+  return alike;
+}
+
+std::vector<Merit> with_paired_differences(const Plan& plan, const Findings& found) {
+  const auto alike = alike_settings(plan);
+  std::vector<double> limits;
+  for (int r = 0; r < plan.realisations; ++r) limits.push_back(limit_of(found, alike, r));
+  std::vector<Merit> merits = found.merits;
+  for (auto& m : merits) {
+    if (!m.judges)
+      m.from_reference = difference(
+          found, m, limits, [&](int r) { return judge_of(found.rows, r); }, found.judges.one_run);
+    if (m.setting != 0)
+      m.from_own = difference(found, m, limits, [&](int r) { return done_run(found.rows, RunKind::grid, 0, r); });
+  }
+  return merits;
+}
+
+}  // namespace nilas

@@ -1,0 +1,117 @@
+#include "apps/compare/scenes/judge/ranking.h"
+
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "core/base/statistics.h"
+
+namespace nilas {
+
+namespace {
+
+double shown_error(const Merit& m) { return m.significant ? m.error : m.floor; }
+
+/// One over fewer realisations than the others is not held against them.
+bool complete(const Merit& m) { return m.done > 0 && m.failed == 0 && !m.partial && !std::isnan(m.error); }
+
+/// Whether errors rise, or fall, from step to step throughout; else they have no order.
+bool one_way(const std::vector<double>& steps, const std::vector<double>& errors) {
+  std::map<double, double> by_step;
+  for (std::size_t k = 0; k < steps.size(); ++k) by_step[steps[k]] = errors[k];
+  int rises = 0, falls = 0;
+  for (auto finer = by_step.begin(), coarser = std::next(finer); coarser != by_step.end(); ++finer, ++coarser)
+    ++(coarser->second > finer->second ? rises : falls);
+  return rises == 0 || falls == 0;
+}
+
+/// Of errors C (h^p - r^p) against a reference of the same kind with the step r: the p whose C scatters least, by
+/// factors. 0 where errors do not fall with the step.
+double order_of(const std::vector<double>& steps, const std::vector<double>& errors, double reference_step) {
+  const auto scatter = [&](double p) {
+    std::vector<double> logs;
+    for (std::size_t k = 0; k < steps.size(); ++k)
+      logs.push_back(std::log(errors[k] / (std::pow(steps[k], p) - std::pow(reference_step, p))));
+    return variance_of(logs);
+  };
+  constexpr double k_least = 0.05, k_most = 10, k_none = 0.1;
+  constexpr int k_bits = 40;
+  const double order = boost::math::tools::brent_find_minima(scatter, k_least, k_most, k_bits).first;
+  return order > k_none ? order : 0;
+}
+
+}  // namespace
+
+std::vector<Merit> with_dominance(std::vector<Merit> merits) {
+  for (auto& m : merits)
+    m.dominated = !complete(m) || std::any_of(merits.begin(), merits.end(), [&](const Merit& other) {
+      const bool no_worse = other.significant ? m.significant && other.error <= m.error : other.floor <= shown_error(m);
+      const bool better = other.time < m.time || (m.significant && (!other.significant || other.error < m.error));
+      return &other != &m && complete(other) && other.time <= m.time && no_worse && better;
+    });
+  return merits;
+}
+
+Choice choose(const std::vector<Merit>& merits, const Measure& measure, double common_floor, double time_spread) {
+  Choice choice;
+  constexpr double k_deeper = 2, k_immaterial_m = 1e-6;
+  const double good_enough = std::max(k_target * measure.scale, common_floor);
+  if (!std::isfinite(good_enough)) return choice;
+  const double deepest = std::max(k_deeper * merits.front().penetration_max_m, k_immaterial_m);
+  std::vector<const Merit*> enough, deeper;
+  for (const auto& m : merits)
+    if (complete(m) && shown_error(m) <= good_enough) (m.penetration_max_m > deepest ? deeper : enough).push_back(&m);
+  if (enough.empty()) return choice;
+  const auto by_time = [](const Merit* a, const Merit* b) { return a->time < b->time; };
+  const double fastest = (*std::min_element(enough.begin(), enough.end(), by_time))->time;
+  // factors that times of many settings scatter by: three standard deviations of a ratio
+  constexpr double k_sure = 3, k_unknown = 0.1;
+  const double sure = std::exp(k_sure * std::sqrt(2.0) * (std::isnan(time_spread) ? k_unknown : time_spread));
+  std::erase_if(enough, [&](const Merit* m) { return m->time > fastest * sure; });
+  const auto by_error = [](const Merit* a, const Merit* b) { return shown_error(*a) < shown_error(*b); };
+  choice.chosen =
+      enough.front()->setting == 0 ? 0 : (*std::min_element(enough.begin(), enough.end(), by_error))->setting;
+  std::erase_if(deeper, [&](const Merit* m) { return m->time * sure > fastest; });
+  if (!deeper.empty()) choice.deeper = (*std::min_element(deeper.begin(), deeper.end(), by_time))->setting;
+  return choice;
+}
+
+std::vector<Order> orders_of(const Plan& plan, const Findings& found) {
+  std::vector<Order> orders;
+  std::set<std::size_t> taken;
+  for (std::size_t s = 0; s < plan.settings.size(); ++s) {
+    if (taken.count(s) > 0) continue;
+    std::vector<double> steps, errors;
+    const CompareSetting& reference = plan.reference;
+    const bool alike = plan.settings[s].integrator == reference.integrator && reference.integrator != "reference" &&
+                       found.judges.stand_in.empty() && reference.step < plan.settings[s].step;
+    for (std::size_t other = s; other < plan.settings.size(); ++other) {
+      CompareSetting same = plan.settings[other];
+      same.step = plan.settings[s].step;
+      if (!(same == plan.settings[s])) continue;
+      taken.insert(other);
+      const Merit& m = found.merits[other];
+      // what the reference itself moves by is no error of another integrator
+      if (!m.significant || m.failed > 0 || m.partial || (!alike && m.error < found.check.moves.value_or(0))) continue;
+      if (alike && plan.settings[other].step <= reference.step) continue;
+      steps.push_back(plan.settings[other].step);
+      errors.push_back(m.error);
+    }
+    constexpr std::size_t k_least = 3;
+    if (steps.size() < k_least || !one_way(steps, errors)) continue;
+    CompareSetting one = plan.settings[s];
+    one.step = plan.settings.front().step;
+    orders.push_back({label_of(one, plan.settings.front()), order_of(steps, errors, alike ? reference.step : 0),
+                      static_cast<int>(steps.size())});
+  }
+  return orders;
+}
+
+bool anything_compared(const std::vector<Merit>& merits) {
+  return std::any_of(merits.begin(), merits.end(),
+                     [](const Merit& m) { return m.done > 0 && !m.judges && std::isfinite(m.error); });
+}
+
+}  // namespace nilas

@@ -1,0 +1,100 @@
+#include "apps/compare/scenes/plan/cost.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/choices/solver_name.h"
+
+namespace nilas {
+
+namespace {
+
+/// Roughly, a solve's time over that of nsgs in fields of floes: for estimates before anything was run.
+double time_of(SolverName solver) {
+  switch (solver) {
+    case SolverName::pgs:
+      return 0.6;
+    case SolverName::nsgs:
+    case SolverName::enumerate:
+      return 1;
+    case SolverName::automatic:
+      return 1.2;
+    case SolverName::apgd:
+    case SolverName::newton:
+      return 5;
+    case SolverName::admm:
+      return 8;
+    case SolverName::eg:
+      return 10;
+    case SolverName::newton_order_free:
+      return 15;
+    case SolverName::eg_order_free:
+      return 20;
+    case SolverName::ipm:
+      return 25;
+  }
+  return 1;
+}
+
+/// Each decade of accuracy costs about so much more.
+constexpr double k_per_decade = 2.5;
+
+double tolerance_weight(double tolerance) {
+  constexpr double k_usual = 1e-6;
+  return tolerance > 0 ? std::pow(k_per_decade, std::log10(k_usual / tolerance)) : 1;
+}
+
+/// What `auto` falls back on for this law, measured in presawn-a.xml and towing.xml.
+double law_weight(const CompareSetting& setting) {
+  constexpr double k_convex = 8;
+  return setting.solver == "auto" && setting.law == "ccp" ? k_convex : 1;
+}
+
+double weight(const CompareSetting& setting) {
+  return time_of(choice_named<SolverName>(setting.solver)) * law_weight(setting) * tolerance_weight(setting.tolerance);
+}
+
+}  // namespace
+
+double CostModel::steps_seconds(double length, double weight) const {
+  double sum = 0, before = 0, last = 0;
+  for (const Stretch& stretch : rate) {
+    const double lasts = std::min(stretch.until, length) - before;
+    if (lasts <= 0) break;
+    last = stretch.other + weight * stretch.solver;
+    sum += lasts * last;
+    before += lasts;
+  }
+  return sum + std::max(0.0, length - before) * last;
+}
+
+double CostModel::reference_weight(double tolerance) const {
+  if (reference.empty()) return 1;
+  if (tolerance <= reference.front().tolerance) return reference.front().weight;
+  for (std::size_t k = 1; k < reference.size(); ++k) {
+    const Tightness &a = reference[k - 1], &b = reference[k];
+    if (tolerance > b.tolerance) continue;
+    const double share = std::log(tolerance / a.tolerance) / std::log(b.tolerance / a.tolerance);
+    return a.weight * std::pow(b.weight / a.weight, share);
+  }
+  return reference.back().weight;
+}
+
+double loosest_reference(double tolerance) {
+  constexpr double k_tighter = 0.1;
+  return k_tighter * tolerance;
+}
+
+std::vector<double> measured_tolerances(double asked, bool fixed, const CompareSetting& own) {
+  std::vector<double> tolerances{asked};
+  constexpr double k_usual = 1e-6;  // where the scene goes by sweeps [m/s]
+  const double loosest = loosest_reference(own.tolerance > 0 ? own.tolerance : k_usual);
+  if (!fixed && loosest > asked) tolerances.push_back(loosest);
+  return tolerances;
+}
+
+double solver_weight(const CompareSetting& setting, const CompareSetting& first) {
+  return weight(setting) / weight(first);
+}
+
+}  // namespace nilas

@@ -1,0 +1,70 @@
+#include "apps/compare/scenes/plan/plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace nilas {
+
+const CompareSetting& Plan::setting_of(const PlannedRun& run) const {
+  if (run.kind == RunKind::reference) return reference;
+  return run.kind == RunKind::check ? check : settings[run.setting];
+}
+
+std::vector<Omission> absent_simplifications(const Scene& scene) {
+  std::vector<Omission> absent;
+  for (const Simplification which : all_simplifications())
+    if (const std::string why = no_effect(which, scene); !why.empty()) absent.push_back({name_of(which), why});
+  return absent;
+}
+
+std::vector<std::string> by_reason(const std::vector<Omission>& omissions) {
+  std::vector<std::string> reasons, lists;
+  for (const auto& omission : omissions) {
+    const auto known = std::find(reasons.begin(), reasons.end(), omission.why);
+    if (known == reasons.end()) {
+      reasons.push_back(omission.why);
+      lists.push_back(omission.why + ": " + omission.what);
+    } else {
+      lists[static_cast<std::size_t>(known - reasons.begin())] += "; " + omission.what;
+    }
+  }
+  return lists;
+}
+
+const char* name_of(RunKind kind) {
+  switch (kind) {
+    case RunKind::grid:
+      return "grid";
+    case RunKind::twin:
+      return "twin";
+    case RunKind::reference:
+      return "reference";
+    case RunKind::check:
+      return "check";
+  }
+  return "";
+}
+
+void extend_realisations(Plan& plan, int realisations) {
+  const std::vector<PlannedRun> known = plan.runs;
+  for (int r = plan.realisations; r < realisations; ++r)
+    for (const auto& run : known) {
+      if (run.realisation != 0 || run.kind == RunKind::check) continue;
+      PlannedRun more = run;
+      more.realisation = r;
+      const std::string first = "-r0";
+      more.id.replace(more.id.find(first), first.size(), fmt::format("-r{}", r));
+      plan.runs.push_back(more);
+    }
+  plan.realisations = std::max(plan.realisations, realisations);
+}
+
+Overrides realisation_overrides(std::uint64_t seed, const PlannedRun& run, bool vary_seed) {
+  const auto number = static_cast<std::uint64_t>(run.realisation);
+  constexpr std::uint64_t k_twins = 1000;  // beyond any count of realisations
+  const std::uint64_t twin = run.kind == RunKind::twin ? k_twins + number : number;
+  return {{"seed/@value", std::to_string(vary_seed ? seed + number : seed)}, {"seed/@twin", std::to_string(twin)}};
+}
+
+}  // namespace nilas

@@ -1,0 +1,243 @@
+#include "apps/compare/scenes/report/page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "apps/compare/scenes/report/answer.h"
+#include "apps/compare/scenes/report/methods.h"
+#include "apps/compare/scenes/report/paired_text.h"
+#include "apps/compare/scenes/report/tables.h"
+#include "apps/compare/workshop/json_store.h"
+#include "apps/compare/workshop/templates.h"
+#include "core/output/file/output_file.h"
+#include "core/output/text/fill_template.h"
+#include "core/output/text/html.h"
+
+namespace nilas {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string number(double value, const char* format = "{:.3g}") {
+  return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "";
+}
+std::string with_error(double value, double error, const char* format = "{:.4g}") {
+  return number(value, format) + (std::isfinite(value) && std::isfinite(error) ? fmt::format(" ± {:.2g}", error) : "");
+}
+/// "+-" of the terminal as one sign.
+std::string typeset(std::string text) {
+  const std::string ascii = "+-", sign = "±";
+  for (std::size_t at = 0; (at = text.find(ascii, at)) != std::string::npos; at += sign.size())
+    text.replace(at, ascii.size(), sign);
+  return text;
+}
+
+const char* caption_of(const std::string& picture) {
+  if (picture == "differences")
+    return "Mean ice load of each setting minus that of the scene's own setting, run by run on the same ice. Small "
+           "points "
+           "are realisations. Large points are their means, with 95 % intervals where there are three realisations or "
+           "more. The grey band is what chance alone makes of two runs of one realisation (95 %).";
+  if (picture == "front")
+    return "Cost and error of each setting: fast ones stand on the left, accurate ones at the bottom. Numbers are "
+           "those of "
+           "the table; bars are standard errors over the realisations. Hollow triangles mark settings whose error may "
+           "be "
+           "chance: their true error may lie anywhere below the mark.";
+  if (picture == "motion")
+    return "The same, with the distance from the reference's motion as the error, as long as motions can be predicted.";
+  if (picture == "steps") return "Error over the time step, everything else being the same.";
+  return "Left: change that each simplification makes, alone and all together, with the standard error over the "
+         "realisations. Right: computing time that it saves.";
+}
+
+std::string remark_of(const Merit& m, const Choice& choice) {
+  std::string remark = choice.chosen == m.setting   ? "recommended"
+                       : m.dominated || m.done == 0 ? ""
+                                                    : "none is both faster and better";
+  if (!m.trouble.empty()) remark = m.trouble;
+  if (m.partial)
+    remark += fmt::format("{}* {} only", remark.empty() ? "" : "; ",
+                          m.realisations.empty() ? "other realisations" : realisations_text(m.realisations));
+  return remark;
+}
+
+const char* class_of(const PairedDifference& d) { return is_sure(d) ? "n strong" : "n weak"; }
+
+Json load_cells(const Merit& m) {
+  return {{"load", with_error(m.load.mean, m.load.standard_error) + (m.partial ? " *" : "")},
+          {"from_reference", typeset(difference_cell(m.from_reference))},
+          {"reference_class", class_of(m.from_reference)},
+          {"from_own", typeset(difference_cell(m.from_own))},
+          {"own_class", class_of(m.from_own)},
+          {"std", number(m.load_std.mean)},
+          {"p99", number(m.load_p99.mean)},
+          {"max", number(m.load_max.mean)}};
+}
+
+/// Error with its share of the scale; one that may be chance is told apart.
+std::string error_text(const Merit& m, const Measure& measure) {
+  if (!std::isfinite(m.error)) return "";
+  if (!m.significant)
+    return std::isfinite(m.floor) ? fmt::format("not significant (below {:.2g})", m.floor) : "not known";
+  const bool share = measure.scale > 0 && measure.name != "turn";
+  return fmt::format("{:.3g}", m.error) + (share ? fmt::format(" ({:.2g} %)", 100 * m.error / measure.scale) : "");
+}
+
+Json setting_row(const SceneReport& report, const Merit& m) {
+  const Findings& found = report.found;
+  const bool fails = m.failed > 0 || m.done == 0;
+  return {{"kind", fails                              ? "fails"
+                   : found.choice.chosen == m.setting ? "chosen"
+                                                      : ""},
+          {"number", m.setting + 1},
+          {"label", report.label(m.setting)},
+          {"full", full_label(report.study.plan.settings[m.setting])},
+          {"time", with_error(m.time, m.time_spread, "{:.3g}")},
+          {"ms_per_step", number(m.ms_per_step)},
+          {"error", error_text(m, found.measure)},
+          {"error_class", m.significant ? "n strong" : "n weak"},
+          {"floor", number(m.floor)},
+          {"load_cells", found.measure.is_load() ? load_cells(m) : Json(nullptr)},
+          {"motion", number(m.motion.mean)},
+          {"penetration", number(m.penetration_max_m)},
+          {"energy", number(m.energy_error, "{:.1e}")},
+          {"residual", number(m.law_map_m_s, "{:.1e}")},
+          {"unconverged", number(100 * m.unconverged_share, "{:.2g}")},
+          {"remark", remark_of(m, found.choice)}};
+}
+
+Json run_row(const SceneReport& report, const RunRow& row) {
+  constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
+  const bool grid = row.run.kind == RunKind::grid;
+  return {{"kind", row.result.done() ? "" : "fails"},
+          {"id", row.run.id},
+          {"label", grid ? report.label(row.run.setting) : plain_name_of(row.run.kind)},
+          {"realisation", row.run.realisation},
+          {"status", row.result.status},
+          {"cpu", number(row.result.wall_s > 0 ? row.result.cpu_s : k_nan)},
+          {"ms", number(row.result.ms_per_step())},
+          {"from_reference", number(row.load_difference.value_or(k_nan))},
+          {"from_own", number(row.own_difference.value_or(k_nan))},
+          {"motion", number(row.motion ? row.motion->rms_m : k_nan)},
+          {"cause", row.result.cause}};
+}
+
+std::vector<std::string> table_notes(const Findings& found) {
+  std::vector<std::string> notes;
+  const bool partial = std::any_of(found.merits.begin(), found.merits.end(), [](const Merit& m) { return m.partial; });
+  notes.push_back(
+      fmt::format("All figures are over {}{}. After ±: for a time, the scatter among runs of one setting; for "
+                  "a load, the standard error over the realisations.",
+                  found.shared.empty() ? "no realisation" : realisations_text(found.shared),
+                  partial ? ", except those marked *: their means must not be compared with the others, "
+                            "their differences may be"
+                          : ""));
+  if (found.measure.is_load())
+    notes.emplace_back(
+        "The error is the mean of a setting's differences from the reference, run by run on the same ice. It is "
+        "significant where chance makes so large a difference in less than 5 % of cases. Differences are given with "
+        "their "
+        "95 % interval (Student's t). \"Significant in this realisation\" means more than chance makes of two runs on "
+        "that ice; it says nothing about other ice.");
+  return notes;
+}
+
+Json outlook_view(const SceneReport& report) {
+  Json list = Json::array();
+  for (const auto& line : outlook_lines(report.outlook, report.study, report.found)) {
+    const bool command = line.starts_with("  ");
+    list.push_back({{"heading", list.empty() ? "With more computing time" : ""},
+                    {"command", command ? line.substr(2) : ""},
+                    {"sentence", command ? "" : line}});
+  }
+  return list;
+}
+
+Json reference_view(const SceneReport& report) {
+  const Findings& found = report.found;
+  if (!found.measure.is_load() || !found.judges.stand_in.empty() || report.study.ablation) return nullptr;
+  const ReferenceLoads& reference = found.reference;
+  return {{"load", with_error(reference.mean.mean, reference.mean.standard_error)},
+          {"std", number(reference.std.mean)},
+          {"p99", number(reference.p99.mean)},
+          {"max", number(reference.max.mean)}};
+}
+
+/// The labels of settings name only what they change.
+std::string own_setting(const SceneStudy& study) {
+  if (study.plan.settings.empty()) return "";
+  const std::string own = full_label(study.plan.settings.front());
+  return study.ablation ? "Without any simplification: " + own + "."
+                        : "The scene's own setting is " + own + ". The others are named by what they change in it.";
+}
+
+Json view_of(const SceneReport& report) {
+  const Plan& plan = report.study.plan;
+  const Findings& found = report.found;
+  Json settings = Json::array(), runs = Json::array();
+  for (const auto& m : found.merits) settings.push_back(setting_row(report, m));
+  for (const auto& row : found.rows) runs.push_back(run_row(report, row));
+  const auto details = detail_lines(report);
+  const std::string quantity = found.measure.is_load()        ? "mean ice load"
+                               : found.measure.name == "turn" ? "attitude"
+                                                              : "position, rms";
+  return {{"style", compare_template("page.css")},
+          {"scene", report.study.scene.stem().string()},
+          {"heading",
+           report.study.ablation ? "effect and cost of each simplification" : "accuracy and cost of contact settings"},
+          {"subtitle", fmt::format("{:g} s simulated, {} settings, {} realisation{}", plan.end - plan.start,
+                                   plan.settings.size(), plan.realisations, plan.realisations == 1 ? "" : "s")},
+          {"status", report.ended_by.empty() ? "" : "This comparison is not complete: " + report.ended_by + "."},
+          {"answer", answer_lines(report)},
+          {"own_setting", own_setting(report.study)},
+          {"quantity", quantity},
+          {"unit", found.measure.unit},
+          {"load", found.measure.is_load()},
+          {"reference", reference_view(report)},
+          {"settings", settings},
+          {"table_notes", table_notes(found)},
+          {"caveats", caveat_lines(report)},
+          {"outlook", outlook_view(report)},
+          {"details", details.empty() ? Json(nullptr) : Json{{"lines", details}}},
+          {"methods", method_lines(report)},
+          {"run_count", found.rows.size()},
+          {"runs", runs},
+          {"ablation_hint", report.study.ablation ? "" : report.study.scene.filename().string()}};
+}
+
+void write_page(const std::filesystem::path& folder, Json view, const std::vector<std::string>& pictures,
+                const std::string& no_figures) {
+  Json figures = Json::array();
+  for (const auto& picture : pictures)
+    figures.push_back({{"svg", inline_svg(folder / (picture + ".svg"))}, {"caption", caption_of(picture)}});
+  view["figures"] = figures;
+  view["no_figures"] = no_figures;
+  write_whole(folder / "compare.html", fill_template(compare_template("scene_page.html"), view, Escape::html));
+}
+
+}  // namespace
+
+void write_first_page(const std::filesystem::path& folder, const SceneReport& report) {
+  write_page(folder, view_of(report), {}, "The pictures are not drawn yet.");
+}
+
+std::string write_report(const std::filesystem::path& folder, const SceneReport& report) {
+  write_whole(folder / "compare.csv", runs_csv(report));
+  write_whole(folder / "settings.csv", settings_csv(report));
+  write_whole(folder / "loads.csv", loads_csv(report));
+  write_json(folder / "compare.json", report_json(report));
+  const Json view = view_of(report);
+  write_page(folder, view, {}, "The pictures are not drawn yet.");  // without them it still says all there is
+  const std::vector<Picture> pictures = pictures_of(report);
+  const Drawings drawings = draw(folder, pictures);
+  const std::string missing = !drawings.trouble.empty() ? "Pictures are missing: " + drawings.trouble
+                              : pictures.empty()        ? "There is nothing to draw."
+                                                        : "";
+  write_page(folder, view, drawings.drawn, missing);
+  return drawings.trouble;
+}
+
+}  // namespace nilas

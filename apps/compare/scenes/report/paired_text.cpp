@@ -1,0 +1,163 @@
+#include "apps/compare/scenes/report/paired_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/output/loads/ice_load_text.h"
+
+namespace nilas {
+
+namespace {
+
+constexpr std::size_t k_most_named = 4;
+
+std::string signed_force(double newton) { return (newton > 0 ? "+" : "") + force_text(newton); }
+
+std::string amount(const PairedDifference& d, double scale) {
+  const std::string width =
+      std::isfinite(d.half_width) && d.certainty == Certainty::everywhere ? " +- " + force_text(d.half_width) : "";
+  return fmt::format("{}{} ({:+.2g} %)", signed_force(d.mean), width, 100 * d.mean / scale);
+}
+
+/// Those of one certainty, the largest mean first.
+std::vector<const Merit*> of_certainty(const Findings& found, PairedDifference Merit::*member, Certainty certainty) {
+  std::vector<const Merit*> list;
+  for (const auto& m : found.merits)
+    if ((m.*member).certainty == certainty) list.push_back(&m);
+  std::stable_sort(list.begin(), list.end(), [&](const Merit* a, const Merit* b) {
+    return std::abs((a->*member).mean) > std::abs((b->*member).mean);
+  });
+  return list;
+}
+
+/// Those that matter by name, the others by their number.
+template <class Text>
+std::string named(const std::vector<const Merit*>& list, const Findings& found, PairedDifference Merit::*member,
+                  const Text& text) {
+  const auto matter = static_cast<std::size_t>(std::count_if(list.begin(), list.end(), [&](const Merit* m) {
+    return std::abs((m->*member).mean) > k_target * found.measure.scale;
+  }));
+  std::string names;
+  const std::size_t shown = std::min(matter, k_most_named);
+  for (std::size_t k = 0; k < shown; ++k) names += (k > 0 ? "; " : "") + text(*list[k]);
+  if (matter > shown) names += fmt::format("; {} more by more than {:g} %", matter - shown, 100 * k_target);
+  if (list.size() > matter)
+    names += fmt::format("{}{} setting{} by less than {:g} %", names.empty() ? "" : "; ", list.size() - matter,
+                         list.size() - matter == 1 ? "" : "s", 100 * k_target);
+  return names;
+}
+
+/// The widest of the realisations that differences were taken over, as far as it was measured.
+double widest_limit(const Findings& found, PairedDifference Merit::*member) {
+  double widest = 0;
+  for (const auto& m : found.merits)
+    for (const double limit : (m.*member).limits)
+      if (std::isfinite(limit)) widest = std::max(widest, limit);
+  return widest;
+}
+
+using Member = PairedDifference Merit::*;
+
+std::string by_setting(const std::vector<const Merit*>& list, const Findings& found, Member member,
+                       const std::vector<std::string>& labels) {
+  return named(list, found, member, [&](const Merit& m) {
+    return fmt::format("\"{}\" by {}", labels[m.setting], amount(m.*member, found.measure.scale));
+  });
+}
+
+/// In every realisation, by Student's t on the mean.
+std::string everywhere_line(const std::vector<const Merit*>& list, const Findings& found, Member member,
+                            const std::string& other, const std::vector<std::string>& labels) {
+  return fmt::format(
+      "Compared run by run on the same ice, the mean ice load differs significantly from that of {} (95 %, over {}): "
+      "{}.{}",
+      other, realisations_text(found.shared), by_setting(list, found, member, labels),
+      found.same_ice ? " All of them have the same ice, so this says nothing about other ice." : "");
+}
+
+std::string one_realisation_line(const std::vector<const Merit*>& list, const Findings& found, Member member,
+                                 const std::string& other, const std::vector<std::string>& labels) {
+  return fmt::format(
+      "In the one realisation that was run, the mean ice load differs significantly from that of {} (chance alone "
+      "makes at "
+      "most {} there, 95 %): {}. This says nothing about other ice.",
+      other, force_text(widest_limit(found, member)), by_setting(list, found, member, labels));
+}
+
+std::string some_realisations_line(const std::vector<const Merit*>& list, const Findings& found, Member member,
+                                   const std::string& other, const std::vector<std::string>& labels) {
+  return fmt::format(
+      "In some of the realisations the mean ice load differs from that of {} by more than chance makes (95 %), "
+      "although "
+      "the mean over the realisations does not: {}.",
+      other, named(list, found, member, [&](const Merit& m) {
+        const PairedDifference& d = m.*member;
+        return fmt::format("\"{}\" in {} of {}, by {} on average", labels[m.setting], d.beyond_chance,
+                           d.realisations.size(), amount(d, found.measure.scale));
+      }));
+}
+
+}  // namespace
+
+const char* name_of(Certainty certainty) {
+  switch (certainty) {
+    case Certainty::everywhere:
+      return "everywhere";
+    case Certainty::in_realisations:
+      return "in realisations";
+    case Certainty::none:
+      return "none";
+    case Certainty::unknown:
+      break;
+  }
+  return "unknown";
+}
+
+std::string difference_cell(const PairedDifference& d) {
+  if (d.realisations.empty()) return "";
+  std::string text = fmt::format("{:+.3g}", d.mean);
+  if (std::isfinite(d.half_width)) text += fmt::format(" +- {:.2g}", d.half_width);
+  switch (d.certainty) {
+    case Certainty::everywhere:
+      return text + ", significant";
+    case Certainty::in_realisations:
+      return text + (d.realisations.size() == 1 ? ", significant in this realisation"
+                                                : fmt::format(", significant in {} of {} realisations", d.beyond_chance,
+                                                              d.realisations.size()));
+    case Certainty::none:
+      return text + ", may be chance";
+    case Certainty::unknown:
+      break;
+  }
+  return text + ", effect of chance not known";
+}
+
+std::vector<std::string> difference_lines(const Findings& found, PairedDifference Merit::*member,
+                                          const std::string& other, const std::vector<std::string>& labels) {
+  std::vector<std::string> lines;
+  const auto everywhere = of_certainty(found, member, Certainty::everywhere),
+             somewhere = of_certainty(found, member, Certainty::in_realisations),
+             none = of_certainty(found, member, Certainty::none);
+  if (!everywhere.empty()) lines.push_back(everywhere_line(everywhere, found, member, other, labels));
+  if (!somewhere.empty())
+    lines.push_back(found.shared.size() == 1 ? one_realisation_line(somewhere, found, member, other, labels)
+                                             : some_realisations_line(somewhere, found, member, other, labels));
+  if (everywhere.empty() && somewhere.empty() && !none.empty()) {
+    const double limit = widest_limit(found, member);
+    lines.push_back(fmt::format(
+        "No setting's mean ice load differs significantly from that of {}, not even run by run on the same ice{}.",
+        other, limit > 0 ? fmt::format(", where chance alone makes up to {} (95 %)", force_text(limit)) : ""));
+  }
+  return lines;
+}
+
+std::string realisations_text(const std::vector<int>& realisations) {
+  std::string list;
+  for (std::size_t k = 0; k < realisations.size(); ++k)
+    list += (k == 0 ? "" : k + 1 == realisations.size() ? " and " : ", ") + std::to_string(realisations[k]);
+  return fmt::format("realisation{} {}", realisations.size() == 1 ? "" : "s", list);
+}
+
+}  // namespace nilas

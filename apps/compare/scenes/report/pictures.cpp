@@ -1,0 +1,356 @@
+#include "apps/compare/scenes/report/pictures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "apps/compare/scenes/judge/ranking.h"
+#include "core/base/statistics.h"
+#include "core/output/text/plot.h"
+
+namespace nilas {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double k_room = 1.6;  // factor between what is shown and the end of a logarithmic axis
+
+constexpr std::size_t k_least_steps = 3;  // of a line that shows how an error falls
+
+/// In double quotes, as gnuplot reads words in data.
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? "'" : std::string(1, c);
+  return out + "\"";
+}
+
+/// Smallest and largest of what is shown.
+struct Extent {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  void add(double x) {
+    low = std::min(low, x);
+    high = std::max(high, x);
+  }
+};
+
+/// Ends and labels of a logarithmic axis: labels at 1, 2 and 5 of each decade where there are few of these, else at the
+/// decades.
+void add_log_axis(const std::string& axis, const Extent& extent, Json& data) {
+  const double low = extent.low / k_room, high = extent.high * k_room;
+  const int first = static_cast<int>(std::floor(std::log10(low))), last = static_cast<int>(std::ceil(std::log10(high)));
+  constexpr double k_few = 1e3;
+  std::string tics;
+  for (int decade = first; decade <= last; ++decade)
+    for (const int digit : high > k_few * low ? std::vector{1} : std::vector{1, 2, 5})
+      tics += fmt::format("{}{}", tics.empty() ? "" : ", ", digit * std::pow(10.0, decade));
+  data[axis + "_low"] = low;
+  data[axis + "_high"] = high;
+  data[axis + "_tics"] = tics;
+}
+
+/// Null leaves a section of the template out.
+Json number_if(bool known, double value) { return known ? Json(value) : Json(nullptr); }
+
+std::string quantity_of(const Measure& measure) {
+  if (measure.is_load()) return "mean ice load";
+  return measure.name == "turn" ? "attitude" : "positions (rms)";
+}
+
+/// Where the picture shows a setting: at its error, or at its floor where the error may be chance.
+struct FrontPoint {
+  const Merit* merit;
+  double error, spread;
+};
+
+std::vector<FrontPoint> front_points(const Findings& found) {
+  std::vector<FrontPoint> points;
+  for (const auto& m : found.merits) {
+    const double error = m.significant ? m.error : m.floor;
+    if (!(m.time > 0) || !(error > 0) || !std::isfinite(error) || m.done == 0 || m.partial) continue;
+    const bool scatters = found.measure.is_load() && m.load_difference.count > 1;
+    points.push_back({&m, error, scatters ? m.load_difference.standard_error : 0});
+  }
+  return points;
+}
+
+/// Numbers of settings whose marks stand at one height, where numbers side by side would lie over each other.
+Json stacked_numbers(std::vector<FrontPoint> points) {
+  constexpr std::size_t k_levels = 4;
+  std::erase_if(points, [](const FrontPoint& p) { return p.merit->significant; });
+  std::sort(points.begin(), points.end(), [](const FrontPoint& a, const FrontPoint& b) {
+    return std::pair(a.merit->time, a.merit->setting) < std::pair(b.merit->time, b.merit->setting);
+  });
+  Json levels = Json::array();
+  for (std::size_t level = 0; level < std::min(k_levels, points.size()); ++level) {
+    std::string rows;
+    for (std::size_t k = level; k < points.size(); k += k_levels)
+      rows += fmt::format("{} {} \"{}\"\n", points[k].merit->time, points[k].error, points[k].merit->setting + 1);
+    levels.push_back(
+        {{"name", fmt::format("level{}", level)}, {"rows", rows}, {"raised", 0.9 + 0.9 * static_cast<double>(level)}});
+  }
+  return levels;
+}
+
+std::optional<Picture> front(const std::string& name, const Findings& found, const std::vector<std::string>& labels) {
+  constexpr double k_out_of_sight = 1e-3;  // logarithms know no 0
+  const std::vector<FrontPoint> points = front_points(found);
+  if (points.empty()) return std::nullopt;
+  std::map<std::string, std::string> blocks{{"best", ""},   {"beaten", ""},  {"hidden", ""},
+                                            {"chosen", ""}, {"numbers", ""}, {"grey_numbers", ""}};
+  Extent time, error;
+  Json names = Json::array();
+  for (const auto& [merit, at, spread] : points) {
+    const Merit& m = *merit;
+    const std::string row =
+        fmt::format("{} {} {} {}\n", m.time, at, std::max(at - spread, k_out_of_sight * at), at + spread);
+    blocks[!m.significant ? "hidden" : m.dominated ? "beaten" : "best"] += row;
+    if (found.choice.chosen == m.setting) blocks["chosen"] += row;
+    const bool in_key = !m.dominated || found.choice.chosen == m.setting || m.setting == 0;
+    if (m.significant)
+      blocks[in_key ? "numbers" : "grey_numbers"] += fmt::format("{} {} \"{}\"\n", m.time, at, m.setting + 1);
+    if (in_key) names.push_back(fmt::format("{}  {}", m.setting + 1, labels[m.setting]));
+    time.add(m.time);
+    error.add(at);
+    error.add(at + spread);
+  }
+  const double least = error.low / k_room;
+  if (found.check.moves) error.high = std::max(error.high, *found.check.moves);
+  Json data(blocks);
+  add_log_axis("x", time, data);
+  add_log_axis("y", error, data);
+  data["levels"] = stacked_numbers(points);
+  data["names"] = names;
+  data["quantity"] = quantity_of(found.measure);
+  data["unit"] = found.measure.unit;
+  // else it lies below all that is shown
+  data["reference_moves"] = number_if(found.check.moves && *found.check.moves > least, found.check.moves.value_or(0));
+  return Picture{.name = name, .script = "front.gnuplot", .data = data};
+}
+
+/// Over the step, a line per way to solve.
+std::optional<Picture> steps(const Plan& plan, const Findings& found) {
+  struct Line {
+    std::string rows;
+    std::vector<double> errors;
+  };
+  std::map<std::string, Line> lines;
+  Extent step, error;
+  const CompareSetting& own = plan.settings.front();
+  for (const auto& m : found.merits) {
+    CompareSetting setting = plan.settings[m.setting];
+    if (!(m.error > 0) || m.failed > 0 || m.partial) continue;
+    step.add(setting.step);
+    setting.step = own.step;
+    Line& line = lines[label_of(setting, own)];
+    line.rows += fmt::format("{} {}\n", plan.settings[m.setting].step, m.error);
+    line.errors.push_back(m.error);
+  }
+  std::erase_if(lines, [](const auto& line) { return line.second.errors.size() < k_least_steps; });
+  if (lines.empty()) return std::nullopt;
+  Json data{{"quantity", quantity_of(found.measure)}, {"unit", found.measure.unit}, {"lines", Json::array()}};
+  constexpr int k_dashes = 5;
+  for (const auto& [label, line] : lines) {
+    for (const double e : line.errors) error.add(e);
+    const int k = static_cast<int>(data["lines"].size()) + 1;
+    data["lines"].push_back({{"name", fmt::format("l{}", k)},
+                             {"rows", line.rows},
+                             {"number", k},
+                             {"dash", 1 + (k - 1) % k_dashes},
+                             {"label", label}});
+  }
+  constexpr double k_far = 1e-2;  // so far below all errors it would only flatten them
+  const bool floor =
+      found.measure.is_load() && found.common_floor > k_far * error.low && std::isfinite(found.common_floor);
+  if (floor) error.add(found.common_floor);
+  data["floor"] = number_if(floor, found.common_floor);
+  add_log_axis("x", step, data);
+  add_log_axis("y", error, data);
+  constexpr int k_height = 420;
+  return Picture{.name = "steps", .script = "steps.gnuplot", .height = k_height, .data = data};
+}
+
+/// Bars with standard errors: what each simplification changes, and how much time it saves.
+std::optional<Picture> ablation(const Findings& found, const std::vector<std::string>& labels) {
+  std::string changes, saved;
+  const Merit& full = found.merits.front();
+  const bool load = found.measure.is_load();
+  for (const auto& m : found.merits) {
+    if (m.setting == 0 || m.done == 0 || m.partial || std::isnan(m.error)) continue;
+    const double change = load ? m.load_difference.mean : m.error, error = load ? m.load_difference.standard_error : 0;
+    changes +=
+        fmt::format("{} {} {} {}\n", m.setting, change, std::isfinite(error) ? error : 0, quoted(labels[m.setting]));
+    saved += fmt::format("{} {} {}\n", m.setting, 1e3 * (full.time - m.time),
+                         1e3 * (std::isfinite(m.time_spread) ? m.time_spread : 0));
+  }
+  if (changes.empty()) return std::nullopt;
+  const auto count = static_cast<int>(found.merits.size());
+  return Picture{.name = "ablation",
+                 .script = "ablation.gnuplot",
+                 .height = 120 + 45 * count,
+                 .data = {{"changes", changes},
+                          {"saved", saved},
+                          {"bottom", count - 0.4},
+                          {"quantity", load ? "change of the mean ice load [N]"
+                                            : fmt::format("change of the {} [{}]", quantity_of(found.measure),
+                                                          found.measure.unit)}}};
+}
+
+/// One row of the picture of differences: over the setting's realisations, and their mean.
+struct DifferenceRow {
+  std::string label;
+  std::vector<double> values;
+  double half_width = 0;
+  Certainty certainty = Certainty::unknown;
+};
+
+std::vector<DifferenceRow> difference_rows(const Findings& found, const std::vector<std::string>& labels) {
+  constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
+  std::vector<DifferenceRow> rows;
+  DifferenceRow perturbed{"perturbed run: chance alone", {}, k_nan}, reference{"the reference", {}, k_nan};
+  if (!found.merits.empty()) reference.certainty = found.merits.front().from_reference.certainty;
+  for (const int r : found.shared) {
+    const RunRow *other = done_run(found.rows, RunKind::twin, 0, r), *judge = judge_of(found.rows, r);
+    if (other != nullptr && other->own_difference) perturbed.values.push_back(*other->own_difference);
+    if (judge != nullptr && judge->own_difference && judge->run.kind != RunKind::grid)
+      reference.values.push_back(*judge->own_difference);
+  }
+  for (auto* row : {&perturbed, &reference})
+    if (!row->values.empty()) rows.push_back(*row);
+  for (const auto& m : found.merits) {
+    const PairedDifference& d = m.from_own;
+    if (!d.values.empty())
+      rows.push_back({fmt::format("{}  {}", m.setting + 1, labels[m.setting]), d.values, d.half_width, d.certainty});
+  }
+  return rows;
+}
+
+/// The widest of what chance alone does, as far as it was measured; infinite where it was not.
+double chance_band(const Findings& found) {
+  double widest = std::numeric_limits<double>::infinity();
+  for (const auto& m : found.merits)
+    for (const double limit : m.from_own.limits)
+      if (std::isfinite(limit)) widest = std::isfinite(widest) ? std::max(widest, limit) : limit;
+  return widest;
+}
+
+/// Marks of the means, by how far they are significant.
+Json mean_layers(const std::vector<DifferenceRow>& rows, const std::vector<double>& widths) {
+  struct Layer {
+    const char *name, *colour, *title;
+    int mark;
+    bool (*holds)(Certainty);
+  };
+  constexpr std::array<Layer, 3> k_layers{
+      {{"sure", "#d55e00", "significant", 7, [](Certainty c) { return c == Certainty::everywhere; }},
+       {"here", "#e69f00", "significant in these realisations, not in the mean", 5,
+        [](Certainty c) { return c == Certainty::in_realisations; }},
+       {"unsure", "#0072b2", "may be chance", 6,
+        [](Certainty c) { return c == Certainty::none || c == Certainty::unknown; }}}};
+  Json layers = Json::array();
+  for (const auto& layer : k_layers) {
+    std::string text;
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      if (layer.holds(rows[k].certainty)) text += fmt::format("{} {} {}\n", mean_of(rows[k].values), k, widths[k]);
+    if (!text.empty())
+      layers.push_back({{"name", layer.name},
+                        {"rows", text},
+                        {"mark", layer.mark},
+                        {"colour", layer.colour},
+                        {"title", layer.title}});
+  }
+  return layers;
+}
+
+std::optional<Picture> differences(const Findings& found, const std::vector<std::string>& labels) {
+  if (!found.measure.is_load()) return std::nullopt;
+  const std::vector<DifferenceRow> rows = difference_rows(found, labels);
+  if (rows.empty()) return std::nullopt;
+  Extent shown;
+  shown.add(0);
+  std::string runs;
+  Json names = Json::array();
+  std::vector<double> widths;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const DifferenceRow& row = rows[k];
+    constexpr std::size_t k_least = 3;  // of two the interval is too wide to be drawn
+    widths.push_back(row.values.size() >= k_least && std::isfinite(row.half_width) ? row.half_width : 0);
+    const double mean = mean_of(row.values);
+    for (const double end : {mean - widths.back(), mean + widths.back()}) shown.add(end);
+    for (const double value : row.values) {
+      runs += fmt::format("{} {}\n", value, k);
+      shown.add(value);
+    }
+    names.push_back({{"label", row.label}, {"place", k}, {"comma", k + 1 < rows.size() ? ", " : ""}});
+  }
+  constexpr double k_margin = 0.1;
+  const double margin = shown.high > shown.low ? k_margin * (shown.high - shown.low) : 1;
+  const double low = shown.low - margin, high = shown.high + margin, limit = chance_band(found);
+  Json data{{"low", low},    {"high", high}, {"bottom", static_cast<double>(rows.size()) - 0.3},
+            {"rows", names}, {"runs", runs}, {"layers", mean_layers(rows, widths)}};
+  data["band"] = nullptr;
+  if (std::isfinite(limit) && limit > 0)
+    data["band"] = {{"from", std::max(-limit, low)}, {"to", std::min(limit, high)}};
+  return Picture{.name = "differences",
+                 .script = "differences.gnuplot",
+                 .height = 140 + 22 * static_cast<int>(rows.size()),
+                 .data = data};
+}
+
+/// The front once more, with the distance from the reference as the error.
+std::optional<Picture> motion_front(Findings found, const std::vector<std::string>& labels) {
+  const bool moves =
+      std::any_of(found.merits.begin(), found.merits.end(), [](const Merit& m) { return m.motion.mean > 0; });
+  if (!found.measure.is_load() || !moves || !found.horizon.known) return std::nullopt;
+  found.measure = {"distance", "m", 0};
+  found.check.moves.reset();
+  found.choice.chosen.reset();
+  std::erase_if(found.merits, [](const Merit& m) { return m.done == 0 || std::isnan(m.motion.mean); });
+  for (auto& m : found.merits) {
+    m.error = m.motion.mean;
+    m.floor = found.horizon.ends ? found.horizon.threshold_m : k_rounding_share;
+    m.significant = m.error > m.floor;
+  }
+  found.merits = with_dominance(found.merits);
+  return front("motion", found, labels);
+}
+
+}  // namespace
+
+std::vector<Picture> pictures_of(const SceneReport& report) {
+  const Findings& found = report.found;
+  if (found.merits.empty()) return {};
+  const auto labels = report.labels();
+  std::vector<Picture> pictures;
+  const auto add = [&](std::optional<Picture> picture) {
+    if (picture) pictures.push_back(std::move(*picture));
+  };
+  if (report.study.ablation) {
+    add(ablation(found, labels));
+    return pictures;
+  }
+  add(differences(found, labels));
+  add(front("front", found, labels));
+  add(motion_front(found, labels));
+  add(steps(report.study.plan, found));
+  return pictures;
+}
+
+Drawings draw(const std::filesystem::path& folder, const std::vector<Picture>& pictures) {
+  Drawings drawings;
+  for (const auto& picture : pictures) {
+    try {
+      plot(folder, script_of(picture));
+      drawings.drawn.push_back(picture.name);
+    } catch (const PlotError& e) {
+      drawings.trouble = e.what();
+    }
+  }
+  return drawings;
+}
+
+}  // namespace nilas

@@ -1,0 +1,36 @@
+#include "apps/compare/scenes/report/plan_text.h"
+
+#include <fmt/format.h>
+
+#include "core/output/text/console.h"
+
+namespace nilas {
+
+std::vector<std::string> plan_lines(const SceneStudy& study) {
+  const Plan& plan = study.plan;
+  std::vector<std::string> lines;
+  lines.push_back(fmt::format("{} runs: {} settings x {} realisation{}, {:g} s simulated; about {} with {} job{}",
+                              plan.runs.size(), plan.settings.size(), plan.realisations,
+                              plan.realisations == 1 ? "" : "s", plan.end - plan.start, duration_text(plan.estimate_s),
+                              study.jobs, study.jobs == 1 ? "" : "s"));
+  lines.push_back((study.ablation ? "without simplifications: " : "own setting: ") + full_label(plan.settings.front()));
+  std::string others;
+  for (std::size_t k = 1; k < plan.settings.size(); ++k)
+    others += (others.empty() ? "" : "; ") + label_of(plan.settings[k], plan.settings.front());
+  lines.push_back("other settings: " + others);
+  if (plan.realisations > 0 && !study.ablation && study.reference == "auto")
+    lines.push_back("reference: " + full_label(plan.reference));
+  for (const auto& list : by_reason(plan.omissions)) lines.push_back("left out for " + list);
+  for (const auto& refused : study.refused)
+    lines.push_back(fmt::format("cannot run: {}: {}", refused.what, refused.why));
+  return lines;
+}
+
+std::string shorter_line(const Plan& plan, double before, double factor) {
+  return fmt::format(
+      "runs take {:.2g} times what was measured: to keep the budget, all are compared over {:g} s of simulated time "
+      "instead of {:g} s",
+      factor, plan.end - plan.start, before - plan.start);
+}
+
+}  // namespace nilas

@@ -1,0 +1,71 @@
+# Computing time against error. Black: no other setting is faster and better; grey: another one is. Hollow: the error may
+# be chance, and the mark stands at the size up to which it may. Every point has its setting's number.
+{{#best}}
+$best << EOD
+{{{.}}}EOD
+{{/best}}
+{{#beaten}}
+$beaten << EOD
+{{{.}}}EOD
+{{/beaten}}
+{{#hidden}}
+$hidden << EOD
+{{{.}}}EOD
+{{/hidden}}
+{{#chosen}}
+$chosen << EOD
+{{{.}}}EOD
+{{/chosen}}
+{{#numbers}}
+$numbers << EOD
+{{{.}}}EOD
+{{/numbers}}
+{{#grey_numbers}}
+$grey_numbers << EOD
+{{{.}}}EOD
+{{/grey_numbers}}
+{{#levels}}
+${{name}} << EOD
+{{{rows}}}EOD
+{{/levels}}
+set logscale xy
+set grid lc rgb '#dddddd'
+# the names of settings stand in the key beside the plot: at the points they would lie over each other
+set rmargin 42
+set key at graph 1.02, graph 1 left top vertical Left reverse samplen 1.5 spacing 1.2 noenhanced
+set xrange [{{x_low}}:{{x_high}}]
+set yrange [{{y_low}}:{{y_high}}]
+set format '%g'
+set xtics ({{x_tics}})
+set ytics ({{y_tics}})
+set xlabel 'computing time per simulated second [s/s]'
+set ylabel 'error of the {{quantity}} [{{unit}}]'
+plot \
+{{#beaten}}
+  $beaten using 1:2:3:4 with yerrorbars pt 7 ps 1 lw LW lc rgb '#aaaaaa' title 'another is faster and better, or it failed', \
+{{/beaten}}
+{{#best}}
+  $best using 1:2:3:4 with yerrorbars pt 7 ps 1.3 lw LW lc rgb '#000000' title 'none is both faster and better', \
+{{/best}}
+{{#hidden}}
+  $hidden using 1:2 with points pt 10 ps 1.3 lw LW lc rgb '#0072b2' title 'not significant: the error is below this', \
+{{/hidden}}
+{{#chosen}}
+  $chosen using 1:2 with points pt 6 ps 3 lw 2*LW lc rgb '#d55e00' title 'recommended', \
+{{/chosen}}
+{{#levels}}
+  ${{name}} using 1:2:3 with labels center offset char 0,{{raised}} tc rgb '#0072b2' noenhanced notitle, \
+{{/levels}}
+{{#numbers}}
+  $numbers using 1:2:3 with labels left offset char 0.8,0.4 noenhanced notitle, \
+{{/numbers}}
+{{#grey_numbers}}
+  $grey_numbers using 1:2:3 with labels left offset char 0.8,0.4 tc rgb '#888888' noenhanced notitle, \
+{{/grey_numbers}}
+{{#reference_moves}}
+  {{.}} with lines dt 2 lw LW lc rgb '#009e73' title 'change of the reference with its step', \
+{{/reference_moves}}
+{{#names}}
+  keyentry with points pt 0 title '{{.}}', \
+{{/names}}
+  NaN notitle

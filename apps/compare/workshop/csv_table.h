@@ -1,0 +1,49 @@
+#pragma once
+/// CSV tables that both studies write: each column states its name and its cell together.
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/output/file/csv_row.h"
+
+namespace nilas {
+
+/// The cell of a column, on a row that is being written. A number that is not finite leaves its cell empty.
+class CsvCell {
+ public:
+  explicit CsvCell(CsvRow& row) : row_(row) {}
+  void operator=(double value);
+  void operator=(int value) { row_.integer(value); }
+  void operator=(bool value) { row_.integer(value ? 1 : 0); }
+  void operator=(const std::string& text) { row_.text(text); }
+  void operator=(const char* text) { row_.text(text); }
+
+ private:
+  CsvRow& row_;
+};
+
+template <class Row>
+struct CsvColumn {
+  std::string name;
+  std::function<void(const Row&, CsvCell)> write;
+};
+
+template <class Row>
+std::string csv_text(const std::vector<CsvColumn<Row>>& columns, const std::vector<Row>& rows) {
+  std::vector<std::string> names;
+  for (const auto& column : columns) names.push_back(column.name);
+  std::string text = csv_header(names);
+  for (const auto& row : rows) {
+    CsvRow cells;
+    for (const auto& column : columns) column.write(row, CsvCell(cells));
+    text += cells.line();
+  }
+  return text;
+}
+
+/// A sentence without commas, for readers that know no quotes.
+std::string without_commas(std::string sentence);
+/// "0;1"
+std::string list_text(const std::vector<int>& numbers);
+
+}  // namespace nilas

@@ -1,0 +1,23 @@
+#include "apps/compare/workshop/json_store.h"
+
+#include <cmath>
+
+#include "core/base/file_bytes.h"
+#include "core/output/file/output_file.h"
+
+namespace nilas {
+
+using Json = nlohmann::ordered_json;
+
+Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+std::string json_text(const Json& json) {
+  constexpr int k_indent = 1;
+  return json.dump(k_indent, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void write_json(const std::filesystem::path& file, const Json& json) { write_whole(file, json_text(json)); }
+
+Json read_json(const std::filesystem::path& file) { return Json::parse(file_bytes(file), nullptr, false); }
+
+}  // namespace nilas

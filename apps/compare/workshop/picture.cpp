@@ -1,0 +1,26 @@
+#include "apps/compare/workshop/picture.h"
+
+#include "apps/compare/workshop/templates.h"
+#include "core/output/text/fill_template.h"
+
+namespace nilas {
+
+std::string script_of(const Picture& picture) {
+  using Json = nlohmann::ordered_json;
+  constexpr double k_font = 12;
+  const std::string drawing = fill_template(compare_template(picture.script), picture.data, Escape::gnuplot);
+  Json formats = Json::array();
+  for (const bool vector : {true, false}) {
+    const double factor = vector ? 1 : picture.png_factor;
+    formats.push_back({{"terminal", vector ? "svg" : "pngcairo"},
+                       {"width", static_cast<int>(factor * picture.width)},
+                       {"height", static_cast<int>(factor * picture.height)},
+                       {"font", factor * k_font},
+                       {"line_width", factor},
+                       {"file", picture.name + (vector ? ".svg" : ".png")},
+                       {"drawing", drawing}});
+  }
+  return fill_template(compare_template("formats.gnuplot"), {{"formats", formats}}, Escape::gnuplot);
+}
+
+}  // namespace nilas

@@ -1,0 +1,11 @@
+#pragma once
+/// The text files of apps/compare/templates, which the build puts into the program.
+#include <string>
+#include <string_view>
+
+namespace nilas {
+
+/// Text of a template by its file name. Throws ContractError for one that is not there.
+std::string_view compare_template(std::string_view name);
+
+}  // namespace nilas

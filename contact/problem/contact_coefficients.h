@@ -1,0 +1,41 @@
+#pragma once
+/// The law of a contact problem and the coefficients of its contacts: what its two forms have in common.
+#include <cstdint>
+#include <vector>
+
+#include "core/choices/law.h"
+
+namespace nilas {
+
+/// Its name in scene files.
+const char* to_string(Law law);
+
+struct ContactCoefficients {
+  Law law = Law::coulomb;
+  int facets = 8;  ///< of pyramid_k
+
+  std::vector<double> mu;           ///< nc, kinetic friction coefficient
+  std::vector<double> mu_static;    ///< nc, >= mu
+  std::vector<double> force_limit;  ///< nc, largest normal impulse (infinite: none) [N s]
+  std::vector<double> compliance;   ///< nc, u_N + c r_N replaces u_N [m/(s N s)]
+  std::vector<std::uint64_t> key;   ///< nc, distinct, stable from step to step
+
+  bool operator==(const ContactCoefficients&) const = default;
+};
+
+/// Calls use(list, the same list of the other) for every list with one entry per contact. The bindings name every
+/// member, so a new one does not compile until it is added here.
+template <class Use>
+void for_each_list(ContactCoefficients& one, const ContactCoefficients& other, const Use& use) {
+  auto& [law, facets, mu, mu_static, force_limit, compliance, key] = one;
+  use(mu, other.mu);
+  use(mu_static, other.mu_static);
+  use(force_limit, other.force_limit);
+  use(compliance, other.compliance);
+  use(key, other.key);
+}
+
+/// Those of some contacts, in the order given.
+ContactCoefficients select(const ContactCoefficients& all, const std::vector<int>& contacts);
+
+}  // namespace nilas

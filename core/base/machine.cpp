@@ -1,0 +1,23 @@
+#include "core/base/machine.h"
+
+#include <sys/utsname.h>
+
+#include <fstream>
+
+namespace nilas {
+
+std::string system_text() {
+  utsname name{};
+  uname(&name);
+  return std::string(name.sysname) + " " + name.release + " " + name.machine;
+}
+
+std::string processor_text() {
+  std::ifstream in("/proc/cpuinfo");
+  for (std::string line; std::getline(in, line);)
+    if (const auto colon = line.find(": "); line.starts_with("model name") && colon != std::string::npos)
+      return line.substr(colon + 2);
+  return "";
+}
+
+}  // namespace nilas

@@ -1,0 +1,156 @@
+/// What every solver says of problems that have no answer, or that it cannot take: one table of statuses for all.
+#include "tests/support/bad_problems.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <map>
+
+#include "contact/registry.h"
+#include "contact/solvers/admm.h"
+#include "contact/solvers/continuation.h"
+#include "contact/solvers/with_retry.h"
+#include "tests/support/problem_factory.h"
+
+namespace nilas {
+namespace {
+
+constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double k_infinite = std::numeric_limits<double>::infinity();
+constexpr double k_tolerance = 1e-9;
+const SolverSettings k_settings{.tolerance = k_tolerance, .max_iterations = 2000};
+
+/// The same pair twice over: four contacts on the same two rows of W.
+LocalProblem all_twice() {
+  ContactProblem heap = test::random_heap(1, 3, 3, 0.3);
+  const int nc = heap.num_contacts();
+  for (int c = 0; c < nc; ++c) {
+    const auto i = static_cast<std::size_t>(c);
+    const MatX a = heap.jacobian_a(c), b = heap.jacobian_b(c);
+    const int twin = heap.add_contact(heap.pairs[i].a, a, heap.pairs[i].b, b, 1000 + heap.key[i]);
+    heap.mu.back() = heap.mu[i];
+    heap.mu_static.back() = heap.mu_static[i];
+    heap.w.segment<3>(3 * twin) = heap.w.segment<3>(3 * c);
+  }
+  return reduce(heap);
+}
+
+LocalProblem with(LocalProblem problem, const std::function<void(LocalProblem&)>& change) {
+  change(problem);
+  return problem;
+}
+
+/// Boxes of very different masses, the heaviest on top.
+LocalProblem steep_stack() { return reduce(test::box_stack({1e-3, 1, 1e3}, 0.5)); }
+
+struct BadProblem {
+  std::string name;
+  LocalProblem problem;
+  VecX guess;
+  SolveStatus expected;                         ///< of every solver ...
+  std::map<std::string, SolveStatus> except{};  ///< ... but these
+};
+
+std::vector<BadProblem> bad_problems() {
+  using enum SolveStatus;
+  const auto shared = test::coupled_pair(0);
+  return {
+      // an answer exists, but W has the eigenvalue -2
+      {"indefinite", test::coupled_pair(3), {}, converged, {{"admm", numerical_error}}},
+      // impulses feed each other without end: no answer
+      {"indefinite without answer",
+       test::coupled_pair(-3),
+       {},
+       numerical_error,
+       {{"continuation", stalled},
+        {"enumerate", stalled},
+        {"newton", iteration_limit},
+        {"newton-order-free", iteration_limit},
+        {"auto", iteration_limit}}},
+      // one contact can only open as far as the other closes, and both close
+      {"singular without answer",
+       test::coupled_pair(-1),
+       {},
+       stalled,
+       {{"eg", numerical_error},
+        {"admm", numerical_error},
+        {"with retry", numerical_error},
+        {"eg-order-free", iteration_limit},
+        {"apgd", iteration_limit},
+        {"newton", iteration_limit},
+        {"newton-order-free", iteration_limit},
+        {"auto", iteration_limit}}},
+      {"singular", all_twice(), {}, converged, {}},
+      {"nothing to solve", LocalProblem{}, {}, converged, {}},
+      {"velocity not a number", with(shared, [](auto& p) { p.q[4] = k_nan; }), {}, numerical_error, {}},
+      {"infinite friction", with(shared, [](auto& p) { p.mu[1] = k_infinite; }), {}, numerical_error, {}},
+      {"infinite inverse mass", with(shared, [](auto& p) { p.block[3](1, 1) = k_infinite; }), {}, numerical_error, {}},
+      {"negative mass", with(shared, [](auto& p) { p.block[0] *= -1; }), {}, numerical_error, {}},
+      {"limit not a number", with(shared, [](auto& p) { p.force_limit[0] = k_nan; }), {}, numerical_error, {}},
+      // continuation takes no guess, and a second solver starts afresh
+      {"guess not a number",
+       shared,
+       VecX::Constant(6, k_nan),
+       numerical_error,
+       {{"continuation", converged}, {"with retry", converged}}},
+      {"nothing yields", with(shared, [](auto& p) { p.block[0].setZero(); }), {}, numerical_error, {}},
+      {"steep stack",
+       steep_stack(),
+       {},
+       converged,
+       {{"pgs", stalled},
+        {"nsgs", stalled},
+        {"eg", iteration_limit},
+        {"eg-order-free", iteration_limit},
+        {"apgd", iteration_limit},
+        {"enumerate", numerical_error}}},
+      // products with the guess overflow; those who measure it first start from nothing
+      {"numbers near the largest",
+       test::coupled_pair(0, 1e200),
+       VecX::Constant(6, 1e200),
+       converged,
+       {{"eg", numerical_error}, {"eg-order-free", numerical_error}, {"apgd", numerical_error}}},
+  };
+}
+
+/// Every solver by name, friction continuation and a solver with a second one behind it too.
+ContactSolution solve(const std::string& name, const LocalProblem& problem, const VecX& guess) {
+  if (name == "continuation") return continue_in_friction(problem, {.shared = k_settings});
+  if (name == "with retry")
+    return WithRetry(find_solver("admm").make(k_settings), find_solver("nsgs").make(k_settings)).solve(problem, guess);
+  return find_solver(name).make(k_settings)->solve(problem, guess);
+}
+
+class BadProblems : public testing::TestWithParam<std::string> {};
+
+TEST_P(BadProblems, AreCalledWhatTheyAre) {
+  for (const BadProblem& bad : bad_problems()) {
+    SCOPED_TRACE(bad.name);
+    const ContactSolution found = solve(GetParam(), bad.problem, bad.guess);
+    const auto other = bad.except.find(GetParam());
+    EXPECT_STREQ(to_string(found.status), to_string(other == bad.except.end() ? bad.expected : other->second))
+        << found.iterations << " iterations, message '" << found.message << "'";
+    EXPECT_EQ(found.r.size(), bad.problem.q.size());
+    EXPECT_TRUE(found.r.allFinite()) << found.r.transpose();
+    EXPECT_TRUE(found.status != SolveStatus::numerical_error || !found.message.empty());
+    EXPECT_TRUE(found.status != SolveStatus::converged || measure(bad.problem, found.r).law_map_m_s <= k_tolerance);
+  }
+}
+
+std::vector<std::string> all_solvers() {
+  std::vector<std::string> names{"continuation", "with retry"};
+  for (const auto& entry : solver_registry()) names.push_back(entry.name);
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BadProblems, testing::ValuesIn(all_solvers()), [](const auto& each) {
+  std::string name = each.param;
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == '-' || c == ' '; }, '_');
+  return name;
+});
+
+}  // namespace
+}  // namespace nilas
