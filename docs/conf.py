@@ -32,20 +32,21 @@ SECTIONS = {
     "develop": "Develop",
 }
 READING_ORDER = {
-    "howto": ["write-a-scene", "prepare-a-hull", "place-the-vessel", "tow-with-six-cells", "pods-rudders-barges", "rods",
-              "ice-fields", "crushing", "breaking", "full-scale", "resume-and-long-runs", "ice-load", "trust-a-step",
+    "howto": ["write-a-scene", "full-scale", "prepare-a-hull", "place-the-vessel", "tow-with-six-cells",
+              "pods-rudders-barges", "rods", "ice-fields", "crushing", "breaking", "resume-and-long-runs", "ice-load", "trust-a-step",
               "contact-forces", "compare-settings", "check-the-program", "one-contact-problem", "compare-solvers"],
     "reference": ["scene", "outputs", "command-line", "conventions", "scales"],
     "theory": ["contact", "dynamics", "vessel", "hull", "water", "ice-field", "fracture", "fracture-crushing",
                "fracture-breaking", "fracture-cutting", "load-error", "compare"],
-    "evidence": ["verification", "validation", "limits", "limitations"],
+    "evidence": ["verification", "validation", "validation-scenes", "validation-symmetry", "validation-breaking",
+                 "validation-contacts", "validation-solvers", "validation-loads", "limits", "limitations"],
     "develop": ["architecture", "contributing"],
 }
 
 project = "Nilas"
 version = release = re.search(r"project\(nilas VERSION (\S+)", (DOCS.parent / "CMakeLists.txt").read_text())[1]
 language = "en"
-exclude_patterns = ["figures/*.md", "site"]
+exclude_patterns = ["README.md", "figures/*.md", "site"]
 highlight_language = "none"
 suppress_warnings = ["misc.highlighting_failure"]  # pieces of a scene with "..." in them
 smartquotes = False  # they would turn the two hyphens of an option into a dash

@@ -41,8 +41,8 @@ constexpr ChoiceText choice_text(Integrator value) {
       return {"semi-implicit-euler", "Contact impulses act before the step's motion."};
     case Integrator::reference:
       return {"reference",
-              "Every impact and event is resolved at its own instant, with a local error of 1e-15 per step in free "
-              "motion and 1e-13 in closed contact. It suits few free bodies and a vessel that touches few of them. It "
+              "Every impact and event is resolved at its own instant. The local error per step is 1e-15 in free motion "
+              "and 1e-13 in closed contact. It suits few free bodies and a vessel that touches few of them. It "
               "ignores detection and stabilisation."};
   }
   return {};
@@ -62,8 +62,8 @@ constexpr ChoiceText choice_text(Detection value) {
               "impulses counts."};
     case Detection::continuous:
       return {"continuous",
-              "The same, and pairs that move by more than half their thickness are followed along their path, so that "
-              "nothing passes through."};
+              "As speculative. Pairs that move by more than half their thickness are also followed along their path, "
+              "so that nothing passes through."};
   }
   return {};
 }

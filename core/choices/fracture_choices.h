@@ -13,9 +13,10 @@ constexpr ChoiceText choice_text(CrushingModel value) {
               "The normal force is at most the compressive strength times the contact area at the start of the step.",
               "seed-limit"};
     case CrushingModel::pressure_area:
-      return {"pressure-area",
-              "As compliant, but the pressure is coefficient * area^exponent, scaled by the floe's strength over that "
-              "of <fracture>."};
+      return {
+          "pressure-area",
+          "As compliant, but the pressure is `coefficient * area^exponent`, scaled by the floe's strength over that "
+          "of <fracture>."};
     case CrushingModel::compliant:
       return {"compliant", "As explicit, but the growth of the area within the step is taken implicitly."};
   }
@@ -43,8 +44,8 @@ constexpr ChoiceText choice_text(SplittingModel value) {
               "seed-geometric"};
     case SplittingModel::lefm:
       return {"lefm",
-              "A floe splits where half the sum of the forces across that chord reaches its capacity, which follows "
-              "from its length, width and fracture toughness."};
+              "A floe splits where half the sum of the forces across that chord reaches its capacity. The capacity "
+              "follows from its length, width and fracture toughness."};
   }
   return {};
 }

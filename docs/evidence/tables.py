@@ -79,7 +79,7 @@ LAYOUTS = {
         ("revision", "`{revision}`"),
     ],
     "load-cells": [
-        ("$h\\,\\omega$", "{h_omega}"),
+        ("$`h\\,\\omega`$", "{h_omega}"),
         ("peak of the reading [N]", "{peak_N}"),
     ],
     "water": [

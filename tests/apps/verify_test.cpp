@@ -6,6 +6,7 @@
 #include <regex>
 #include <sstream>
 
+#include "apps/verify/case.h"
 #include "tests/support/program.h"
 
 namespace {
@@ -86,6 +87,17 @@ TEST(Verify, ThePagesAreThoseOfTheProgram) {
   EXPECT_NE(limitations.find("| a time | 1 | - |"), std::string::npos);
   EXPECT_TRUE(without_times(read_text(k_docs / "evidence/limitations.md")) == limitations)
       << "write it again: build/release/nilas verify --limitations > docs/evidence/limitations.md";
+}
+
+TEST(Verify, ThePagesNameAsManyCasesAsThereAre) {
+  const std::regex count("([0-9]+) cases (with known answers|were below)");
+  const std::filesystem::path root = NILAS_SOURCE_DIR;
+  for (const auto& page : {root / "README.md", root / "docs/evidence/validation-scenes.md"}) {
+    const std::string text = read_text(page);
+    std::smatch found;
+    ASSERT_TRUE(std::regex_search(text, found, count)) << page;
+    EXPECT_EQ(std::stoul(found[1]), nilas::catalogue().size()) << page;
+  }
 }
 
 TEST(Verify, TheExtremesAreDrawn) {

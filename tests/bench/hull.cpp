@@ -25,7 +25,7 @@ constexpr double k_most_seconds = 60;   // of all stages together
 constexpr std::size_t k_timed = 18000;  // triangles of a mesh that may take so long
 constexpr double k_mm = 1e-3;
 
-/// A shape and how far its parts stood off when docs/evidence/validation.md was last written, rounded up.
+/// A shape and how far its parts stood off when docs/evidence/validation-contacts.md was last written, rounded up.
 struct Shape {
   const char* name;
   std::vector<TriangleMesh> shells;

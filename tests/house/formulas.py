@@ -3,7 +3,7 @@
 
 usage: formulas.py [--mend] [PAGE.md ...]
 
-Without pages, all of docs are read. GitHub first reads a formula between dollars as Markdown: of a backslash before a
+Without pages, all of docs and the README.md files are read. GitHub first reads a formula between dollars as Markdown: of a backslash before a
 sign that is no letter only the sign is left, and *, _, < and [ ]( ) may be taken as Markdown's own. Such formulas are
 written $`...`$ in a line and as a block of ```math, which GitHub leaves alone. No letter, digit or hyphen may stand
 right before a formula, and no letter or digit right after it. --mend rewrites what can be rewritten. Exit code 1 where
@@ -62,9 +62,9 @@ def main():
     parser.add_argument("pages", nargs="*", type=Path)
     parser.add_argument("--mend", action="store_true", help="rewrites the pages")
     arguments = parser.parse_args()
-    docs = Path(__file__).resolve().parents[2] / "docs"
+    root = Path(__file__).resolve().parents[2]
     left = 0
-    for page in arguments.pages or sorted(docs.rglob("*.md")):
+    for page in arguments.pages or [*sorted((root / "docs").rglob("*.md")), *sorted(root.glob("*/README.md"))]:
         text, mends, faults = mended(page.read_text(encoding="utf-8"))
         if arguments.mend and mends:
             page.write_text(text, encoding="utf-8")

@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Measures how long the sentences of the pages are.
 
-usage: words.py [--longest N] [--limit P90] PAGE.md ...
+usage: words.py [--longest N] [--limit P90] [PAGE.md ...]
+
+Without pages, all of docs and the README.md files are read.
 
 A sentence is what ends with a full stop, a question mark, a colon at a line's end, or with its paragraph, list item or
 table cell. Code blocks, indented blocks, headings and display formulas do not count; an inline code or an inline formula
@@ -11,6 +13,7 @@ With --limit the exit code is 1 if the 90th percentile of any page is above it.
 import argparse
 import re
 import sys
+from pathlib import Path
 
 SHORT_CELL = 9
 ABBREVIATIONS = re.compile(r"\b(e\.g|i\.e|eq|fig|sec|cf|vs|no|approx|et al|st|dr)\.", re.IGNORECASE)
@@ -70,15 +73,16 @@ def percentile(values, share):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("pages", nargs="+")
+    parser.add_argument("pages", nargs="*")
     parser.add_argument("--longest", type=int, default=0, help="prints the N longest sentences of each page")
     parser.add_argument("--limit", type=float, default=None, help="exit 1 if a page's 90th percentile is above this")
     arguments = parser.parse_args()
+    root = Path(__file__).resolve().parents[2]
+    all_pages = [*sorted((root / "docs").rglob("*.md")), *sorted(root.glob("README.md")), *sorted(root.glob("*/README.md"))]
     failed = False
     print(f"{'page':44} {'words':>6} {'median':>6} {'p90':>4} {'max':>4} {'over 100 columns':>17}")
-    for page in arguments.pages:
-        with open(page, encoding="utf-8") as handle:
-            text = handle.read()
+    for page in arguments.pages or dict.fromkeys(str(page.relative_to(root)) for page in all_pages):
+        text = (Path(page) if arguments.pages else root / page).read_text(encoding="utf-8")
         found = [s for block in blocks(text) for s in sentences(block)]
         lengths = [len(s) for s in found]
         wide = sum(1 for line in text.split("\n") if len(line) > 100 and not line.startswith(("|", "    ", "![")))

@@ -10,14 +10,35 @@ namespace {
 
 constexpr const char* k_introduction = R"(# Scene reference
 
-A scene is an XML file. Attributes hold numbers and words, child elements hold things. Lengths are in metres, and all
-units are SI; an attribute in another unit carries it in its name (`heading_deg`). Vectors are blank-separated. Names
-are unique. Paths are relative to the scene file's folder, except the output folder, which is relative to the working
-directory. Numbers are finite decimals with a point.
+A scene is an XML file. Attributes hold numbers and words; child elements hold parts of the scene.
+Lengths are in metres and all units are SI. An attribute in another unit carries it in its name
+(`heading_deg`). Blanks separate the numbers of a vector. Numbers are finite decimals with a point.
+Names must be unique.
 
-What is not named is not modelled. Where a default's model is not built yet, the nearest one that is built stands in and
-the run says so; what a scene names and this version lacks is refused.
+Paths are relative to the folder of the scene file. Only the output folder is relative to the
+working directory.
+
+What a scene does not name is not modelled. What it names and this version lacks is refused. Names
+of choices that have changed are still read, with a warning that gives the new name.
 )";
+
+/// Lines of at most 100 characters. A word that would begin a list at the start of a line stays on the line before.
+std::string wrapped(const std::string& text) {
+  constexpr std::size_t k_width = 100;
+  std::string out;
+  std::size_t column = 0;
+  for (const std::string& word : split_words(text)) {
+    const bool begins_list = word == "-" || word == "+" || word == "*" || word == "=" ||
+                             (word.back() == '.' && parse_integer(word.substr(0, word.size() - 1)));
+    if (column > 0 && column + 1 + word.size() > k_width && !begins_list) {
+      out += "\n";
+      column = 0;
+    }
+    out += (column > 0 ? " " : "") + word;
+    column += (column > 0 ? 1 : 0) + word.size();
+  }
+  return out;
+}
 
 std::string cell(const std::string& text) {
   std::string s;
@@ -46,9 +67,9 @@ std::string default_cell(const AttributeSpec& spec) {
 
 std::string meaning_cell(const AttributeSpec& spec) {
   std::string s = cell(spec.doc);
-  if (!spec.built) s += " Not built in this version.";
+  if (!spec.built) s += " It is not built in this version.";
   if (spec.applies.values.empty()) return s;
-  s += " Only with " + spec.applies.attribute;
+  s += " It applies only with " + spec.applies.attribute;
   for (std::size_t i = 0; i < spec.applies.values.size(); ++i)
     s += (i == 0 ? " " : ", ") + code(spec.applies.values[i]);
   return s + ".";
@@ -61,19 +82,19 @@ std::string path_of(const ElementSpec& spec) {
 std::string count_text(const ElementSpec& spec) {
   switch (spec.count) {
     case Count::one:
-      return "exactly one";
+      return "occurs exactly once.";
     case Count::many:
-      return "any number";
+      return "occurs any number of times.";
     case Count::optional:
-      return spec.always ? "at most one; absent means its defaults" : "at most one";
+      return spec.always ? "occurs at most once. If it is absent, its defaults hold." : "occurs at most once.";
   }
   return "";
 }
 
 std::string element_section(const ElementSpec& spec) {
-  std::string s = "\n## " + code("<" + spec.name + ">") + "\n\n" + code(path_of(spec)) + ", " + count_text(spec) + ".";
-  if (!spec.built) s += " **Not built in this version.**";
-  s += " " + cell(spec.doc) + "\n";
+  const std::string built = spec.built ? "" : " **Not built in this version.**";
+  std::string s = "\n## " + code("<" + spec.name + ">") + "\n\n" +
+                  wrapped(code(path_of(spec)) + " " + count_text(spec) + built + " " + cell(spec.doc)) + "\n";
   if (spec.attributes.empty()) return s + "\nIt takes no attributes.\n";
   s += "\n| attribute | allowed | default | meaning |\n|---|---|---|---|\n";
   for (const auto& a : spec.attributes)

@@ -75,7 +75,7 @@ std::vector<ElementSpec> run_elements() {
                        .range = within(0, k_max_seed),
                        .default_value = std::to_string(scene_values.twin),
                        .doc =
-                           "0 runs the scene itself. Any other number makes a perturbed run: it shifts each floe and "
+                           "0 runs the scene itself. Any other number makes a perturbed run. It shifts each floe and "
                            "free body at the start by up to 1e-12 m in x and y. The difference between perturbed "
                            "runs shows how much of a result is due to chaos."}}},
   };

@@ -44,34 +44,33 @@ static std::string of_length(double x) {
 
 static ElementSpec hull() {
   const Range upright{.min = 0, .max = 90, .max_inclusive = false}, steep{.min = 0, .max = 90, .min_inclusive = false};
-  return {
-      .name = "hull",
-      .parent = "vessel",
-      .doc =
-          "This generates a hull. x = 0 is at the aft end and x = length at the stem. y = 0 is the centre plane and "
-          "z = 0 the keel.",
-      .attributes = {
-          choice("generate", HullGenerateScene{}.kind, "It sets the kind of hull form."),
-          form("length", "m", above(0), written(defaults::k_hull_length), "It is the length over all."),
-          form("beam", "m", above(0), of_length(defaults::k_hull_beam), "It is the beam at the design waterline."),
-          form("draught", "m", above(0), of_length(defaults::k_hull_draught),
-               "It is the height of the design waterline above the keel."),
-          form("depth", "m", above(0), of_length(defaults::k_hull_depth), "It is the height from keel to deck."),
-          form("stem_angle_deg", "deg", steep, written(defaults::k_stem_angle_deg),
-               "It is the angle between the stem and still water, of the icebreaker only."),
-          form("entrance_angle_deg", "deg", inside(0, 90), written(defaults::k_entrance_angle_deg),
-               "It is the half angle of the waterline at the stem, of the icebreaker only."),
-          form("bow_length", "m", above(0), of_length(defaults::k_bow_length),
-               "It is the length of the forebody at the waterline."),
-          form("stern_length", "m", at_least(0), of_length(defaults::k_stern_length),
-               "It is the length of the run aft, of the icebreaker only."),
-          form("flare_angle_deg", "deg", upright, written(defaults::k_flare_angle_deg),
-               "It is the angle of the sides amidships from the vertical, of the icebreaker only."),
-          {.name = "triangles",
-           .type = ValueType::integer,
-           .range = within(100, 1e6),
-           .default_note = written(defaults::k_hull_triangles),
-           .doc = "It is the wanted number of triangles of the fluid mesh."}}};
+  return {.name = "hull",
+          .parent = "vessel",
+          .doc =
+              "This generates a hull. The aft end is at x = 0 and the stem at x = length. The centre plane is at y = 0 "
+              "and the keel at z = 0.",
+          .attributes = {
+              choice("generate", HullGenerateScene{}.kind, "It sets the kind of hull form."),
+              form("length", "m", above(0), written(defaults::k_hull_length), "It is the length over all."),
+              form("beam", "m", above(0), of_length(defaults::k_hull_beam), "It is the beam at the design waterline."),
+              form("draught", "m", above(0), of_length(defaults::k_hull_draught),
+                   "It is the height of the design waterline above the keel."),
+              form("depth", "m", above(0), of_length(defaults::k_hull_depth), "It is the height from keel to deck."),
+              form("stem_angle_deg", "deg", steep, written(defaults::k_stem_angle_deg),
+                   "It is the angle between the stem and still water, of the icebreaker only."),
+              form("entrance_angle_deg", "deg", inside(0, 90), written(defaults::k_entrance_angle_deg),
+                   "It is the half angle of the waterline at the stem, of the icebreaker only."),
+              form("bow_length", "m", above(0), of_length(defaults::k_bow_length),
+                   "It is the length of the forebody at the waterline."),
+              form("stern_length", "m", at_least(0), of_length(defaults::k_stern_length),
+                   "It is the length of the run aft, of the icebreaker only."),
+              form("flare_angle_deg", "deg", upright, written(defaults::k_flare_angle_deg),
+                   "It is the angle of the sides amidships from the vertical, of the icebreaker only."),
+              {.name = "triangles",
+               .type = ValueType::integer,
+               .range = within(100, 1e6),
+               .default_note = written(defaults::k_hull_triangles),
+               .doc = "It is the wanted number of triangles of the fluid mesh."}}};
 }
 
 static ElementSpec mass() {

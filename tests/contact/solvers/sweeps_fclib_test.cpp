@@ -1,18 +1,15 @@
-/// First-order solvers on recorded problems, read from the folder NILAS_FCLIB_DIR.
+/// First-order solvers on recorded problems: our own, and with NILAS_FCLIB_DIR those of the FCLIB collection.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
-#include "contact/fclib/fclib_io.h"
 #include "contact/registry.h"
+#include "tests/contact/fclib/recorded_problems.h"
 
 namespace nilas {
 namespace {
 
 /// law_map that a solver reaches within two seconds, where it says so itself.
-void expect_solved(const std::string& solver, const std::string& file) {
-  const char* const folder = std::getenv("NILAS_FCLIB_DIR");
-  const FclibProblem read = read_fclib(std::filesystem::path(folder) / (file + ".hdf5"));
+void expect_solved(const std::string& solver, const std::filesystem::path& file) {
+  const FclibProblem read = read_fclib(file);
   const SolverSettings settings{.tolerance = 1e-8, .max_iterations = 1000000, .max_seconds = 2};
   std::visit(
       [&](const auto& problem) {
@@ -23,30 +20,30 @@ void expect_solved(const std::string& solver, const std::string& file) {
       read.problem);
 }
 
-class RecordedProblems : public testing::Test {
- protected:
-  void SetUp() override {
-    if (std::getenv("NILAS_FCLIB_DIR") == nullptr) GTEST_SKIP() << "NILAS_FCLIB_DIR names no folder of FCLIB files";
-  }
-};
-
-TEST_F(RecordedProblems, BlockGaussSeidel) {
-  for (const char* const file : {"Box_Stacks-i0035-31-0", "Confeti-ex13-Fc3D-SBM", "NESpheres_10_1", "NESpheres_30_1",
-                                 "Rover1039", "Rover1040", "Rover4144", "Rover4396", "Rover9770", "CubeH8", "arch-9",
-                                 "LMGC_100_PR_PerioBox-i00361-60-03000", "Spheres-i099-356-679"})
-    expect_solved("nsgs", file);
+void expect_solved(const std::string& solver, const std::vector<std::string>& own,
+                   const std::vector<std::string>& collected) {
+  for (const std::string& name : own) expect_solved(solver, test::own_problem(name));
+  for (const std::string& name : collected)
+    for (const auto& file : test::collected_problem(name)) expect_solved(solver, file);
 }
 
-TEST_F(RecordedProblems, Extragradient) {
-  for (const char* const file : {"Box_Stacks-i0035-31-0", "Confeti-ex13-Fc3D-SBM", "OneObject-i100000-316",
-                                 "boxstack-10", "arch-9", "vessel-200", "Rover1039"})
-    expect_solved("eg", file);
+TEST(RecordedProblems, BlockGaussSeidel) {
+  expect_solved("nsgs", {"scene-towing", "scene-oblique-towing", "scene-level-ice"},
+                {"Box_Stacks-i0035-31-0", "Confeti-ex13-Fc3D-SBM", "NESpheres_10_1", "NESpheres_30_1", "Rover1039",
+                 "Rover1040", "Rover4144", "Rover4396", "Rover9770", "CubeH8", "arch-9",
+                 "LMGC_100_PR_PerioBox-i00361-60-03000", "Spheres-i099-356-679"});
 }
 
-TEST_F(RecordedProblems, AcceleratedProjectedGradient) {
-  for (const char* const file : {"BoxesStack1-i100000-32", "OneObject-i100000-316", "boxstack-10",
-                                 "boxstack-10-ratio1e6", "local_problem_test", "arch-9", "vessel-200", "Rover4396"})
-    expect_solved("apgd", file);
+TEST(RecordedProblems, Extragradient) {
+  expect_solved("eg", {"scene-towing", "scene-oblique-towing", "scene-presawn-b"},
+                {"Box_Stacks-i0035-31-0", "Confeti-ex13-Fc3D-SBM", "OneObject-i100000-316", "boxstack-10", "arch-9",
+                 "vessel-200", "Rover1039"});
+}
+
+TEST(RecordedProblems, AcceleratedProjectedGradient) {
+  expect_solved("apgd", {"scene-towing", "scene-oblique-towing", "scene-presawn-b", "stack-10-1e6"},
+                {"BoxesStack1-i100000-32", "OneObject-i100000-316", "boxstack-10", "boxstack-10-ratio1e6",
+                 "local_problem_test", "arch-9", "vessel-200", "Rover4396"});
 }
 
 }  // namespace
