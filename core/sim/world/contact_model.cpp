@@ -27,11 +27,11 @@ CorrectionSettings ContactModel::correction_over(double h) const {
   return settings;
 }
 
+/// The correction reaches this over a step: a hundredth of a millimetre at 0.01 s is far below what it is to remove,
+/// and where a scene fixes its sweeps it is no more than what the velocities may leave [m/s].
+constexpr double k_correction_tolerance = 1e-3;
+
 static void set_stabilisation(const ContactScene& contact, ContactModel& model) {
-  // a hundredth of a millimetre per step at 0.01 s: far below what the split impulse is to remove
-  constexpr double k_correction_tolerance = 1e-3;  // [m/s]
-  // over a step, no more than what the velocities may leave
-  constexpr double k_fixed_sweeps_tolerance = 1e-3;  // [m/s]
   model.correction.slop = contact.slop;
   switch (contact.stabilisation) {
     case Stabilisation::none:
@@ -52,7 +52,7 @@ static void set_stabilisation(const ContactScene& contact, ContactModel& model) 
       model.position_step = PositionStep::projection;
       model.correction.erp = 1;
       model.correction.max_speed = std::numeric_limits<double>::infinity();
-      model.correction.tolerance = contact.tolerance > 0 ? contact.tolerance : k_fixed_sweeps_tolerance;
+      model.correction.tolerance = contact.tolerance > 0 ? contact.tolerance : k_correction_tolerance;
       model.correction.max_sweeps = contact.max_iterations;
       break;
   }
