@@ -7,8 +7,7 @@ FOLDER is the repository (default: the one that holds this script). Checked are 
 the README.md of each top folder: every relative link and picture must name a file of the repository, and every #anchor a heading of its page, by the rule
 that GitHub makes anchors with. Links with a scheme (https:) are not followed: the check needs no network. In sources,
 scripts and scenes, every page that is named by its path from docs/ must exist. In pages, so must every source that is
-named by its path in backticks, as `core/base/{log,error}.h` or `contact/law/*`; names in capitals stand for others, and
-pages docs/develop/add-*.md name files that their reader writes. Exit code 1 where something is dead, with file and line.
+named by its path in backticks, as `core/base/{log,error}.h` or `contact/law/*`; names in capitals stand for others. Exit code 1 where something is dead, with file and line.
 """
 import glob
 import os
@@ -19,6 +18,8 @@ from pathlib import Path
 
 SOURCE_FOLDERS = ("core", "contact", "hydro", "fracture", "apps", "tests")
 SOURCE_SUFFIXES = {".cpp", ".h", ".py", ".sh", ".txt", ".xml", ".awk"}
+# Files that the reader of a page writes.
+TO_BE_WRITTEN = {"hydro/push.cpp", "tests/core/sim/push_test.cpp", "tests/contact/solvers/jacobi_test.cpp"}
 PAGE_NAME = re.compile(r"\bdocs/[\w/-]+\.md\b")
 CODE_PATH = re.compile(r"`((?:core|contact|hydro|fracture|apps|tests)/[\w./*{},-]*)`")
 LINK = re.compile(r"!?\[(?:[^\[\]]|\[[^\]]*\](?:\([^)]*\))?)*\]\(\s*<?([^)\s>]+)>?(?:\s+[\"'][^)]*)?\)")
@@ -119,13 +120,11 @@ def alternatives(path):
 
 
 def faults_of_code_names(page, root):
-    if re.fullmatch(r"docs/develop/add-.*\.md", page.relative_to(root).as_posix()):
-        return
     for number, line in prose_lines(page.read_text(encoding="utf-8")):
         for name in CODE_PATH.findall(line):
             for path in alternatives(name):
                 stands_for_others = re.search(r"[A-Z]{3}", path.removesuffix("README.md"))
-                if not stands_for_others and not glob.glob(str(root / path)):
+                if not stands_for_others and path not in TO_BE_WRITTEN and not glob.glob(str(root / path)):
                     yield number, f"'{path}' is no file of the repository"
 
 
