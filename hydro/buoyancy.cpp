@@ -41,7 +41,7 @@ Submerged Buoyancy::submerged(WetBody<Afloat>& body, const Mat3& R, const Vec3& 
 /// The energy account asks for the energy at the poses where the next step asks for the forces: each pose is clipped
 /// once.
 void Buoyancy::update(const Bodies& bodies) {
-  follow(bodies, list_, prepare_geometry);
+  nilas::follow(bodies, list_, prepare_geometry);
   moved_.clear();
   for (std::size_t b = 0; b < list_.size(); ++b) {
     const Afloat& kept = list_[b].result;

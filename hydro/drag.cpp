@@ -79,7 +79,7 @@ Wrench Drag::drag_on(const Bodies& bodies, std::size_t b) {
 }
 
 void Drag::add_forces(const Bodies& bodies, double /*t*/, Wrenches& out) {
-  follow(bodies, list_, [](const Shape& shape) -> WetGeometry {
+  nilas::follow(bodies, list_, [](const Shape& shape) -> WetGeometry {
     if (shape.kind == ShapeKind::sphere) return MeshWater(sphere_surface(shape.radius));
     return prepare_geometry(shape);
   });

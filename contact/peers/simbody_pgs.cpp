@@ -42,8 +42,8 @@ ContactSolution refused(const LocalProblem& island, const std::string& why) {
 
 void SimbodyPgsSolver::demand_law(Law law) const { demand_known("simbody-pgs", {Law::coulomb}, law); }
 
-ContactSolution SimbodyPgsSolver::solve_island(const LocalProblem& island, const VecX&,
-                                               const SolverSettings& shared) const {
+ContactSolution SimbodyPgsSolver::solve_island(const LocalProblem& island, const VecX&, const SolverSettings& shared,
+                                               const Budget& budget) const {
   const int nc = island.num_contacts(), rows = 3 * nc;
   if (nc > k_most_contacts) return refused(island, "simbody-pgs takes at most 1000 contacts of one island");
   if (std::any_of(island.force_limit.begin(), island.force_limit.end(), [](double x) { return std::isfinite(x); }))
@@ -76,12 +76,12 @@ ContactSolution SimbodyPgsSolver::solve_island(const LocalProblem& island, const
   SimTK::Array_<SimTK::ImpulseSolver::StateLtdFrictionRT> state_friction;
   SimTK::PGSImpulseSolver solver(0);
   solver.setConvergenceTol(std::max(1e-3 * shared.tolerance, k_least_change));
-  solver.setMaxIterations(shared.max_iterations);
+  solver.setMaxIterations(budget.iterations());
   solver.solve(0, participating, A, D, expanding, expand, start, applied, pi, unconditional, contacts, speeds, bounded,
                joint_friction, state_friction);
 
   ContactSolution out;
-  out.iterations = shared.max_iterations;
+  out.iterations = budget.iterations();
   out.r.resize(rows);
   for (int i = 0; i < rows; ++i) out.r[i] = -pi[i];
   if (!out.r.allFinite()) return refused(island, "simbody-pgs returned impulses that are not finite");

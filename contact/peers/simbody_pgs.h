@@ -17,8 +17,8 @@ class SimbodyPgsSolver final : public IslandSolver {
   explicit SimbodyPgsSolver(const SimbodyPgsSettings& settings) : IslandSolver(settings.shared) {}
   std::string name() const override { return "simbody-pgs"; }
   /// It starts from zero: `guess` is not used. numerical_error: a finite force limit or too many contacts.
-  ContactSolution solve_island(const LocalProblem& island, const VecX& guess,
-                               const SolverSettings& shared) const override;
+  ContactSolution solve_island(const LocalProblem& island, const VecX& guess, const SolverSettings& shared,
+                               const Budget& budget) const override;
 
  private:
   void demand_law(Law law) const override;

@@ -16,12 +16,4 @@ const char* to_string(SolveStatus status) {
   return "unknown";
 }
 
-SolverSettings SolverSettings::started() const {
-  SolverSettings running = *this;
-  if (!deadline && max_seconds > 0)
-    running.deadline =
-        Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(max_seconds));
-  return running;
-}
-
 }  // namespace nilas

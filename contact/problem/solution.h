@@ -1,7 +1,5 @@
 #pragma once
 /// What a solve is asked for besides its problem, and what it gives back.
-#include <chrono>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,19 +25,12 @@ struct ContactSolution {
 
 /// Settings that all solvers share; a solver's own settings are a struct in its header.
 struct SolverSettings {
-  using Clock = std::chrono::steady_clock;
-
-  double tolerance =
-      defaults::k_tolerance;  ///< on law_map_m_s [m/s]; 0: sweeps do all max_iterations, others go on until they stall
+  /// On law_map_m_s; 0: sweeps do all max_iterations, others continue until they stall [m/s].
+  double tolerance = defaults::k_tolerance;
   int max_iterations = defaults::k_max_iterations;
   double max_seconds = 0;  ///< stop with iteration_limit after this wall time; 0: no limit [s]
   bool keep_history = false;
   int threads = 1;
-  std::optional<Clock::time_point> deadline{};  ///< of a solve that runs; its islands and stages share it
-
-  /// These settings for a solve that begins now, unless it has begun already.
-  SolverSettings started() const;
-  bool out_of_time() const { return deadline && Clock::now() >= *deadline; }
 };
 
 }  // namespace nilas

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "contact/law/cone.h"
 #include "contact/solvers/linear/block_cholesky.h"
 #include "contact/solvers/shared/anderson.h"
+#include "contact/solvers/shared/best_impulses.h"
 #include "contact/solvers/shared/mass_scaled.h"
 #include "core/base/error.h"
 
@@ -45,178 +48,166 @@ double largest_eigenvalue(const Eigen::SparseMatrix<double>& w) {
   return value;
 }
 
-/// One island.
-class Alternation {
- public:
-  Alternation(const LocalProblem& island, const AdmmSettings& settings)
-      : island_(island),
-        settings_(settings),
-        problem_(mass_scaled(island)),
-        factor_(problem_.symmetric),
-        exponent_(settings.first_exponent) {}
+VecX project(const MassScaled& problem, const VecX& r) {
+  VecX inside(r.size());
+  for (int a = 0; a < problem.num_contacts(); ++a)
+    inside.segment<3>(row_of(a)) = project_cone(r.segment<3>(row_of(a)), problem.mu[at(a)], problem.cap[at(a)]);
+  return inside;
+}
 
-  ContactSolution run(const VecX& guess) {
-    y_ = guess.size() > 0 ? project(problem_.scaled_impulses(guess)) : VecX(VecX::Zero(problem_.q.size()));
-    out_.status = SolveStatus::iteration_limit;
-    best_ = y_;
-    offer(y_);
-    if (!std::isfinite(best_map_)) start_from_nothing();
-    if (out_.status == SolveStatus::iteration_limit) iterate();
-    out_.r = problem_.impulses(best_);
-    return out_;
+/// p of the header and what belongs to it.
+struct Penalty {
+  double largest = 0;   ///< L
+  double regular = 0;   ///< e
+  double exponent = 0;  ///< k
+  double value() const { return std::sqrt(largest * regular) * std::pow(largest / regular, exponent); }
+};
+
+/// Moves the exponent towards balance of the residuals. False: they are balanced, or it is at its bound.
+bool balance(double primal, double dual, Penalty& penalty) {
+  const double before = penalty.exponent;
+  if (primal > k_imbalance * dual) penalty.exponent += k_exponent_step;
+  if (dual > k_imbalance * primal) penalty.exponent -= k_exponent_step;
+  penalty.exponent = std::clamp(penalty.exponent, -k_largest_exponent, k_largest_exponent);
+  return penalty.exponent != before;
+}
+
+bool factor(const MassScaled& problem, const Penalty& penalty, BlockCholesky& factors) {
+  const std::vector<Mat3> unit(at(problem.num_contacts()), Mat3::Identity());
+  const std::vector<Mat3> added(at(problem.num_contacts()), (penalty.value() + penalty.regular) * Mat3::Identity());
+  return factors.factor(unit, added);
+}
+
+/// y and z/p, one after the other: what is iterated.
+VecX together(const VecX& y, const VecX& z, double penalty) {
+  VecX both(2 * y.size());
+  both << y, z / penalty;
+  return both;
+}
+
+struct Imbalance {
+  double primal = 0, dual = 0;
+};
+
+/// One iteration on y and z.
+Imbalance alternate(const MassScaled& problem, const BlockCholesky& factors, const Penalty& penalty, VecX& y, VecX& z) {
+  const double p = penalty.value();
+  VecX rhs = (p + penalty.regular) * y - z - problem.q;
+  if (problem.law == Law::coulomb) rhs -= de_saxce_shift(problem, z);
+  if (problem.skew) rhs -= problem.w * y - problem.symmetric * y;
+  const VecX x = factors.solve_unrefined(rhs);
+  const VecX next = project(problem, x + z / p);
+  const Imbalance residuals{(x - next).cwiseAbs().maxCoeff(), p * (next - y).cwiseAbs().maxCoeff()};
+  z += p * (x - next);
+  y = next;
+  return residuals;
+}
+
+/// Anderson acceleration that gives way to plain iterations, for twice as long each time, when the residual grows.
+class GuardedMixer {
+ public:
+  explicit GuardedMixer(int depth) : mixer_(depth), off_(depth == 0) {}
+
+  void restart() {
+    mixer_.restart();
+    least_ = std::numeric_limits<double>::infinity();
+  }
+
+  /// The state to go on from, after `iteration` led from `before` to `after`; nothing: from `after` as it is.
+  std::optional<VecX> next(const VecX& before, const VecX& after, int iteration) {
+    if (off_ || iteration < plain_until_) return std::nullopt;
+    const double residual = (after - before).norm();
+    if (residual > k_growth * least_) {
+      restart();
+      plain_until_ = iteration + pause_;
+      pause_ *= 2;
+      return least_state_;
+    }
+    if (residual < least_) {
+      least_ = residual;
+      least_state_ = after;
+    }
+    return mixer_.next(before, after);
   }
 
  private:
-  /// The guess is beyond all numbers.
-  void start_from_nothing() {
-    y_.setZero();
-    best_ = y_;
-    offer(y_);
-    if (!std::isfinite(best_map_)) fail("even impulses of zero have a residual beyond all numbers");
-  }
-
-  void fail(const std::string& why) {
-    out_.status = SolveStatus::numerical_error;
-    out_.message = "admm: " + why;
-  }
-
-  void fail_to_factorise() { fail("W and the penalty together are not positive definite"); }
-
-  VecX project(const VecX& r) const {
-    VecX inside(r.size());
-    for (int a = 0; a < problem_.num_contacts(); ++a)
-      inside.segment<3>(row_of(a)) = project_cone(r.segment<3>(row_of(a)), problem_.mu[at(a)], problem_.cap[at(a)]);
-    return inside;
-  }
-
-  /// Keeps r' if it measures best; a look that finds no progress for long ends the run.
-  void offer(const VecX& scaled) {
-    const double map = measure(island_, problem_.impulses(scaled)).law_map_m_s;
-    if (settings_.shared.keep_history) out_.history.push_back(map);
-    if (map < best_map_) {
-      best_map_ = map;
-      best_ = scaled;
-    }
-    if (map < k_fall * fallen_map_) {
-      fallen_map_ = map;
-      fallen_iteration_ = out_.iterations;
-    }
-    const bool slow = settings_.least_fall > 0 && !(map <= settings_.least_fall * map_before_last_);
-    map_before_last_ = last_map_;
-    last_map_ = map;
-    if (slow) out_.status = SolveStatus::stalled;
-    if (settings_.shared.tolerance <= 0) return;
-    if (out_.iterations - fallen_iteration_ >= settings_.stall_iterations) out_.status = SolveStatus::stalled;
-    if (best_map_ <= settings_.shared.tolerance) out_.status = SolveStatus::converged;
-  }
-
-  bool set_penalty() {
-    penalty_ = std::sqrt(largest_ * regular_) * std::pow(largest_ / regular_, exponent_);
-    const std::vector<Mat3> unit(at(problem_.num_contacts()), Mat3::Identity());
-    const std::vector<Mat3> added(at(problem_.num_contacts()), (penalty_ + regular_) * Mat3::Identity());
-    return factor_.factor(unit, added);
-  }
-
-  /// One iteration on y_ and z_; leaves the two residuals.
-  void step() {
-    VecX rhs = (penalty_ + regular_) * y_ - z_ - problem_.q;
-    if (problem_.law == Law::coulomb) rhs -= de_saxce_shift(problem_, z_);
-    if (problem_.skew) rhs -= problem_.w * y_ - problem_.symmetric * y_;
-    const VecX x = factor_.solve_unrefined(rhs);
-    const VecX y = project(x + z_ / penalty_);
-    primal_ = (x - y).cwiseAbs().maxCoeff();
-    dual_ = penalty_ * (y - y_).cwiseAbs().maxCoeff();
-    z_ += penalty_ * (x - y);
-    y_ = y;
-  }
-
-  VecX state() const {
-    VecX both(2 * y_.size());
-    both << y_, z_ / penalty_;
-    return both;
-  }
-  void set_state(const VecX& both) {
-    y_ = both.head(y_.size());
-    z_ = penalty_ * both.tail(y_.size());
-  }
-
-  bool balance() {
-    const double before = exponent_;
-    if (primal_ > k_imbalance * dual_) exponent_ += k_exponent_step;
-    if (dual_ > k_imbalance * primal_) exponent_ -= k_exponent_step;
-    exponent_ = std::clamp(exponent_, -k_largest_exponent, k_largest_exponent);
-    return exponent_ != before;
-  }
-
-  void iterate() {
-    largest_ = largest_eigenvalue(problem_.symmetric);
-    regular_ = k_regularisation * largest_;
-    z_ = VecX::Zero(y_.size());
-    if (best_map_ == 0) return;
-    if (!set_penalty()) return fail_to_factorise();
-    Anderson mixer(settings_.anderson_depth);
-    double least = std::numeric_limits<double>::infinity();
-    VecX least_state;
-    const int period = settings_.least_fall > 0 ? 1 : k_measure_period;
-    int plain_until = 0, pause = k_first_pause;
-    while (out_.iterations < settings_.shared.max_iterations && out_.status == SolveStatus::iteration_limit &&
-           !settings_.shared.out_of_time()) {
-      const VecX before = state();
-      step();
-      ++out_.iterations;
-      if (out_.iterations % period == 0 || out_.iterations == settings_.shared.max_iterations) offer(y_);
-      const VecX after = state();
-      if (!after.allFinite()) return fail("the impulses grew beyond all numbers");
-      if (out_.iterations % k_balance_period == 0 && balance()) {
-        if (!set_penalty()) return fail_to_factorise();
-        mixer.restart();
-        least = std::numeric_limits<double>::infinity();
-        continue;
-      }
-      if (settings_.anderson_depth == 0 || out_.iterations < plain_until) continue;
-      const double residual = (after - before).norm();
-      if (residual > k_growth * least) {
-        mixer.restart();
-        set_state(least_state);
-        least = std::numeric_limits<double>::infinity();
-        plain_until = out_.iterations + pause;
-        pause *= 2;
-        continue;
-      }
-      if (residual < least) {
-        least = residual;
-        least_state = after;
-      }
-      set_state(mixer.next(before, after));
-    }
-  }
-
-  const LocalProblem& island_;
-  const AdmmSettings& settings_;
-  MassScaled problem_;
-  BlockCholesky factor_;
-  double largest_ = 0, regular_ = 0, penalty_ = 0;
-  double exponent_;
-  VecX y_, z_;
-  double primal_ = 0, dual_ = 0;
-  ContactSolution out_;
-  VecX best_;
-  double best_map_ = std::numeric_limits<double>::infinity();
-  double last_map_ = best_map_, map_before_last_ = best_map_;
-  double fallen_map_ = std::numeric_limits<double>::infinity();
-  int fallen_iteration_ = 0;
+  Anderson mixer_;
+  bool off_;
+  double least_ = std::numeric_limits<double>::infinity();
+  VecX least_state_;
+  int plain_until_ = 0, pause_ = k_first_pause;
 };
+
+/// AdmmSettings::least_fall: the last two residuals measured.
+struct LastTwo {
+  double last = std::numeric_limits<double>::infinity(), before_last = last;
+
+  bool fell_too_little(double residual, double least_fall) {
+    const bool slow = least_fall > 0 && !(residual <= least_fall * before_last);
+    before_last = std::exchange(last, residual);
+    return slow;
+  }
+};
+
+constexpr const char* k_indefinite = "admm: W and the penalty together are not positive definite";
+
+ContactSolution alternate_to_tolerance(const LocalProblem& island, const VecX& guess, const AdmmSettings& settings,
+                                       const SolverSettings& shared, const Budget& budget) {
+  const MassScaled problem = mass_scaled(island);
+  BlockCholesky factors(problem.symmetric);
+  BestImpulses best(shared.tolerance, budget, {settings.stall_iterations, k_fall});
+  LastTwo last_two;
+  const auto offer = [&](const VecX& scaled) {
+    const VecX r = problem.impulses(scaled);
+    const double residual = measure(island, r).law_map_m_s;
+    if (shared.keep_history) best.note(residual);
+    best.offer(r, residual);
+    if (last_two.fell_too_little(residual, settings.least_fall)) best.stall();
+  };
+
+  VecX y = guess.size() > 0 ? project(problem, problem.scaled_impulses(guess)) : VecX(VecX::Zero(problem.q.size()));
+  VecX z = VecX::Zero(y.size());
+  offer(y);
+  if (!best.has_any()) offer(y.setZero());  // the guess is beyond all numbers
+  if (!best.has_any()) best.fail("admm: even impulses of zero have a residual beyond all numbers");
+
+  Penalty penalty{0, 0, settings.first_exponent};
+  if (best.goes_on()) {
+    penalty.largest = largest_eigenvalue(problem.symmetric);
+    penalty.regular = k_regularisation * penalty.largest;
+    if (!factor(problem, penalty, factors)) best.fail(k_indefinite);
+  }
+  GuardedMixer mixer(settings.anderson_depth);
+  const int period = settings.least_fall > 0 ? 1 : k_measure_period;
+  while (best.goes_on()) {
+    const VecX before = together(y, z, penalty.value());
+    const Imbalance residuals = alternate(problem, factors, penalty, y, z);
+    best.spend();
+    if (best.iterations() % period == 0 || best.iterations() == budget.iterations()) offer(y);
+    const VecX after = together(y, z, penalty.value());
+    if (!after.allFinite()) {
+      best.fail("admm: the impulses grew beyond all numbers");
+    } else if (best.iterations() % k_balance_period == 0 && balance(residuals.primal, residuals.dual, penalty)) {
+      if (!factor(problem, penalty, factors)) best.fail(k_indefinite);
+      mixer.restart();
+    } else if (const auto state = mixer.next(before, after, best.iterations())) {
+      y = state->head(y.size());
+      z = penalty.value() * state->tail(y.size());
+    }
+  }
+  ContactSolution solution = std::move(best).solution();
+  if (solution.r.size() == 0) solution.r = VecX::Zero(island.q.size());
+  return solution;
+}
 
 }  // namespace
 
 void AdmmSolver::demand_law(Law law) const { demand_known("admm", {Law::coulomb, Law::ccp, Law::frictionless}, law); }
 
-ContactSolution AdmmSolver::solve_island(const LocalProblem& island, const VecX& guess,
-                                         const SolverSettings& shared) const {
+ContactSolution AdmmSolver::solve_island(const LocalProblem& island, const VecX& guess, const SolverSettings& shared,
+                                         const Budget& budget) const {
   if (const auto still = solve_immovable(island)) return *still;
-  AdmmSettings own = settings_;
-  own.shared = shared;
-  return Alternation(island, own).run(guess);
+  return alternate_to_tolerance(island, guess, settings_, shared, budget);
 }
 
 }  // namespace nilas

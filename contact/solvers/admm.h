@@ -22,7 +22,7 @@ namespace nilas {
 struct AdmmSettings {
   SolverSettings shared;
   int anderson_depth = 10;      ///< 0: no acceleration
-  int stall_iterations = 1000;  ///< stalled: law_map did not fall by a tenth within so many
+  int stall_iterations = 1000;  ///< window of the stall rule (best_impulses.h); share 0.9
   double first_exponent = 0.2;  ///< k of the penalty
   /// stalled: two iterations left more than this share of law_map; it is then measured in each. 0: not asked for.
   double least_fall = 0;
@@ -35,8 +35,8 @@ class AdmmSolver final : public IslandSolver {
   /// converged: law_map_m_s as `measure` finds it is at most the tolerance in every island. The best impulses measured
   /// are returned whatever the status. Throws InputError for laws other than coulomb, ccp and frictionless.
   void demand_law(Law law) const override;
-  ContactSolution solve_island(const LocalProblem& island, const VecX& guess,
-                               const SolverSettings& shared) const override;
+  ContactSolution solve_island(const LocalProblem& island, const VecX& guess, const SolverSettings& shared,
+                               const Budget& budget) const override;
 
  private:
   AdmmSettings settings_;

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "contact/solvers/best_iterate.h"
 #include "contact/solvers/island_operator.h"
 #include "contact/solvers/shared/law_cone.h"
+#include "contact/solvers/shared/measured_loop.h"
 #include "core/base/error.h"
 
 namespace nilas {
@@ -22,150 +22,161 @@ constexpr int k_fewest_inner = 5;
 /// The weight of a renewal does not fall below this.
 constexpr double k_least_weight = 0.05;
 
-class Accelerated {
- public:
-  Accelerated(IslandOperator& island, const VecX& guess) : island_(island), r_(guess) {
-    for (int c = 0; c < island.num_contacts(); ++c) segment(r_, c) = project(c, segment(r_, c));
-    island_.velocities(r_, u_);
-    y_ = r_;
-    y_u_ = u_;
-    shift_ = target_shift();
-    estimate_ = island_.estimate(r_, u_);
-  }
+constexpr double k_least_curvature = 1e-12;
+/// Curvature above this multiple of L asks for a larger L; below, the difference is rounding.
+constexpr double k_rounding = 1 + 1e-12;
 
-  void step() {
-    curvature_ = std::max(k_relax * curvature_, k_least_curvature);
-    advance();
-    for (double needed = needed_curvature(); needed > curvature_ * (1 + 1e-12); needed = needed_curvature()) {
-      curvature_ = std::max(1.1 * needed, 1.5 * curvature_);
-      advance();
-    }
-    extrapolate();
-    ++since_renewal_;
-    renew_if_due();
-  }
+Eigen::VectorBlock<VecX, 3> segment(VecX& x, int c) { return x.segment<3>(3 * static_cast<Eigen::Index>(c)); }
+Vec3 segment(const VecX& x, int c) { return x.segment<3>(3 * static_cast<Eigen::Index>(c)); }
+const ContactScale& scale_of(const IslandOperator& island, int c) {
+  return island.scales()[static_cast<std::size_t>(c)];
+}
+Vec3 project(const IslandOperator& island, int c, const Vec3& x) {
+  return project_law(island.law(), island.facets(), scale_of(island, c), x);
+}
 
-  double estimate() const { return estimate_; }
-  const VecX& impulses() const { return r_; }
-
- private:
-  static constexpr double k_least_curvature = 1e-12;
-
-  static Eigen::VectorBlock<VecX, 3> segment(VecX& x, int c) { return x.segment<3>(3 * static_cast<Eigen::Index>(c)); }
-  static Vec3 segment(const VecX& x, int c) { return x.segment<3>(3 * static_cast<Eigen::Index>(c)); }
-  const ContactScale& scale(int c) const { return island_.scales()[static_cast<std::size_t>(c)]; }
-  Vec3 project(int c, const Vec3& x) const { return project_law(island_.law(), island_.facets(), scale(c), x); }
-
-  Vec3 gradient(int c) const {
-    Vec3 f = segment(y_u_, c);
-    f[0] += shift_[c];
-    return f;
-  }
-
-  /// next = P(y - D^-1 gradient/L)
-  void advance() {
-    next_.resize(r_.size());
-    for (int c = 0; c < island_.num_contacts(); ++c) {
-      const Vec3 f = gradient(c);
-      if (scale(c).d > 0)
-        segment(next_, c) = project(c, segment(y_, c) - f / (curvature_ * scale(c).d));
-      else
-        segment(next_, c) = Vec3(f[0] < 0 && std::isfinite(scale(c).force_limit) ? scale(c).force_limit : 0.0, 0, 0);
-    }
-    island_.velocities(next_, next_u_);
-  }
-
-  /// (next - y).W (next - y) / |next - y|_D^2, 0 when that is rounding.
-  double needed_curvature() const {
-    double work = 0, square = 0;
-    for (int c = 0; c < island_.num_contacts(); ++c) {
-      const Vec3 dr = segment(next_, c) - segment(y_, c);
-      work += dr.dot(segment(next_u_, c) - segment(y_u_, c));
-      square += scale(c).d * dr.squaredNorm();
-    }
-    return square > 0 && std::isfinite(work) ? work / square : 0;
-  }
-
-  void extrapolate() {
-    double along = 0;
-    for (int c = 0; c < island_.num_contacts(); ++c) along += gradient(c).dot(segment(next_, c) - segment(r_, c));
-    const double square = theta_ * theta_;
-    const double theta = 0.5 * (std::sqrt(square * square + 4 * square) - square);
-    const double beta = along > 0 ? 0 : theta_ * (1 - theta_) / (square + theta);
-    theta_ = along > 0 ? 1 : theta;
-    y_ = next_ + beta * (next_ - r_);
-    y_u_ = next_u_ + beta * (next_u_ - u_);
-    r_.swap(next_);
-    u_.swap(next_u_);
-  }
-
-  VecX target_shift() const {
-    VecX shift(island_.num_contacts());
-    for (int c = 0; c < island_.num_contacts(); ++c)
-      shift[c] = law_shift(island_.law(), island_.facets(), scale(c), segment(u_, c));
-    return shift;
-  }
-
-  /// Residual of r for the shifts in force.
-  double inner_residual() const {
-    double worst = 0;
-    for (int c = 0; c < island_.num_contacts(); ++c) {
-      if (scale(c).d == 0) continue;
-      Vec3 f = segment(u_, c);
-      f[0] += shift_[c];
-      const Vec3 r = segment(r_, c);
-      worst = std::max(worst, scale(c).d * (r - project(c, r - f / scale(c).d)).norm());
-    }
-    return worst;
-  }
-
-  void renew_if_due() {
-    estimate_ = island_.estimate(r_, u_);
-    const bool convex = island_.law() == Law::ccp || island_.law() == Law::frictionless;
-    if (convex || since_renewal_ < k_fewest_inner || inner_residual() > k_inner_share * estimate_) return;
-    if (estimate_ > last_renewal_) weight_ = std::max(0.5 * weight_, k_least_weight);
-    last_renewal_ = estimate_;
-    shift_ += weight_ * (target_shift() - shift_);
-    since_renewal_ = 0;
-    theta_ = 1;
-    y_ = r_;
-    y_u_ = u_;
-  }
-
-  IslandOperator& island_;
-  VecX r_, u_, y_, y_u_, next_, next_u_, shift_;
-  double curvature_ = 1;
-  double theta_ = 1;
-  double estimate_ = std::numeric_limits<double>::infinity();
-  double last_renewal_ = std::numeric_limits<double>::infinity();
-  double weight_ = 1;
-  int since_renewal_ = 0;
+/// Impulses with their velocities.
+struct Point {
+  VecX r, u;
 };
 
-ContactSolution iterate(IslandOperator& island, const VecX& guess, const ApgdSettings& settings) {
-  Accelerated method(island, guess);
-  BestIterate best(island, settings.shared, settings.stall_iterations);
-  while (best.go_on(method.impulses(), method.estimate())) method.step();
-  return best.solution(method.impulses());
+/// The velocity with the shift in force.
+Vec3 gradient(const Point& at, const VecX& shift, int c) {
+  Vec3 f = segment(at.u, c);
+  f[0] += shift[c];
+  return f;
+}
+
+/// next = P(y - D^-1 gradient/L); a contact that cannot move is at its limit while it closes.
+void advance(IslandOperator& island, const Point& y, const VecX& shift, double curvature, Point& next) {
+  next.r.resize(y.r.size());
+  for (int c = 0; c < island.num_contacts(); ++c) {
+    const Vec3 f = gradient(y, shift, c);
+    const ContactScale& scale = scale_of(island, c);
+    if (scale.d > 0)
+      segment(next.r, c) = project(island, c, segment(y.r, c) - f / (curvature * scale.d));
+    else
+      segment(next.r, c) = Vec3(f[0] < 0 && std::isfinite(scale.force_limit) ? scale.force_limit : 0.0, 0, 0);
+  }
+  island.velocities(next.r, next.u);
+}
+
+/// (next - y).W (next - y) / |next - y|_D^2, 0 when that is rounding.
+double needed_curvature(const IslandOperator& island, const Point& y, const Point& next) {
+  double work = 0, square = 0;
+  for (int c = 0; c < island.num_contacts(); ++c) {
+    const Vec3 dr = segment(next.r, c) - segment(y.r, c);
+    work += dr.dot(segment(next.u, c) - segment(y.u, c));
+    square += scale_of(island, c).d * dr.squaredNorm();
+  }
+  return square > 0 && std::isfinite(work) ? work / square : 0;
+}
+
+/// Nesterov's momentum from r to next; restarts (theta = 1, beta = 0) where the gradient at y points along the step.
+double momentum(const Point& y, const VecX& shift, const Point& r, const Point& next, double& theta) {
+  double along = 0;
+  for (int c = 0; c < shift.size(); ++c) along += gradient(y, shift, c).dot(segment(next.r, c) - segment(r.r, c));
+  const double square = theta * theta;
+  const double lower = 0.5 * (std::sqrt(square * square + 4 * square) - square);
+  const double beta = along > 0 ? 0 : theta * (1 - theta) / (square + lower);
+  theta = along > 0 ? 1 : lower;
+  return beta;
+}
+
+VecX shift_of(const IslandOperator& island, const VecX& u) {
+  VecX shift(island.num_contacts());
+  for (int c = 0; c < island.num_contacts(); ++c)
+    shift[c] = law_shift(island.law(), island.facets(), scale_of(island, c), segment(u, c));
+  return shift;
+}
+
+/// Residual of r for the shifts in force.
+double inner_residual(const IslandOperator& island, const Point& r, const VecX& shift) {
+  double worst = 0;
+  for (int c = 0; c < island.num_contacts(); ++c) {
+    const double d = scale_of(island, c).d;
+    if (d == 0) continue;
+    const Vec3 r_c = segment(r.r, c);
+    worst = std::max(worst, d * (r_c - project(island, c, r_c - gradient(r, shift, c) / d)).norm());
+  }
+  return worst;
+}
+
+/// The outer loop's state: when the shifts were last renewed, and with what weight they next are.
+struct Renewal {
+  double weight = 1;
+  double last_residual = std::numeric_limits<double>::infinity();
+  int inner_iterations = 0;
+};
+
+/// Renews the shifts where the inner problem is solved well enough for that. True: they are others now.
+bool renew_if_due(const IslandOperator& island, const Point& r, double residual, Renewal& renewal, VecX& shift) {
+  ++renewal.inner_iterations;
+  const bool convex = island.law() == Law::ccp || island.law() == Law::frictionless;
+  if (convex || renewal.inner_iterations < k_fewest_inner ||
+      inner_residual(island, r, shift) > k_inner_share * residual)
+    return false;
+  if (residual > renewal.last_residual) renewal.weight = std::max(0.5 * renewal.weight, k_least_weight);
+  renewal.last_residual = residual;
+  renewal.inner_iterations = 0;
+  shift += renewal.weight * (shift_of(island, r.u) - shift);
+  return true;
+}
+
+ContactSolution iterate(IslandOperator& island, const VecX& guess, const ApgdSettings& settings, const Budget& budget) {
+  Point r{guess, {}}, next;
+  for (int c = 0; c < island.num_contacts(); ++c) segment(r.r, c) = project(island, c, segment(guess, c));
+  island.velocities(r.r, r.u);
+  Point y = r;
+  VecX shift = shift_of(island, r.u);
+  Renewal renewal;
+  double curvature = 1, theta = 1;
+
+  MeasuredLoop loop(settings.shared, budget, settings.stall_iterations);
+  const auto measured = [&] { return island.law_map(r.r); };
+  const auto impulses = [&]() -> const VecX& { return r.r; };
+  for (double estimate = island.estimate(r.r, r.u); loop.goes_on(estimate, measured, impulses);) {
+    curvature = std::max(k_relax * curvature, k_least_curvature);
+    advance(island, y, shift, curvature, next);
+    for (double needed = needed_curvature(island, y, next); needed > curvature * k_rounding;
+         needed = needed_curvature(island, y, next)) {
+      curvature = std::max(1.1 * needed, 1.5 * curvature);
+      advance(island, y, shift, curvature, next);
+    }
+    const double beta = momentum(y, shift, r, next, theta);
+    y.r = next.r + beta * (next.r - r.r);
+    y.u = next.u + beta * (next.u - r.u);
+    std::swap(r, next);
+    estimate = island.estimate(r.r, r.u);
+    if (settings.shared.keep_history) loop.note(estimate);
+    if (renew_if_due(island, r, estimate, renewal, shift)) {
+      theta = 1;
+      y = r;
+    }
+  }
+  return loop.solution(measured, impulses);
 }
 
 }  // namespace
 
 ContactSolution ApgdSolver::solve(const ContactProblem& problem, const VecX& guess) const {
+  return solve(problem, guess, Budget(settings_.shared));
+}
+
+ContactSolution ApgdSolver::solve(const ContactProblem& problem, const VecX& guess, const Budget& budget) const {
   demand_known("apgd", k_laws, problem.law);
   demand_no_moments(name(), problem);
-  ApgdSettings running = settings_;
-  running.shared = settings_.shared.started();
-  return solve_by_operator(problem, guess, running.shared, false,
-                           [&](IslandOperator& island, const VecX& start) { return iterate(island, start, running); });
+  return solve_by_operator(problem, guess, settings_.shared, false, [&](IslandOperator& island, const VecX& start) {
+    return iterate(island, start, settings_, budget);
+  });
 }
 
 ContactSolution ApgdSolver::solve(const LocalProblem& problem, const VecX& guess) const {
   demand_known("apgd", k_laws, problem.law);
-  ApgdSettings running = settings_;
-  running.shared = settings_.shared.started();
-  return solve_by_operator(problem, guess, running.shared,
-                           [&](IslandOperator& island, const VecX& start) { return iterate(island, start, running); });
+  const Budget budget(settings_.shared);
+  return solve_by_operator(problem, guess, settings_.shared, [&](IslandOperator& island, const VecX& start) {
+    return iterate(island, start, settings_, budget);
+  });
 }
 
 }  // namespace nilas

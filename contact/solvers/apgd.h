@@ -20,7 +20,7 @@ namespace nilas {
 
 struct ApgdSettings {
   SolverSettings shared;
-  int stall_iterations = 5000;  ///< stalled: law_map fell by less than 0.1 % in this many iterations
+  int stall_iterations = 5000;  ///< window of the stall rule (best_impulses.h); share 0.999
 };
 
 class ApgdSolver final : public ContactSolver {
@@ -30,6 +30,8 @@ class ApgdSolver final : public ContactSolver {
   /// As EgSolver's.
   ContactSolution solve(const ContactProblem& problem, const VecX& guess) const override;
   ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;
+  /// As a stage of a solve that runs.
+  ContactSolution solve(const ContactProblem& problem, const VecX& guess, const Budget& budget) const;
 
  private:
   ApgdSettings settings_;

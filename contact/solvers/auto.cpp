@@ -65,112 +65,108 @@ struct Start {
 /// Zeros tell nothing: a scene's first step guesses them.
 bool is_cold(const VecX& guess) { return guess.size() == 0 || guess.isZero(0); }
 
-/// One island on its way up.
-class Climb {
- public:
-  Climb(const LocalProblem& island, const AutoSettings& settings, Log& log)
-      : island_(island), settings_(settings), log_(log) {}
+/// Where the climb of one island has come.
+struct Height {
+  const LocalProblem& island;
+  const AutoSettings& settings;
+  const Budget& budget;
+  Log& log;
+  ContactSolution best;      ///< impulses, with the status of the last rung and the iterations of all
+  double map = 0;            ///< law_map of the best impulses [m/s]
+  bool is_hopeless = false;  ///< no rung can do it
 
-  ContactSolution run(const VecX& guess, Start start) {
-    best_.r = guess.size() > 0 ? guess : VecX(VecX::Zero(island_.q.size()));
-    best_.status = SolveStatus::iteration_limit;
-    best_map_ = measure(island_, best_.r).law_map_m_s;
-    if (!std::isfinite(best_map_)) {
-      best_.r.setZero();
-      best_map_ = std::numeric_limits<double>::infinity();
-    }
-    const bool warm = !start.cold && !start.swept;
-    if (best_map_ <= settings_.shared.tolerance) best_.status = SolveStatus::converged;
-    if (!start.swept && goes_on()) sweep("nsgs", settings_.first_sweeps);
-    if (start.cold && known_to_admm_and_ipm(island_.law) && goes_on() && is_stiff()) alternate();
-    if (goes_on()) newton("newton", warm ? k_warm_weight : k_cold_weight, settings_.first_factorisations);
-    if (goes_on()) sweep("more nsgs", settings_.more_sweeps);
-    if (goes_on()) newton("wary newton", k_wary_weight, settings_.more_factorisations);
-    if (goes_on() && island_.law != Law::frictionless) follow_friction();
-    if (goes_on() && known_to_admm_and_ipm(island_.law)) {
-      interior_point();
-      if (goes_on()) newton("last newton", k_cold_weight, settings_.first_factorisations);
-    }
-    return best_;
-  }
-
- private:
   bool goes_on() const {
-    return best_.status != SolveStatus::converged && !hopeless_ && best_.iterations < settings_.shared.max_iterations &&
-           !settings_.shared.out_of_time();
+    return best.status != SolveStatus::converged && !is_hopeless && budget.allows(best.iterations);
   }
+  Budget stage(int most_iterations) const { return budget.after(best.iterations).capped(most_iterations); }
 
-  SolverSettings stage(int most_iterations) const {
-    SolverSettings shared = settings_.shared;
-    shared.max_iterations = std::min(most_iterations, shared.max_iterations - best_.iterations);
-    return shared;
-  }
-
-  void sweep(const char* rung, int sweeps) {
-    take(rung, "sweeps", NsgsSolver({.shared = stage(sweeps)}).solve(island_, best_.r));
-  }
-
-  /// Sweeps hardly moved it, and much of it sticks already: what slips or opens keeps admm busy for long.
-  bool is_stiff() const {
-    int sticking = 0;
-    for (int c = 0; c < island_.num_contacts(); ++c) {
-      const Vec3 r = best_.r.segment<3>(3 * static_cast<Eigen::Index>(c));
-      constexpr double k_inside = 0.99;  // of the cone
-      const double slip = k_inside * island_.mu[static_cast<std::size_t>(c)] * r[0];
-      if (r[0] > 0 && r.tail<2>().norm() < slip) ++sticking;
-    }
-    if (sticking < settings_.sticking_share * island_.num_contacts()) return false;
-    return best_map_ > settings_.stiff_share * measure(island_, VecX::Zero(best_.r.size())).law_map_m_s;
-  }
-
-  void alternate() {
-    AdmmSettings settings{.shared = stage(settings_.shared.max_iterations)};
-    settings.first_exponent = 0;  // what sticks wants a lower penalty than admm starts with by itself
-    settings.least_fall = settings_.stiff_least_fall;
-    take("admm", "iterations", AdmmSolver(settings).solve(island_, {}));
-  }
-
-  void newton(const char* rung, double weight, int factorisations) {
-    NewtonSettings settings{.shared = stage(factorisations)};
-    settings.first_weight = weight;
-    take(rung, "factorisations", newton_island(island_, best_.r, settings));
-  }
-
-  void follow_friction() {
-    NewtonSettings settings{.shared = stage(settings_.shared.max_iterations)};
-    settings.max_factorisations = settings_.path_factorisations;
-    settings.plunge = settings.fall = 0.1;  // a slower fall, good in jams, loses the path in piles of spheres
-    settings.shared.keep_history = false;   // of other problems than this one
-    take("friction continuation", "iterations", continue_in_friction(island_, settings));
-  }
-
-  void interior_point() {
-    take("ipm", "factorisations", IpmSolver({.shared = stage(settings_.ipm_factorisations)}).solve(island_, best_.r));
-  }
-
+  /// Keeps what a rung found where it is no worse. A rung that fails is no reason to stop, unless no other could do it.
   void take(const char* rung, const char* unit, const ContactSolution& found) {
-    log_.add(rung, unit, found.iterations);
-    best_.iterations += found.iterations;
-    best_.history.insert(best_.history.end(), found.history.begin(), found.history.end());
-    best_.status = found.status;
-    best_.message = found.message;
-    const double map = measure(island_, found.r).law_map_m_s;
-    if (map <= best_map_) {
-      best_map_ = map;
-      best_.r = found.r;
+    log.add(rung, unit, found.iterations);
+    best.iterations += found.iterations;
+    best.history.insert(best.history.end(), found.history.begin(), found.history.end());
+    best.status = found.status;
+    best.message = found.message;
+    const double found_map = measure(island, found.r).law_map_m_s;
+    if (found_map <= map) {
+      map = found_map;
+      best.r = found.r;
     }
-    // a rung that fails is no reason to stop, unless no rung could do it
-    hopeless_ = found.status == SolveStatus::numerical_error &&
-                !find_culprit(island_, best_.r, settings_.shared.tolerance).empty();
+    is_hopeless = found.status == SolveStatus::numerical_error &&
+                  !find_culprit(island, best.r, settings.shared.tolerance).empty();
   }
-
-  const LocalProblem& island_;
-  const AutoSettings& settings_;
-  Log& log_;
-  ContactSolution best_;
-  double best_map_ = 0;
-  bool hopeless_ = false;
 };
+
+void sweep(const char* rung, int sweeps, Height& at) {
+  at.take(rung, "sweeps", NsgsSolver({.shared = at.settings.shared}).solve(at.island, at.best.r, at.stage(sweeps)));
+}
+
+/// Sweeps hardly moved it, and much of it sticks already: what slips or opens keeps admm busy for long.
+bool is_stiff(const Height& at) {
+  int sticking = 0;
+  for (int c = 0; c < at.island.num_contacts(); ++c) {
+    const Vec3 r = at.best.r.segment<3>(3 * static_cast<Eigen::Index>(c));
+    constexpr double k_inside = 0.99;  // of the cone
+    const double slip = k_inside * at.island.mu[static_cast<std::size_t>(c)] * r[0];
+    if (r[0] > 0 && r.tail<2>().norm() < slip) ++sticking;
+  }
+  if (sticking < at.settings.sticking_share * at.island.num_contacts()) return false;
+  return at.map > at.settings.stiff_share * measure(at.island, VecX::Zero(at.best.r.size())).law_map_m_s;
+}
+
+void alternate(Height& at) {
+  AdmmSettings settings{.shared = at.settings.shared};
+  settings.first_exponent = 0;  // what sticks wants a lower penalty than admm starts with by itself
+  settings.least_fall = at.settings.stiff_least_fall;
+  at.take("admm", "iterations", AdmmSolver(settings).solve(at.island, {}, at.stage(at.budget.iterations())));
+}
+
+void newton(const char* rung, double weight, int factorisations, Height& at) {
+  NewtonSettings settings{.shared = at.settings.shared};
+  settings.first_weight = weight;
+  at.take(rung, "factorisations", newton_island(at.island, at.best.r, settings, at.stage(factorisations)));
+}
+
+void follow_friction(Height& at) {
+  NewtonSettings settings{.shared = at.settings.shared};
+  settings.max_factorisations = at.settings.path_factorisations;
+  settings.plunge = settings.fall = 0.1;  // a slower fall, good in jams, loses the path in piles of spheres
+  settings.shared.keep_history = false;   // of other problems than this one
+  at.take("friction continuation", "iterations",
+          continue_in_friction(at.island, settings, at.stage(at.budget.iterations())));
+}
+
+void interior_point(Height& at) {
+  at.take(
+      "ipm", "factorisations",
+      IpmSolver({.shared = at.settings.shared}).solve(at.island, at.best.r, at.stage(at.settings.ipm_factorisations)));
+}
+
+/// The ladder of the header, from rung 1 (or, after sweeps of the whole problem, from rung 2).
+ContactSolution climb(const LocalProblem& island, const VecX& guess, Start start, const AutoSettings& settings,
+                      const Budget& budget, Log& log) {
+  Height at{island, settings, budget, log, {}};
+  at.best.r = guess.size() > 0 ? guess : VecX(VecX::Zero(island.q.size()));
+  at.best.status = SolveStatus::iteration_limit;
+  at.map = measure(island, at.best.r).law_map_m_s;
+  if (!std::isfinite(at.map)) {  // the guess is beyond all numbers
+    at.best.r.setZero();
+    at.map = std::numeric_limits<double>::infinity();
+  }
+  if (at.map <= settings.shared.tolerance) at.best.status = SolveStatus::converged;
+  const bool knows_cones = known_to_admm_and_ipm(island.law);
+  const double first_weight = !start.cold && !start.swept ? k_warm_weight : k_cold_weight;
+
+  if (!start.swept && at.goes_on()) sweep("nsgs", settings.first_sweeps, at);
+  if (start.cold && knows_cones && at.goes_on() && is_stiff(at)) alternate(at);
+  if (at.goes_on()) newton("newton", first_weight, settings.first_factorisations, at);
+  if (at.goes_on()) sweep("more nsgs", settings.more_sweeps, at);
+  if (at.goes_on()) newton("wary newton", k_wary_weight, settings.more_factorisations, at);
+  if (at.goes_on() && island.law != Law::frictionless) follow_friction(at);
+  if (at.goes_on() && knows_cones) interior_point(at);
+  if (at.goes_on() && knows_cones) newton("last newton", k_cold_weight, settings.first_factorisations, at);
+  return at.best;
+}
 
 /// The guess as the solution.
 ContactSolution accepted(const ContactProblem& problem, const VecX& guess) {
@@ -204,21 +200,17 @@ std::vector<std::vector<int>> unsolved(const ContactProblem& problem, const VecX
 /// Climbs for an island whose W is too large to be formed or factorised: more sweeps, then the projected gradient where
 /// it knows the law, each with half of the iterations. The better impulses go into `whole.r`, iterations into `whole`.
 SolveStatus solve_without_w(const ContactProblem& problem, const std::vector<int>& island, const AutoSettings& settings,
-                            Log& log, ContactSolution& whole) {
+                            const Budget& budget, Log& log, ContactSolution& whole) {
   const ContactProblem part = select(problem, island);
   VecX r(3 * static_cast<Eigen::Index>(island.size()));
   for (std::size_t i = 0; i < island.size(); ++i)
     r.segment<3>(3 * static_cast<Eigen::Index>(i)) = whole.r.segment<3>(3 * static_cast<Eigen::Index>(island[i]));
-  SolverSettings left = settings.shared;
-  const int all = left.max_iterations;
-  left.max_iterations = (all + 1) / 2;
-  ContactSolution found = NsgsSolver({.shared = left}).solve(part, r);
+  const SolverSettings& shared = settings.shared;
+  ContactSolution found = NsgsSolver({.shared = shared}).solve(part, r, budget.capped((budget.iterations() + 1) / 2));
   log.add("more nsgs", "sweeps", found.iterations);
-  left.max_iterations = all - found.iterations;
-  if (found.status != SolveStatus::converged && part.law != Law::pyramid && left.max_iterations > 0 &&
-      !left.out_of_time()) {
+  if (found.status != SolveStatus::converged && part.law != Law::pyramid && budget.allows(found.iterations)) {
     const int swept = found.iterations;
-    ContactSolution next = ApgdSolver({.shared = left}).solve(part, found.r);
+    ContactSolution next = ApgdSolver({.shared = shared}).solve(part, found.r, budget.after(swept));
     log.add("apgd", "iterations", next.iterations);
     const double map = measure(part, next.r).law_map_m_s, swept_map = measure(part, found.r).law_map_m_s;
     if (map <= swept_map || std::isnan(swept_map)) found = std::move(next);
@@ -231,6 +223,15 @@ SolveStatus solve_without_w(const ContactProblem& problem, const std::vector<int
   return found.status;
 }
 
+/// What the first sweeps of a problem with bodies may spend.
+Budget first_rung(const ContactProblem& problem, bool cold, const AutoSettings& settings, const Budget& budget) {
+  if (problem.has_moments()) return budget;  // with moments the ladder has one rung
+  int sweeps = settings.first_sweeps;
+  // half of the iterations is left for the next rungs
+  if (!cold) sweeps = std::max(sweeps, std::min(settings.warm_sweeps, budget.iterations() / 2));
+  return budget.capped(sweeps);
+}
+
 /// What was used, after what failed.
 void describe(const Log& log, ContactSolution& solution) {
   const std::string failure = solution.status == SolveStatus::numerical_error ? solution.message + "; " : "";
@@ -240,12 +241,11 @@ void describe(const Log& log, ContactSolution& solution) {
 }  // namespace
 
 ContactSolution AutoSolver::solve(const LocalProblem& problem, const VecX& guess) const {
-  AutoSettings running = settings_;
-  running.shared = settings_.shared.started();
+  const Budget budget(settings_.shared);
   const bool cold = is_cold(guess);
   Log log;
   ContactSolution solution = solve_islands(problem, guess, [&](const LocalProblem& island, const VecX& start) {
-    return Climb(island, running, log).run(start, {cold, false});
+    return climb(island, start, {cold, false}, settings_, budget, log);
   });
   describe(log, solution);
   return solution;
@@ -260,17 +260,11 @@ ContactSolution AutoSolver::solve(const ContactProblem& problem, const VecX& gue
   if (guess_map <= tolerance) return accepted(problem, guess);
   if (std::isnan(guess_map)) guess_map = infinity;
   AutoSettings running = settings_;
-  running.shared = with_margin(settings_.shared.started());
+  running.shared = with_margin(settings_.shared);
+  const Budget budget(settings_.shared);
   Log log;
-  SolverSettings sweeps = running.shared;
-  // with moments the ladder has one rung
-  if (!problem.has_moments()) {
-    const int all = sweeps.max_iterations;
-    sweeps.max_iterations = std::min(settings_.first_sweeps, all);
-    // half of the iterations is left for the next rungs
-    if (!cold) sweeps.max_iterations = std::max(sweeps.max_iterations, std::min(settings_.warm_sweeps, all / 2));
-  }
-  ContactSolution swept = NsgsSolver({.shared = sweeps}).solve(problem, guess);
+  ContactSolution swept =
+      NsgsSolver({.shared = running.shared}).solve(problem, guess, first_rung(problem, cold, settings_, budget));
   log.add("nsgs", "sweeps", swept.iterations);
   if (swept.status == SolveStatus::converged || problem.has_moments()) {
     describe(log, swept);
@@ -278,17 +272,17 @@ ContactSolution AutoSolver::solve(const ContactProblem& problem, const VecX& gue
   }
   const double swept_map = measure(problem, swept.r).law_map_m_s;
   if (guess_map < swept_map || (std::isnan(swept_map) && std::isfinite(guess_map))) swept.r = guess;
-  running.shared.max_iterations -= swept.iterations;
+  const Budget left = budget.after(swept.iterations);
   auto islands = unsolved(problem, swept.r, running.shared.tolerance);
   const auto first_large =
       std::stable_partition(islands.begin(), islands.end(), [&](const auto& i) { return is_reducible(problem, i); });
   SolveStatus large = SolveStatus::converged;
   for (auto island = first_large; island != islands.end(); ++island)
-    large = worse(large, solve_without_w(problem, *island, running, log, swept));
+    large = worse(large, solve_without_w(problem, *island, running, left, log, swept));
   islands.erase(first_large, islands.end());
   ContactSolution solution =
       solve_islands(problem, islands, swept.r, [&](const LocalProblem& island, const VecX& start) {
-        return Climb(island, running, log).run(start, {cold, true});
+        return climb(island, start, {cold, true}, running, left, log);
       });
   solution.iterations += swept.iterations;
   if (large == SolveStatus::numerical_error && solution.message.empty()) solution.message = swept.message;

@@ -22,20 +22,16 @@ LocalProblem with_friction(const LocalProblem& island, double share) {
 
 }  // namespace
 
-ContactSolution continue_in_friction(const LocalProblem& island, const NewtonSettings& settings) {
-  NewtonSettings left = settings;
-  left.shared = settings.shared.started();
-  SolverSettings sweeps = left.shared;
-  sweeps.max_iterations = std::min(sweeps.max_iterations, k_sweeps);
-  ContactSolution out = NsgsSolver({.shared = sweeps}).solve(with_friction(island, k_first_share), {});
-  const auto out_of_budget = [&] { return left.shared.max_iterations <= 0 || left.shared.out_of_time(); };
+ContactSolution continue_in_friction(const LocalProblem& island, const NewtonSettings& settings, const Budget& budget) {
+  ContactSolution out =
+      NsgsSolver({.shared = settings.shared}).solve(with_friction(island, k_first_share), {}, budget.capped(k_sweeps));
   std::string failure;  ///< of the last solve
   double solved = 0, share = k_first_share, step = k_first_step;
   while (solved < 1 && step >= k_least_step) {
-    left.shared.max_iterations = settings.shared.max_iterations - out.iterations;
     out.status = SolveStatus::iteration_limit;
-    if (out_of_budget()) return out;
-    ContactSolution next = newton_island(with_friction(island, share), out.r, left);
+    if (!budget.allows(out.iterations)) return out;
+    const ContactSolution next =
+        newton_island(with_friction(island, share), out.r, settings, budget.after(out.iterations));
     out.iterations += next.iterations;
     const bool success = next.status == SolveStatus::converged;
     failure = next.status == SolveStatus::numerical_error ? next.message : "";
@@ -44,8 +40,7 @@ ContactSolution continue_in_friction(const LocalProblem& island, const NewtonSet
       out.r = next.r;
       solved = share;
     } else if (solved == 0) {
-      left.shared.max_iterations = settings.shared.max_iterations - out.iterations;
-      if (out_of_budget()) return out;
+      if (!budget.allows(out.iterations)) return out;
       break;
     }
     step *= success ? (share == k_first_share ? 1 : k_longer) : k_shorter;

@@ -12,8 +12,8 @@
 
 namespace nilas {
 
-/// One island. iterations: factorisations and sweeps of all solves, at most those of `settings.shared`. The impulses
+/// One island. iterations: factorisations and sweeps of all solves, at most those of the budget. The impulses
 /// are those of the largest s that was solved; converged only at s = 1.
-ContactSolution continue_in_friction(const LocalProblem& island, const NewtonSettings& settings);
+ContactSolution continue_in_friction(const LocalProblem& island, const NewtonSettings& settings, const Budget& budget);
 
 }  // namespace nilas

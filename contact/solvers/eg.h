@@ -21,7 +21,7 @@ namespace nilas {
 
 struct EgSettings {
   SolverSettings shared;
-  int stall_iterations = 2000;  ///< stalled: law_map fell by less than 0.1 % in this many iterations
+  int stall_iterations = 2000;  ///< window of the stall rule (best_impulses.h); share 0.999
   bool order_free = false;
 };
 
@@ -34,6 +34,8 @@ class EgSolver final : public ContactSolver {
   /// Throws InputError for the law pyramid, whose bounds depend on r_N.
   ContactSolution solve(const ContactProblem& problem, const VecX& guess) const override;
   ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;
+  /// As a stage of a solve that runs.
+  ContactSolution solve(const ContactProblem& problem, const VecX& guess, const Budget& budget) const;
 
  private:
   EgSettings settings_;

@@ -205,8 +205,8 @@ void EnumerateSolver::demand_law(Law law) const {
   demand_known("enumerate", {Law::coulomb, Law::ccp, Law::frictionless}, law);
 }
 
-ContactSolution EnumerateSolver::solve_island(const LocalProblem& island, const VecX&,
-                                              const SolverSettings& shared) const {
+ContactSolution EnumerateSolver::solve_island(const LocalProblem& island, const VecX&, const SolverSettings& shared,
+                                              const Budget&) const {
   return try_all(island, shared.tolerance);
 }
 

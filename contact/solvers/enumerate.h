@@ -30,8 +30,8 @@ class EnumerateSolver final : public IslandSolver {
   /// returned. numerical_error: an island of more than 8 contacts, or one that cannot yield. `guess` is not used.
   /// Throws InputError for the pyramid laws.
   void demand_law(Law law) const override;
-  ContactSolution solve_island(const LocalProblem& island, const VecX& guess,
-                               const SolverSettings& shared) const override;
+  ContactSolution solve_island(const LocalProblem& island, const VecX& guess, const SolverSettings& shared,
+                               const Budget& budget) const override;
 
  private:
   EnumerateSettings settings_;

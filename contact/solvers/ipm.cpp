@@ -6,6 +6,7 @@
 #include "contact/solvers/newton/interior_point.h"
 #include "contact/solvers/newton/newton_finish.h"
 #include "contact/solvers/shared/anderson.h"
+#include "contact/solvers/shared/best_impulses.h"
 #include "core/base/error.h"
 
 namespace nilas {
@@ -25,124 +26,81 @@ constexpr int k_plain_after = 5;
 constexpr int k_inner_limit = 60;
 constexpr double k_halved = 0.5;
 
-/// One island.
-class Rounds {
- public:
-  Rounds(const LocalProblem& island, const IpmSettings& settings)
-      : island_(island), settings_(settings), problem_(mass_scaled(island)), inner_(problem_) {}
+/// What the outer loop adds to q for given impulses.
+VecX offset(const MassScaled& problem, const VecX& r) {
+  const VecX u = problem.w * r + problem.q;
+  VecX sum = problem.skew ? VecX(problem.w * r - problem.symmetric * r) : VecX(VecX::Zero(r.size()));
+  if (problem.law == Law::coulomb) sum += de_saxce_shift(problem, u);
+  return sum;
+}
 
-  ContactSolution run(const VecX& guess) {
-    best_ = VecX::Zero(problem_.q.size());
-    offer(best_);
-    if (guess.size() > 0) {
-      offer(problem_.scaled_impulses(guess));
-      if (!done()) finish(best_);
-    }
-    iterate();
-    if (!done() && !std::isfinite(best_map_))
-      fail("even impulses of zero have a residual beyond all numbers");
-    else if (!done() && rounds_ > 0 && failed_rounds_ == rounds_)
-      fail("W and the barrier together are not positive definite");
-    out_.r = problem_.impulses(best_);
-    return out_;
-  }
-
- private:
-  const SolverSettings& shared() const { return settings_.shared; }
-  bool done() const { return shared().tolerance > 0 && best_map_ <= shared().tolerance; }
-  void fail(const std::string& why) {
-    out_.status = SolveStatus::numerical_error;
-    out_.message = "ipm: " + why;
-  }
-  int left() const { return shared().max_iterations - out_.iterations; }
-
-  /// Keeps r' if it measures best.
-  void offer(const VecX& scaled) {
+ContactSolution solve_rounds(const LocalProblem& island, const VecX& guess, const IpmSettings& settings,
+                             const SolverSettings& shared, const Budget& budget) {
+  const MassScaled problem = mass_scaled(island);
+  InteriorPoint inner(problem);
+  BestImpulses best(shared.tolerance, budget, {k_no_window, k_halved});
+  const double least = 0.1 * shared.tolerance;  // of what the stages aim at [m/s]
+  const auto offer = [&](const VecX& scaled) {
     if (!scaled.allFinite()) return;
-    const double map = measure(island_, problem_.impulses(scaled)).law_map_m_s;
-    if (shared().keep_history) out_.history.push_back(map);
-    if (!(map < best_map_)) return;
-    best_map_ = map;
-    best_ = scaled;
-    if (done()) out_.status = SolveStatus::converged;
-  }
-
-  void finish(const VecX& scaled) {
-    const int most = std::min(settings_.finish_iterations, left());
-    const FinishOutcome end = newton_finish(problem_, scaled, 0.1 * shared().tolerance, most, shared());
-    out_.iterations += end.iterations;
+    const VecX r = problem.impulses(scaled);
+    const double residual = measure(island, r).law_map_m_s;
+    if (shared.keep_history) best.note(residual);
+    best.offer(r, residual);
+  };
+  const auto finish = [&](const VecX& scaled) {
+    if (best.has_converged()) return;
+    const FinishOutcome end = newton_finish(problem, scaled, least, best.left().capped(settings.finish_iterations));
+    best.spend(end.iterations);
     offer(end.r);
-  }
+  };
 
-  /// What the outer loop adds to q for given impulses.
-  VecX offset(const VecX& r) const {
-    const VecX u = problem_.w * r + problem_.q;
-    VecX sum = problem_.skew ? VecX(problem_.w * r - problem_.symmetric * r) : VecX(VecX::Zero(r.size()));
-    if (problem_.law == Law::coulomb) sum += de_saxce_shift(problem_, u);
-    return sum;
+  offer(VecX::Zero(problem.q.size()));
+  if (!best.has_any()) best.fail("ipm: even impulses of zero have a residual beyond all numbers");
+  if (guess.size() > 0) {
+    const VecX scaled = problem.scaled_impulses(guess);
+    const double before = best.residual();
+    offer(scaled);
+    finish(best.residual() < before ? scaled : VecX(VecX::Zero(scaled.size())));
   }
-
-  void iterate() {
-    out_.status = done() ? SolveStatus::converged : SolveStatus::iteration_limit;
-    const double size = problem_.q.cwiseAbs().maxCoeff();
-    VecX added = VecX::Zero(problem_.q.size());
-    InteriorIterate point = inner_.cold_start(problem_.q);
-    const bool adds_nothing = problem_.law != Law::coulomb && !problem_.skew;  // then one round is all
-    Anderson mixer(k_anderson_depth);
-    double halved_map = best_map_, change = size;
-    int halved_round = 0;
-    for (int round = 0; round < settings_.max_rounds && !done() && left() > 0 && !shared().out_of_time(); ++round) {
-      if (round > 0) point = inner_.shifted(point, std::min(k_warm_share * size, change));
-      const double least = 0.1 * shared().tolerance;
-      const double tolerance = adds_nothing ? least : std::max(k_inner_share * change, least);
-      const auto inner =
-          inner_.minimise(problem_.q + added, tolerance, std::min(k_inner_limit, left()), shared(), point);
-      out_.iterations += inner.iterations;
-      ++rounds_;
-      if (!inner.finite) ++failed_rounds_;
-      const VecX r = inner_.impulses(point);
-      offer(r);
-      if (!done()) finish(r);
-      const VecX wanted = offset(r);
-      change = (wanted - added).cwiseAbs().maxCoeff();
-      if (round - halved_round >= k_plain_after) {
-        mixer.restart();
-        added = wanted;
-      } else {
-        added = mixer.next(added, wanted);
-      }
-      if (best_map_ < k_halved * halved_map) {
-        halved_map = best_map_;
-        halved_round = round;
-      }
-      const bool stuck = change == 0 || round - halved_round >= settings_.stall_rounds;
-      if (!done() && stuck) {
-        out_.status = SolveStatus::stalled;
-        return;
-      }
-    }
+  const double size = problem.q.cwiseAbs().maxCoeff();
+  const bool adds_nothing = problem.law != Law::coulomb && !problem.skew;  // then one round is all
+  VecX added = VecX::Zero(problem.q.size());
+  InteriorIterate point = inner.cold_start(problem.q);
+  Anderson mixer(k_anderson_depth);
+  StallRule rule(settings.stall_rounds, k_halved);
+  rule.has_stalled(best.residual(), 0);
+  double change = size;
+  int failed = 0, round = 0;
+  for (; round < settings.max_rounds && best.goes_on(); ++round) {
+    if (round > 0) point = inner.shifted(point, std::min(k_warm_share * size, change));
+    const double tolerance = adds_nothing ? least : std::max(k_inner_share * change, least);
+    const auto convex = inner.minimise(problem.q + added, tolerance, best.left().capped(k_inner_limit), point);
+    best.spend(convex.iterations);
+    if (!convex.finite) ++failed;
+    const VecX r = inner.impulses(point);
+    offer(r);
+    finish(r);
+    const VecX wanted = offset(problem, r);
+    change = (wanted - added).cwiseAbs().maxCoeff();
+    const bool creeps = rule.waited(round) >= k_plain_after;
+    if (creeps) mixer.restart();
+    added = creeps ? wanted : mixer.next(added, wanted);
+    if (rule.has_stalled(best.residual(), round) || change == 0) best.stall();
   }
-
-  const LocalProblem& island_;
-  const IpmSettings& settings_;
-  MassScaled problem_;
-  InteriorPoint inner_;
-  ContactSolution out_;
-  VecX best_;
-  double best_map_ = std::numeric_limits<double>::infinity();
-  int rounds_ = 0, failed_rounds_ = 0;  ///< failed: without one iterate
-};
+  if (round > 0 && failed == round) best.fail("ipm: W and the barrier together are not positive definite");
+  ContactSolution solution = std::move(best).solution();
+  if (solution.r.size() == 0) solution.r = VecX::Zero(island.q.size());
+  return solution;
+}
 
 }  // namespace
 
 void IpmSolver::demand_law(Law law) const { demand_known("ipm", {Law::coulomb, Law::ccp, Law::frictionless}, law); }
 
-ContactSolution IpmSolver::solve_island(const LocalProblem& island, const VecX& guess,
-                                        const SolverSettings& shared) const {
+ContactSolution IpmSolver::solve_island(const LocalProblem& island, const VecX& guess, const SolverSettings& shared,
+                                        const Budget& budget) const {
   if (const auto still = solve_immovable(island)) return *still;
-  IpmSettings own = settings_;
-  own.shared = shared;
-  return Rounds(island, own).run(guess);
+  return solve_rounds(island, guess, settings_, shared, budget);
 }
 
 }  // namespace nilas

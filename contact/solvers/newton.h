@@ -14,6 +14,8 @@
 /// before it when started cold. Sources: Alart & Curnier 1991; Rockafellar 1976 (proximal point); Qi & Sun 1993
 /// (semismooth Newton); Acary, Bremond, Huber 2018 (the two together).
 ///
+/// Stall: no window. It has stalled when |F| is rounding, or when three times even the largest a did not help.
+///
 /// Laws: all. Nominal tolerances: 1e-6 m/s in simulations, 1e-10 m/s as a reference. Islands are solved apart.
 #include "contact/solvers/solver.h"
 
@@ -39,14 +41,15 @@ class NewtonSolver final : public IslandSolver {
   /// converged: every island's law_map_m_s is at most the tolerance, as `measure` finds it on the impulses returned.
   /// iterations: factorisations of the island that took most. stalled, iteration_limit: the impulses are the best
   /// found. numerical_error: input that is not finite, or a contact that closes, cannot move and has no force limit.
-  ContactSolution solve_island(const LocalProblem& island, const VecX& guess,
-                               const SolverSettings& shared) const override;
+  ContactSolution solve_island(const LocalProblem& island, const VecX& guess, const SolverSettings& shared,
+                               const Budget& budget) const override;
 
  private:
   NewtonSettings settings_;
 };
 
-/// The same for one island.
-ContactSolution newton_island(const LocalProblem& island, const VecX& guess, const NewtonSettings& settings);
+/// The same for one island, as a stage of a solve that runs.
+ContactSolution newton_island(const LocalProblem& island, const VecX& guess, const NewtonSettings& settings,
+                              const Budget& budget);
 
 }  // namespace nilas

@@ -12,12 +12,15 @@ namespace {
 constexpr std::initializer_list<Law> k_laws{Law::coulomb, Law::ccp, Law::pyramid_k, Law::frictionless};
 /// Newton's systems then have a condition of 1e8 at most, where nothing else limits it [-].
 constexpr double k_least_weight = 1e-8;
-IslandSolve island_solve(const SolverSettings& shared) {
+
+IslandSolve island_solve(const SolverSettings& shared, const Budget& budget) {
   NewtonSettings settings;
   settings.shared = shared;
   settings.least_weight = k_least_weight;
   settings.order_free = true;
-  return [settings](const LocalProblem& island, const VecX& start) { return newton_island(island, start, settings); };
+  return [settings, budget](const LocalProblem& island, const VecX& start) {
+    return newton_island(island, start, settings, budget);
+  };
 }
 
 }  // namespace
@@ -25,15 +28,15 @@ IslandSolve island_solve(const SolverSettings& shared) {
 ContactSolution OrderFreeNewtonSolver::solve(const ContactProblem& problem, const VecX& guess) const {
   demand_known("newton-order-free", k_laws, problem.law);
   demand_no_moments(name(), problem);
-  const SolverSettings shared = shared_.started();
+  const Budget budget(shared_);
   const auto newton = [&](const VecX& start) {
-    return solve_islands(problem, find_islands(problem), start, island_solve(with_margin(shared)));
+    return solve_islands(problem, find_islands(problem), start, island_solve(with_margin(shared_), budget));
   };
   ContactSolution solution = newton(guess);
   // where not one step was taken the problem itself is at fault
   if (solution.status != SolveStatus::converged &&
       (solution.status != SolveStatus::numerical_error || solution.iterations > 0)) {
-    const ContactSolution nearer = EgSolver({.shared = shared, .order_free = true}).solve(problem, solution.r);
+    const ContactSolution nearer = EgSolver({.shared = shared_, .order_free = true}).solve(problem, solution.r, budget);
     const int done = solution.iterations + nearer.iterations;
     solution = newton(nearer.r);
     solution.iterations += done;
@@ -45,7 +48,7 @@ ContactSolution OrderFreeNewtonSolver::solve(const ContactProblem& problem, cons
 
 ContactSolution OrderFreeNewtonSolver::solve(const LocalProblem& problem, const VecX& guess) const {
   demand_known("newton-order-free", k_laws, problem.law);
-  return solve_islands(problem, guess, island_solve(shared_.started()));
+  return solve_islands(problem, guess, island_solve(shared_, Budget(shared_)));
 }
 
 }  // namespace nilas

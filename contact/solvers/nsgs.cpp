@@ -60,17 +60,25 @@ class LocalIsland : public LocalSweeps {
 }  // namespace
 
 ContactSolution NsgsSolver::solve(const ContactProblem& problem, const VecX& guess) const {
-  if (problem.has_moments()) demand_known("nsgs with rolling friction", {Law::coulomb, Law::pyramid}, problem.law);
-  SweepSettings running = settings_;
-  running.shared = settings_.shared.started();
-  return solve_row_islands(problem, guess, running.shared, RowOrder::coloured, [&](const RowIsland& island) {
-    BodiesIsland sweeps(island);
-    return sweep_to_tolerance(sweeps, island.island.last - island.island.first, running);
-  });
+  return solve(problem, guess, Budget(settings_.shared));
 }
 
 ContactSolution NsgsSolver::solve(const LocalProblem& problem, const VecX& guess) const {
-  return solve_by_sweeps<LocalIsland>(problem, guess, settings_);
+  return solve(problem, guess, Budget(settings_.shared));
+}
+
+ContactSolution NsgsSolver::solve(const ContactProblem& problem, const VecX& guess, const Budget& budget) const {
+  if (problem.has_moments()) demand_known("nsgs with rolling friction", {Law::coulomb, Law::pyramid}, problem.law);
+  return solve_row_islands(problem, guess, settings_.shared, RowOrder::coloured, [&](const RowIsland& island) {
+    BodiesIsland sweeps(island);
+    ContactSolution part = sweep_to_tolerance(sweeps, island.island.last - island.island.first, settings_, budget);
+    sweeps.set_impulses(part.r);
+    return part;
+  });
+}
+
+ContactSolution NsgsSolver::solve(const LocalProblem& problem, const VecX& guess, const Budget& budget) const {
+  return solve_by_sweeps<LocalIsland>(problem, guess, settings_, budget);
 }
 
 }  // namespace nilas

@@ -28,6 +28,9 @@ class NsgsSolver final : public ContactSolver {
   /// `message` says which.
   ContactSolution solve(const ContactProblem& problem, const VecX& guess) const override;
   ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;
+  /// As a stage of a solve that runs.
+  ContactSolution solve(const ContactProblem& problem, const VecX& guess, const Budget& budget) const;
+  ContactSolution solve(const LocalProblem& problem, const VecX& guess, const Budget& budget) const;
 
  private:
   NsgsSettings settings_;

@@ -80,17 +80,18 @@ class LocalIsland : public LocalSweeps {
 ContactSolution PgsSolver::solve(const ContactProblem& problem, const VecX& guess) const {
   demand_known("pgs", {Law::pyramid, Law::coulomb, Law::frictionless}, problem.law);
   demand_no_moments(name(), problem);
-  SweepSettings running = settings_;
-  running.shared = settings_.shared.started();
-  return solve_row_islands(problem, guess, running.shared, RowOrder::given, [&](const RowIsland& island) {
-    BodiesIsland sweeps(island, running);
-    return sweep_to_tolerance(sweeps, island.island.last - island.island.first, running);
+  const Budget budget(settings_.shared);
+  return solve_row_islands(problem, guess, settings_.shared, RowOrder::given, [&](const RowIsland& island) {
+    BodiesIsland sweeps(island, settings_);
+    ContactSolution part = sweep_to_tolerance(sweeps, island.island.last - island.island.first, settings_, budget);
+    sweeps.set_impulses(part.r);
+    return part;
   });
 }
 
 ContactSolution PgsSolver::solve(const LocalProblem& problem, const VecX& guess) const {
   demand_known("pgs", {Law::pyramid, Law::coulomb, Law::frictionless}, problem.law);
-  return solve_by_sweeps<LocalIsland>(problem, guess, settings_);
+  return solve_by_sweeps<LocalIsland>(problem, guess, settings_, Budget(settings_.shared));
 }
 
 }  // namespace nilas

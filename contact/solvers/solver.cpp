@@ -147,10 +147,13 @@ void demand_no_moments(const std::string& solver, const ContactProblem& problem)
 }
 
 ContactSolution IslandSolver::solve(const LocalProblem& problem, const VecX& guess) const {
+  return solve(problem, guess, Budget(shared_));
+}
+
+ContactSolution IslandSolver::solve(const LocalProblem& problem, const VecX& guess, const Budget& budget) const {
   demand_law(problem.law);
-  const SolverSettings shared = shared_.started();
   ContactSolution solution = solve_islands(problem, guess, [&](const LocalProblem& island, const VecX& start) {
-    return solve_island(island, start, shared);
+    return solve_island(island, start, shared_, budget);
   });
   confirm(problem, shared_.tolerance, solution);
   return solution;
@@ -159,10 +162,11 @@ ContactSolution IslandSolver::solve(const LocalProblem& problem, const VecX& gue
 ContactSolution IslandSolver::solve(const ContactProblem& problem, const VecX& guess) const {
   demand_law(problem.law);
   demand_no_moments(name(), problem);
-  const SolverSettings shared = with_margin(shared_.started());
-  ContactSolution solution =
-      solve_islands(problem, find_islands(problem), guess,
-                    [&](const LocalProblem& island, const VecX& start) { return solve_island(island, start, shared); });
+  const SolverSettings shared = with_margin(shared_);
+  const Budget budget(shared_);
+  ContactSolution solution = solve_islands(
+      problem, find_islands(problem), guess,
+      [&](const LocalProblem& island, const VecX& start) { return solve_island(island, start, shared, budget); });
   confirm(problem, shared_.tolerance, solution);
   return solution;
 }

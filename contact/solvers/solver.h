@@ -10,6 +10,7 @@
 #include "contact/problem/local_problem.h"
 #include "contact/problem/problem.h"
 #include "contact/problem/solution.h"
+#include "contact/solvers/shared/budget.h"
 
 namespace nilas {
 
@@ -49,13 +50,15 @@ class IslandSolver : public ContactSolver {
   explicit IslandSolver(const SolverSettings& shared) : shared_(shared) {}
   ContactSolution solve(const ContactProblem& problem, const VecX& guess) const final;
   ContactSolution solve(const LocalProblem& problem, const VecX& guess) const final;
+  /// As a stage of a solve that runs.
+  ContactSolution solve(const LocalProblem& problem, const VecX& guess, const Budget& budget) const;
 
  private:
   /// Throws InputError for a law it does not know.
   virtual void demand_law(Law) const {}
-  /// `shared`: to be used in place of the solver's own.
-  virtual ContactSolution solve_island(const LocalProblem& island, const VecX& guess,
-                                       const SolverSettings& shared) const = 0;
+  /// `shared`: to be used in place of the solver's own, `budget` in place of its limits.
+  virtual ContactSolution solve_island(const LocalProblem& island, const VecX& guess, const SolverSettings& shared,
+                                       const Budget& budget) const = 0;
 
   SolverSettings shared_;
 };

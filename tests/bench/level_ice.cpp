@@ -58,7 +58,7 @@ Scene scene_of(const Setting& setting, std::uint64_t twin) {
                             {"time/@step", text(setting.step)}});
   scene.vessel->position.y() += aside(twin);
   scene.vessel->hull.clear();
-  scene.vessel->generate = {"icebreaker", {{"triangles", setting.triangles}}};
+  scene.vessel->generate = {HullKind::icebreaker, {{"triangles", setting.triangles}}};
   return scene;
 }
 

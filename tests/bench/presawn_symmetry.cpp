@@ -39,7 +39,7 @@ struct Setting {
 
 Course run(char letter, const Setting& setting, double end, double moved) {
   Scene scene = moved > 0 ? test::presawn(letter, 1, moved) : test::shipped_presawn(letter);
-  scene.contact.solver = setting.solver;
+  scene.contact.solver = choice_named<SolverName>(setting.solver);
   scene.contact.tolerance = setting.tolerance;
   WarningCounts warnings(make_logger("off", ""));
   Simulation simulation(scene, 1, warnings);

@@ -28,7 +28,7 @@ inline Scene presawn(char letter, std::uint64_t seed = 0, double amount = 0, std
   Scene scene = shipped_presawn(letter);
   if (triangles) {
     scene.vessel->hull.clear();
-    scene.vessel->generate = {"icebreaker", {{"triangles", *triangles}}};
+    scene.vessel->generate = {HullKind::icebreaker, {{"triangles", *triangles}}};
   }
   const FieldScene field = scene.ice->fields.at(0);
   const auto& cut = std::get<GridFieldScene>(field.form);

@@ -78,7 +78,7 @@ Json times_of(const ProblemReport& report, const SolverComparison& c) {
       const double t = c.times[p][s];
       const bool solved = std::isfinite(t);
       cells.push_back({{"kind", !solved     ? "no"
-                                : t == best ? "n strong"
+                                : t == best ? "n best"
                                             : "n"},
                        {"text", solved ? milliseconds(t) : in_words(runs.at({c.problems[p], c.solvers[s]})->outcome)}});
     }

@@ -191,8 +191,8 @@ InteriorIterate InteriorPoint::moved(const InteriorIterate& at, const Direction&
   return next;
 }
 
-InteriorPoint::Outcome InteriorPoint::minimise(const VecX& b, double tolerance, int max_iterations,
-                                               const SolverSettings& clock, InteriorIterate& iterate) {
+InteriorPoint::Outcome InteriorPoint::minimise(const VecX& b, double tolerance, const Budget& budget,
+                                               InteriorIterate& iterate) {
   const VecX scaled_b = slope_.cwiseProduct(b);
   const auto map_of = [&](const InteriorIterate& point) {
     const VecX r = impulses(point);
@@ -203,8 +203,7 @@ InteriorPoint::Outcome InteriorPoint::minimise(const VecX& b, double tolerance, 
   out.map_m_s = std::numeric_limits<double>::infinity();
   double least_gap = gap(now);
   int since_fall = 0;
-  while (out.iterations < max_iterations && out.map_m_s > tolerance && since_fall < k_patience &&
-         !clock.out_of_time()) {
+  while (out.map_m_s > tolerance && since_fall < k_patience && budget.allows(out.iterations)) {
     if (!factor(now)) break;
     const Direction affine = direction(now, scaled_b, predictor(now));
     const double before = gap(now);

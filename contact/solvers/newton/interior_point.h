@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "contact/solvers/linear/block_cholesky.h"
+#include "contact/solvers/shared/budget.h"
 #include "contact/solvers/shared/mass_scaled.h"
 #include "contact/solvers/shared/second_order_cone.h"
 
@@ -39,10 +40,9 @@ class InteriorPoint {
   InteriorIterate cold_start(const VecX& b) const;
   /// The iterate moved inside the cones by `distance` [sqrt(J)].
   InteriorIterate shifted(const InteriorIterate& iterate, double distance) const;
-  /// Runs until the map is at most `tolerance` [m/s], it stops falling, or the iterations are used up. Leaves the best
+  /// Runs until the map is at most `tolerance` [m/s], it stops falling, or the budget is used up. Leaves the best
   /// iterate there.
-  Outcome minimise(const VecX& b, double tolerance, int max_iterations, const SolverSettings& clock,
-                   InteriorIterate& iterate);
+  Outcome minimise(const VecX& b, double tolerance, const Budget& budget, InteriorIterate& iterate);
   /// r' of an iterate.
   VecX impulses(const InteriorIterate& iterate) const;
 

@@ -177,14 +177,12 @@ class Finish {
 
 }  // namespace
 
-FinishOutcome newton_finish(const MassScaled& problem, const VecX& scaled, double tolerance, int max_iterations,
-                            const SolverSettings& clock) {
+FinishOutcome newton_finish(const MassScaled& problem, const VecX& scaled, double tolerance, const Budget& budget) {
   Finish finish(problem);
   FinishOutcome out{scaled, 0};
   Size size = finish.evaluate(out.r);
   double damping = k_first_damping;
-  while (size.worst_m_s > tolerance && out.iterations < max_iterations && damping <= k_largest_damping &&
-         !clock.out_of_time()) {
+  while (size.worst_m_s > tolerance && damping <= k_largest_damping && budget.allows(out.iterations)) {
     ++out.iterations;
     const VecX dr = finish.step(damping);
     if (dr.size() == 0) {

@@ -8,6 +8,7 @@
 /// one has J = 1 and is eliminated), halved until |F| falls. a makes up for the rank that W lacks where contact is
 /// redundant: it falls tenfold after a long step and rises tenfold after a short one.
 /// Sources: Alart, Curnier 1991; Qi, Sun 1993 (semismooth Newton); Marquardt 1963.
+#include "contact/solvers/shared/budget.h"
 #include "contact/solvers/shared/mass_scaled.h"
 
 namespace nilas {
@@ -18,7 +19,6 @@ struct FinishOutcome {
 };
 
 /// Steps from r' until the largest map is at most `tolerance` [m/s], |F| stops falling, or the iterations are used up.
-FinishOutcome newton_finish(const MassScaled& problem, const VecX& scaled, double tolerance, int max_iterations,
-                            const SolverSettings& clock);
+FinishOutcome newton_finish(const MassScaled& problem, const VecX& scaled, double tolerance, const Budget& budget);
 
 }  // namespace nilas

@@ -9,31 +9,24 @@ namespace nilas {
 /// `measure` finds the same law_map up to rounding: velocities of bodies are summed in another order there.
 constexpr double k_agreed_share = 1 - 1e-12;
 
-RowSweeps::RowSweeps(const RowIsland& whole)
-    : rows_(whole.rows),
-      island_(whole.island),
-      residual_(whole.residual),
-      saved_(3 * static_cast<std::size_t>(island_.last - island_.first)) {}
+RowSweeps::RowSweeps(const RowIsland& whole) : rows_(whole.rows), island_(whole.island), residual_(whole.residual) {}
 
 double RowSweeps::law_map() const { return residual_.law_map(rows_, island_) / k_agreed_share; }
 
-void RowSweeps::save() {
+VecX RowSweeps::impulses() const {
+  VecX r(3 * static_cast<Eigen::Index>(island_.last - island_.first));
   for (int k = island_.first; k < island_.last; ++k)
-    std::copy_n(rows_.contacts[static_cast<std::size_t>(k)].r, 3, saved_at(k));
+    std::copy_n(rows_.contacts[static_cast<std::size_t>(k)].r, 3, r.data() + 3 * (k - island_.first));
+  return r;
 }
 
-void RowSweeps::restore() {
+void RowSweeps::set_impulses(const VecX& r) {
   for (int k = island_.first; k < island_.last; ++k)
-    std::copy_n(saved_at(k), 3, rows_.contacts[static_cast<std::size_t>(k)].r);
-}
-
-bool RowSweeps::finite() const {
-  return std::all_of(rows_.contacts.begin() + island_.first, rows_.contacts.begin() + island_.last,
-                     [](const PgsContact& contact) { return Eigen::Map<const Vec3>(contact.r).allFinite(); });
+    std::copy_n(r.data() + 3 * (k - island_.first), 3, rows_.contacts[static_cast<std::size_t>(k)].r);
 }
 
 LocalSweeps::LocalSweeps(const LocalProblem& problem, const VecX& guess)
-    : problem_(problem), r_(guess.size() > 0 ? guess : VecX(VecX::Zero(problem.q.size()))), saved_(r_) {
+    : problem_(problem), r_(guess.size() > 0 ? guess : VecX(VecX::Zero(problem.q.size()))) {
   for (int c = 0; c < problem.num_contacts(); ++c) scales_.push_back(contact_scale(problem, c));
 }
 

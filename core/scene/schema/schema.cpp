@@ -74,7 +74,10 @@ std::string matching_choice(const std::vector<std::string>& choices, const std::
     if (choice == value && !counted) return choice;
     const std::string stem = choice.substr(0, choice.size() - 1);
     if (!counted || value.rfind(stem, 0) != 0) continue;
-    const auto k = parse_integer(value.substr(stem.size()));
+    // digits alone: parse_law takes neither blanks nor a sign
+    const std::string digits = value.substr(stem.size());
+    if (digits.find_first_not_of("0123456789") != std::string::npos) continue;
+    const auto k = parse_integer(digits);
     if (k && *k >= k_fewest_facets && *k <= k_most_facets) return choice;
   }
   return "";

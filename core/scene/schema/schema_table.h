@@ -84,6 +84,7 @@ std::vector<ElementSpec> vessel_elements();
 ElementSpec part_element();  ///< a child of the vessel
 ElementSpec rod_element();   ///< a child of the vessel
 std::vector<ElementSpec> ice_elements();
+ElementSpec vary_element();  ///< a child of the ice
 std::vector<ElementSpec> fracture_elements();
 std::vector<ElementSpec> body_elements();
 std::vector<ElementSpec> output_elements();

@@ -27,6 +27,10 @@ CorrectionSettings ContactModel::correction_over(double h) const {
   return settings;
 }
 
+/// The correction reaches this over a step: a hundredth of a millimetre at 0.01 s is far below what it is to remove,
+/// and where a scene fixes its sweeps it is no more than what the velocities may leave [m/s].
+constexpr double k_correction_tolerance = 1e-3;
+
 static void set_stabilisation(const ContactScene& contact, ContactModel& model) {
   model.correction.slop = contact.slop;
   switch (contact.stabilisation) {
@@ -42,17 +46,13 @@ static void set_stabilisation(const ContactScene& contact, ContactModel& model) 
       model.position_step = PositionStep::split_impulse;
       model.correction.erp = contact.erp;
       model.correction.max_speed = contact.max_speed;
-      // a hundredth of a millimetre per step at 0.01 s: far below what the split impulse is to remove
-      constexpr double k_correction_tolerance = 1e-3;  // [m/s]
       model.correction.tolerance = k_correction_tolerance;
       break;
     case Stabilisation::projection:
       model.position_step = PositionStep::projection;
       model.correction.erp = 1;
       model.correction.max_speed = std::numeric_limits<double>::infinity();
-      // over a step, no more than what the velocities may leave
-      constexpr double k_fixed_sweeps_tolerance = 1e-3;  // [m/s]
-      model.correction.tolerance = contact.tolerance > 0 ? contact.tolerance : k_fixed_sweeps_tolerance;
+      model.correction.tolerance = contact.tolerance > 0 ? contact.tolerance : k_correction_tolerance;
       model.correction.max_sweeps = contact.max_iterations;
       break;
   }

@@ -41,6 +41,7 @@ struct ContactModel {
 
 /// Whether some pair of materials has more static than kinetic friction, and the law any friction.
 bool has_static_friction(const ContactScene& contact);
+
 ContactModel build_contact_model(const ContactScene& contact, int threads);
 
 }  // namespace nilas

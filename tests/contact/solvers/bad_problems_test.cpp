@@ -117,7 +117,7 @@ std::vector<BadProblem> bad_problems() {
 
 /// Every solver by name, friction continuation and a solver with a second one behind it too.
 ContactSolution solve(const std::string& name, const LocalProblem& problem, const VecX& guess) {
-  if (name == "continuation") return continue_in_friction(problem, {.shared = k_settings});
+  if (name == "continuation") return continue_in_friction(problem, {.shared = k_settings}, Budget(k_settings));
   if (name == "with retry")
     return WithRetry(find_solver("admm").make(k_settings), find_solver("nsgs").make(k_settings)).solve(problem, guess);
   return find_solver(name).make(k_settings)->solve(problem, guess);

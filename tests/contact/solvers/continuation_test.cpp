@@ -13,7 +13,8 @@ TEST(Continuation, ReachesFullFriction) {
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     const LocalProblem problem = reduce(test::random_heap(seed, 8, 16, 0.6));
     const ContactSolution solution = solve_islands(problem, {}, [](const LocalProblem& island, const VecX&) {
-      return continue_in_friction(island, {.shared = {.tolerance = 1e-10}});
+      const SolverSettings shared{.tolerance = 1e-10};
+      return continue_in_friction(island, {.shared = shared}, Budget(shared));
     });
     EXPECT_EQ(solution.status, SolveStatus::converged) << seed;
     EXPECT_LE(measure(problem, solution.r).natural_map_m_s, 1e-10) << seed;
@@ -34,8 +35,8 @@ class ContinuationLimits : public testing::Test {
   static constexpr double k_tolerance = 1e-12;
 
   ContactSolution solve(int most, double seconds = 0) const {
-    return continue_in_friction(problem_,
-                                {.shared = {.tolerance = k_tolerance, .max_iterations = most, .max_seconds = seconds}});
+    const SolverSettings shared{.tolerance = k_tolerance, .max_iterations = most, .max_seconds = seconds};
+    return continue_in_friction(problem_, {.shared = shared}, Budget(shared));
   }
 
   const LocalProblem problem_ = reduce(test::raft(8, 0.6, 1, 2));

@@ -1,5 +1,6 @@
-/// A list of choices with a value that nothing handles, where NILAS_ADD_CHOICE is defined. ctest compiles this file both
-/// ways with the project's warnings: the second must fail, at the table of names and at the function that acts on them.
+/// A list of choices with a value that nothing handles, where NILAS_ADD_CHOICE is defined. ctest compiles this file
+/// both ways with the project's warnings: the second must fail, at the table of names and at the function that acts on
+/// them.
 #include "core/choices/choice.h"
 
 namespace nilas {

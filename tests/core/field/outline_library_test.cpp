@@ -1,10 +1,11 @@
+#include "core/field/outline_library.h"
+
 #include <gtest/gtest.h>
 
 #include <fstream>
 
 #include "core/base/error.h"
 #include "core/field/field.h"
-#include "core/field/outline_library.h"
 #include "tests/support/scratch_folder.h"
 
 namespace nilas {

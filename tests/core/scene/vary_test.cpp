@@ -30,7 +30,8 @@ TEST(Vary, ReadsToPlainValues) {
   EXPECT_EQ(vary[0].correlation_length, 0.5);
   EXPECT_EQ(vary[0].line, 3);
   EXPECT_EQ(vary[1].mean, 5e4);
-  const std::vector<std::pair<std::string, double>> pairs{{"thickness", 0.5}, {"compressive_strength", -0.25}};
+  const std::vector<std::pair<FloeProperty, double>> pairs{{FloeProperty::thickness, 0.5},
+                                                           {FloeProperty::compressive_strength, -0.25}};
   EXPECT_EQ(vary[1].correlations, pairs);
   EXPECT_EQ(vary[2].mean, 1e5) << "the default of <fracture>";
   EXPECT_EQ(vary[2].line, 4);

@@ -64,11 +64,14 @@ std::string remark_of(const Merit& m, const Choice& choice) {
   return remark;
 }
 
-const char* class_of(const PairedDifference& d) { return is_sure(d) ? "n strong" : "n weak"; }
+const char* class_of(const PairedDifference& d) { return is_sure(d) ? "n" : "n weak"; }
+
+std::string mean_load_text(const Merit& m) {
+  return with_error(m.load.mean, m.load.standard_error) + (m.partial ? " *" : "");
+}
 
 Json load_cells(const Merit& m) {
-  return {{"load", with_error(m.load.mean, m.load.standard_error) + (m.partial ? " *" : "")},
-          {"from_reference", typeset(difference_cell(m.from_reference))},
+  return {{"from_reference", typeset(difference_cell(m.from_reference))},
           {"reference_class", class_of(m.from_reference)},
           {"from_own", typeset(difference_cell(m.from_own))},
           {"own_class", class_of(m.from_own)},
@@ -98,8 +101,8 @@ Json setting_row(const SceneReport& report, const Merit& m) {
           {"time", with_error(m.time, m.time_spread, "{:.3g}")},
           {"ms_per_step", number(m.ms_per_step)},
           {"error", error_text(m, found.measure)},
-          {"error_class", m.significant ? "n strong" : "n weak"},
-          {"floor", number(m.floor)},
+          {"error_class", m.significant ? "n" : "n weak"},
+          {"load_or_floor", found.measure.is_load() ? mean_load_text(m) : number(m.floor)},
           {"load_cells", found.measure.is_load() ? load_cells(m) : Json(nullptr)},
           {"motion", number(m.motion.mean)},
           {"penetration", number(m.penetration_max_m)},
@@ -138,10 +141,7 @@ std::vector<std::string> table_notes(const Findings& found) {
   if (found.measure.is_load())
     notes.emplace_back(
         "The error is the mean of a setting's differences from the reference, run by run on the same ice. It is "
-        "significant where chance makes so large a difference in less than 5 % of cases. Differences are given with "
-        "their "
-        "95 % interval (Student's t). \"Significant in this realisation\" means more than chance makes of two runs on "
-        "that ice; it says nothing about other ice.");
+        "significant where chance alone makes so large a difference in less than 5 % of cases.");
   return notes;
 }
 

@@ -85,7 +85,8 @@ TEST(Schema, DefaultsOfIceAreThoseOfTheStructs) {
   const SceneFolder folder;
   const Scene scene =
       folder.read(in_scene("<ice><field region='0 0 1 1'/><floe outline='0 0 1 0 1 1'/><vary property='thickness'/>"
-                           "</ice><fracture><crushing/><bending/><splitting/><cracks/><damage/></fracture>"));
+                           "</ice><hydro><buoyancy/></hydro>"
+                           "<fracture><crushing/><bending/><splitting/><cracks/><damage/></fracture>"));
   EXPECT_EQ(scene.ice->density, IceScene{}.density);
   EXPECT_EQ(scene.ice->youngs_modulus, IceScene{}.youngs_modulus);
   EXPECT_EQ(scene.ice->poisson, IceScene{}.poisson);

@@ -1,0 +1,79 @@
+#pragma once
+/// The loop around cheap iterations: each tells about what the residual is, which is measured only when that is small
+/// or has not been done for long.
+#include <algorithm>
+
+#include "contact/solvers/shared/best_impulses.h"
+
+namespace nilas {
+
+class MeasuredLoop {
+ public:
+  /// `window`: of the stall rule, whose share is 0.999. With tolerance 0 nothing is measured and nothing stalls.
+  MeasuredLoop(const SolverSettings& shared, const Budget& budget, int window)
+      : tolerance_(shared.tolerance),
+        last_(budget.iterations()),
+        enough_(shared.tolerance),
+        best_(shared.tolerance, budget, {window, k_share}) {}
+
+  /// Whether to do another iteration, which is then counted. `change`: what the last one says of the residual [m/s],
+  /// infinite: nothing. `measure()`: the residual as `measure` finds it, `impulses()`: those that it holds for.
+  template <class Measure, class Impulses>
+  bool goes_on(double change, const Measure& measure, const Impulses& impulses) {
+    is_measured_ = false;
+    if (is_due(change)) judge(change, measure(), impulses());
+    if (!best_.goes_on()) return false;
+    best_.spend();
+    return true;
+  }
+
+  int iterations() const { return best_.iterations(); }
+  void note(double residual) { best_.note(residual); }
+
+  /// The best impulses that were measured; with tolerance 0 the last ones. No impulses where none are finite.
+  template <class Measure, class Impulses>
+  ContactSolution solution(const Measure& measure, const Impulses& impulses) {
+    const VecX last = impulses();
+    if (tolerance_ > 0 && !is_measured_) judge(1, measure(), last);
+    if (!last.allFinite()) best_.fail(k_overflow);
+    const bool keeps_last = !best_.has_any() && last.allFinite();
+    ContactSolution out = std::move(best_).solution();
+    if (keeps_last) out.r = last;
+    if (out.r.size() == 0) out.r = VecX::Zero(last.size());
+    return out;
+  }
+
+ private:
+  static constexpr int k_first = 20;  ///< iterations before the first measurement that no small change called for
+  static constexpr double k_share = 1 - 1e-3;  ///< less of a fall is no progress
+  static constexpr const char* k_overflow = "the impulses grew beyond all numbers";
+
+  /// A small change predicts a small residual; while it is large the residual is measured now and then.
+  bool is_due(double change) const {
+    return tolerance_ > 0 && (!(change > enough_) || best_.iterations() >= next_ || best_.iterations() >= last_);
+  }
+
+  void judge(double change, double residual, const VecX& r) {
+    const int done = best_.iterations();
+    const bool is_fixed = change == 0 && last_change_ == 0;
+    is_measured_ = true;
+    last_change_ = change;
+    next_ = done + std::max(k_first, done / 2);
+    enough_ = std::min(enough_, change * tolerance_ / residual);
+    best_.offer(r, residual);
+    if (!std::isfinite(residual))
+      best_.fail(k_overflow);
+    else if (is_fixed)
+      best_.stall();
+  }
+
+  double tolerance_;
+  int last_;
+  double enough_;
+  int next_ = k_first;
+  double last_change_ = 1;
+  bool is_measured_ = false;
+  BestImpulses best_;
+};
+
+}  // namespace nilas
