@@ -23,6 +23,15 @@ TEST(Cli, HelpNamesEveryCommand) {
   }
 }
 
+/// docs/reference/command-line.md is what the program says of its own options.
+TEST(Cli, ThePageOfCommandsIsThatOfTheProgram) {
+  const ScratchFolder folder;
+  const auto page = run_nilas("schema --commands", folder.path());
+  EXPECT_EQ(page.exit_code, 0);
+  EXPECT_EQ(page.out, read_text(fs::path(NILAS_SOURCE_DIR) / "docs/reference/command-line.md"))
+      << "write it again: build/release/nilas schema --commands > docs/reference/command-line.md";
+}
+
 TEST(Cli, UsageErrorsExitWithTwo) {
   const ScratchFolder folder;
   EXPECT_EQ(run_nilas("", folder.path()).exit_code, 2);

@@ -1,5 +1,6 @@
 #include <iostream>
 
+#include "apps/nilas/commands/command_reference.h"
 #include "apps/nilas/commands/commands.h"
 #include "core/scene/schema/schema.h"
 
@@ -11,9 +12,11 @@ void add_schema(CLI::App& app, Action& action) {
   auto xsd = std::make_shared<bool>(true);
   command->add_flag("--xsd", *xsd, "as an XML Schema (the default)");
   command->add_flag("--markdown", *markdown, "as the scene reference page of the documentation");
-  command->callback([&action, markdown] {
-    action = [markdown] {
-      std::cout << (*markdown ? schema_markdown() : schema_xsd());
+  auto commands = std::make_shared<bool>(false);
+  command->add_flag("--commands", *commands, "in its place the page of the documentation that lists all commands");
+  command->callback([&action, &app, markdown, commands] {
+    action = [&app, markdown, commands] {
+      std::cout << (*commands ? command_reference(app) : *markdown ? schema_markdown() : schema_xsd());
       return exit_done;
     };
   });
