@@ -87,7 +87,7 @@ TEST_F(CsvTest, QuotedFieldsHoldCommasAndQuotes) {
   EXPECT_EQ(line[1], "b, \"c\"");
   EXPECT_EQ(line[2], "");
   EXPECT_EQ(line[3], "d");
-  EXPECT_EQ(line.column(3), 14U);
+  EXPECT_EQ(line.column(3), 15U);
 }
 
 TEST_F(CsvTest, ColumnsOfARunEndWithItsLastCompleteRow) {
