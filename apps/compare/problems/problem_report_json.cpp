@@ -42,7 +42,8 @@ Json problem_report_json(const ProblemReport& report, const std::vector<SolverCo
     dropped.push_back(
         {{"problem", row.problem.name}, {"solver", row.solver}, {"law", row.law}, {"tolerance_m_s", row.tolerance}});
   for (const auto& one : comparisons) profiles.push_back(comparison_json(one));
-  for (const auto& one : problem_classes(report.rows)) classes[one.name] = one.problems;
+  for (const auto& one : problem_classes(report.rows))
+    classes[one.name == k_unknown_class ? "not told" : one.name] = one.problems;  // a key that scripts know
   return {{"status", report.status},
           {"options",
            {{"problems", report.problems.string()},

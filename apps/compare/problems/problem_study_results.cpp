@@ -191,7 +191,7 @@ std::vector<ProblemClass> problem_classes(const std::vector<StudyRow>& rows) {
     if (!is_new && (own < known || std::isnan(known))) place->second = &row;
   }
   std::vector<ProblemClass> classes{
-      {"mass ratio above 1e4", {}}, {"mostly sliding", {}}, {"mostly sticking", {}}, {"not known", {}}};
+      {"mass ratio above 1e4", {}}, {"mostly sliding", {}}, {"mostly sticking", {}}, {k_unknown_class, {}}};
   for (const auto& [name, row] : best) {
     std::size_t kind = row->sliding > row->sticking ? 1 : 2;
     if (!(row->residuals.law_map_m_s <= k_good)) kind = 3;

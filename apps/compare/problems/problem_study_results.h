@@ -39,6 +39,9 @@ std::vector<WorkPoint> median_points(const std::vector<StudyRow>& rows,
 std::vector<WorkPoint> problem_points(const std::vector<StudyRow>& rows,
                                       const std::vector<SolverComparison>& comparisons, std::size_t count);
 
+/// Name of the class of problems whose contacts are not known well enough.
+constexpr const char* k_unknown_class = "not known";
+
 /// Problems of a kind.
 struct ProblemClass {
   std::string name;

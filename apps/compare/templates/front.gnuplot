@@ -42,16 +42,16 @@ set xlabel 'computing time per simulated second [s/s]'
 set ylabel 'error of the {{quantity}} [{{unit}}]'
 plot \
 {{#beaten}}
-  $beaten using 1:2:3:4 with yerrorbars pt 7 ps 1 lw LW lc rgb '#aaaaaa' title 'another is faster and better, or it failed', \
+  $beaten using 1:2:3:4 with yerrorbars pt 7 ps 0.7*LW lw LW lc rgb '#aaaaaa' title 'another is faster and better, or it failed', \
 {{/beaten}}
 {{#best}}
-  $best using 1:2:3:4 with yerrorbars pt 7 ps 1.3 lw LW lc rgb '#000000' title 'none is both faster and better', \
+  $best using 1:2:3:4 with yerrorbars pt 7 ps 0.9*LW lw LW lc rgb '#000000' title 'none is both faster and better', \
 {{/best}}
 {{#hidden}}
-  $hidden using 1:2 with points pt 10 ps 1.3 lw LW lc rgb '#0072b2' title 'not significant: the error is below this', \
+  $hidden using 1:2 with points pt 10 ps LW lw LW lc rgb '#0072b2' title 'not significant: the error is below this', \
 {{/hidden}}
 {{#chosen}}
-  $chosen using 1:2 with points pt 6 ps 3 lw 2*LW lc rgb '#d55e00' title 'recommended', \
+  $chosen using 1:2 with points pt 6 ps 2*LW lw 2*LW lc rgb '#d55e00' title 'recommended', \
 {{/chosen}}
 {{#levels}}
   ${{name}} using 1:2:3 with labels center offset char 0,{{raised}} tc rgb '#0072b2' noenhanced notitle, \

@@ -84,9 +84,9 @@ void add_compare(CLI::App& app, Action& action) {
   add_list(*command, "--integrators", study.grid.integrators, "semi-implicit-euler, moreau, reference");
   add_list(*command, "--stabilisations", study.grid.stabilisations,
            "none, baumgarte, split-impulse, tasora, projection");
-  auto* ablate =
-      command->add_flag("--ablate", study.grid.ablate,
-                        "in place of a grid: each simplification of older tools on, singly and all together");
+  auto* ablate = command->add_flag(
+      "--ablate", study.grid.ablate,
+      "in place of a grid: each simplification of game-engine based simulators, alone and all together");
   command
       ->add_option("--seeds", study.realisations,
                    "realisations of each setting (default: 3, 2 where the budget asks); with --resume: as many in all")
@@ -103,7 +103,7 @@ void add_compare(CLI::App& app, Action& action) {
       ->check(at_least(0));
   command->add_option("--jobs", study.jobs, "runs at a time (default: one per core)")->check(at_least(1));
   auto* resume =
-      command->add_option("--resume", study.resume, "in place of a scene: goes on with the comparison in this folder");
+      command->add_option("--resume", study.resume, "in place of a scene: continues the comparison in this folder");
   command->add_option("--out", study.out, "folder (default: runs/<scene>-compare-<time>)");
   command->add_option("--until", options->scene.until, "end time instead of the scene's [s]");
   add_value_flags(*command, options->scene);

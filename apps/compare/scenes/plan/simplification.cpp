@@ -11,7 +11,7 @@ namespace nilas {
 
 namespace {
 
-/// Sweeps of the older tool.
+/// Sweeps in place of a tolerance.
 constexpr int k_fixed_sweeps = 50;
 /// Of strength where a scene draws none: strengths scatter by 20 to 30 % in nature (docs/reference/scales.md).
 constexpr double k_cov = 0.25;

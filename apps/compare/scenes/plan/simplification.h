@@ -1,5 +1,5 @@
 #pragma once
-/// The simplifications of older tools that a comparison can turn on, one at a time.
+/// The simplifications of game-engine based simulators that a comparison can turn on, one at a time.
 #include <string>
 #include <vector>
 
@@ -40,7 +40,7 @@ std::string no_effect(Simplification simplification, const Scene& scene);
 Overrides taking_out(Simplification simplification, const Scene& scene);
 Overrides putting_in(Simplification simplification, const Scene& scene);
 
-/// What this version does not model: in every setting the simplification of older tools stays as it was.
+/// A simplification that Nilas makes itself, so that no setting is without it.
 struct Inexpressible {
   const char* name;
   const char* reason;

@@ -26,7 +26,7 @@ std::string such_ice(const Findings& found) { return found.same_ice ? "this ice"
 std::string scale_text(const Findings& found) {
   if (found.measure.is_load())
     return fmt::format("the reference's mean ice load ({} along the course)", force_text(found.reference.mean.mean));
-  if (found.measure.name == "turn") return "1 rad of attitude";
+  if (found.measure.name == "turn") return "1 rad";
   return fmt::format("the longest path of a body ({})", quantity_text(found.measure.scale, "m"));
 }
 
