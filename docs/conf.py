@@ -52,7 +52,7 @@ suppress_warnings = ["misc.highlighting_failure"]  # pieces of a scene with "...
 smartquotes = False  # they would turn the two hyphens of an option into a dash
 
 extensions = ["myst_parser"]
-myst_enable_extensions = ["dollarmath"]
+myst_enable_extensions = ["dollarmath", "tasklist"]
 myst_dmath_allow_labels = False
 myst_dmath_allow_space = False  # as GitHub reads dollars
 myst_dmath_allow_digits = False
@@ -99,6 +99,14 @@ def read_formulas_as_github(app, docname, source):
         return f"{math[1]}$${math[2]}{math[1]}$$" if math else found[0]
 
     source[0] = PIECES.sub(piece, source[0])
+
+
+def keep_errors_together(app, docname, source):
+    """"83.5 ± 11.6" in a narrow cell of a table would stand in three lines."""
+    def cells(row):
+        return row[0].replace(" ± ", "\u00a0±\u00a0")
+
+    source[0] = re.sub(r"^\|.*$", cells, source[0], flags=re.MULTILINE)
 
 
 def unlink_outside_pages(app, docname, source):
@@ -170,6 +178,7 @@ def finish(app, exception):
 def setup(app):
     app.add_html_math_renderer("katex", (visit_inline_formula, None), (visit_formula_block, None))
     app.connect("source-read", read_formulas_as_github)
+    app.connect("source-read", keep_errors_together)
     app.connect("source-read", unlink_outside_pages)
     app.connect("source-read", add_navigation)
     app.connect("build-finished", finish)

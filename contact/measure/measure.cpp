@@ -96,22 +96,14 @@ static double momentum_residual(const ContactProblem& problem, const VecX& v, Ve
   return std::sqrt(sum);
 }
 
-Residuals measure(const ContactProblem& problem, const VecX& r, const VecX& v) {
-  std::vector<double> ignored;
-  return measure(problem, r, v, ignored);
-}
-
-Residuals measure(const ContactProblem& problem, const VecX& r, const VecX& v, std::vector<double>& d) {
+Residuals measure(const PreparedProblem& prepared, const VecX& r, const VecX& v) {
+  const ContactProblem& problem = prepared.problem();
   NILAS_DEMAND(r.size() == 3 * problem.num_contacts() && v.size() == problem.num_velocities());
-  const MassInverse masses(problem);
-  std::vector<double> response(largest_response(problem));
   VecX excess = -problem.f;
   Residuals out;
-  d.assign(static_cast<std::size_t>(problem.num_contacts()), 0);
   for (int c = 0; c < problem.num_contacts(); ++c) {
     const Vec3 r_c = r.segment<3>(3 * static_cast<Eigen::Index>(c));
-    const ContactScale scale = contact_scale(problem, c, inverse_mass_scale(problem, masses, c, response.data()));
-    d[static_cast<std::size_t>(c)] = problem.is_moment(c) ? 0 : scale.d;
+    const ContactScale scale = contact_scale(problem, c, prepared.inverse_mass_scales()[static_cast<std::size_t>(c)]);
     const Vec3 u = compliant_velocity(problem.compliance[static_cast<std::size_t>(c)], r_c,
                                       contact_velocity(problem, c, v.data()));
     add_impulse(problem, c, -r_c, excess.data());
@@ -133,6 +125,24 @@ Residuals measure(const ContactProblem& problem, const VecX& r, const VecX& v, s
   return out;
 }
 
+Residuals measure(const PreparedProblem& prepared, const VecX& r) {
+  return measure(prepared, r, velocities(prepared, r));
+}
+
+Residuals measure(const ContactProblem& problem, const VecX& r, const VecX& v) {
+  return measure(PreparedProblem(problem), r, v);
+}
+
+Residuals measure(const ContactProblem& problem, const VecX& r, const VecX& v, std::vector<double>& d) {
+  const PreparedProblem prepared(problem);
+  d.clear();
+  for (int c = 0; c < problem.num_contacts(); ++c)
+    d.push_back(problem.is_moment(c)
+                    ? 0
+                    : contact_scale(problem, c, prepared.inverse_mass_scales()[static_cast<std::size_t>(c)]).d);
+  return measure(prepared, r, v);
+}
+
 Residuals measure(const LocalProblem& problem, const VecX& r) {
   const VecX velocity = contact_velocities(problem, r);
   Residuals out;
@@ -147,7 +157,7 @@ Residuals measure(const LocalProblem& problem, const VecX& r) {
   return out;
 }
 
-Residuals measure(const ContactProblem& problem, const VecX& r) { return measure(problem, r, velocities(problem, r)); }
+Residuals measure(const ContactProblem& problem, const VecX& r) { return measure(PreparedProblem(problem), r); }
 
 const std::vector<NamedResidual>& residual_columns() {
   static const std::vector<NamedResidual> columns{

@@ -1,6 +1,7 @@
 #pragma once
 /// The one yardstick for any impulses on any problem, outside all solvers. Formulas: docs/theory/contact.md.
 #include "contact/problem/local_problem.h"
+#include "contact/problem/prepared_problem.h"
 #include "contact/problem/problem.h"
 
 namespace nilas {
@@ -21,6 +22,11 @@ struct Residuals {
 };
 
 /// Residuals of impulses r with the velocities v that go with them.
+Residuals measure(const PreparedProblem& prepared, const VecX& r, const VecX& v);
+/// The same with v = M^-1 (f + H r).
+Residuals measure(const PreparedProblem& prepared, const VecX& r);
+
+/// Of a problem that nobody else has prepared.
 Residuals measure(const ContactProblem& problem, const VecX& r, const VecX& v);
 /// The same, and d_a of every contact for what else is to be judged (contact/measure/impulse_residual.h); 0 of a
 /// moment.

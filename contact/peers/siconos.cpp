@@ -158,10 +158,10 @@ std::string SiconosSolver::name() const {
   return "siconos";
 }
 
-ContactSolution SiconosSolver::solve(const ContactProblem& problem, const VecX& guess) const {
-  ContactSolution solution = solve(reduce(problem), guess);
+ContactSolution SiconosSolver::solve(const PreparedProblem& problem, const VecX& guess) const {
+  ContactSolution solution = solve(reduce(problem.problem()), guess);
   solution.v = velocities(problem, solution.r);
-  solution.u = contact_velocities(problem, solution.v);
+  solution.u = contact_velocities(problem.problem(), solution.v);
   return solution;
 }
 

@@ -23,7 +23,8 @@ class SiconosSolver final : public ContactSolver {
   std::string name() const override;
   /// converged: law_map_m_s is at most the tolerance, whatever Siconos says. message: the relative tolerance that did
   /// it. numerical_error: a finite force limit, which Siconos does not know, or impulses that are not finite.
-  ContactSolution solve(const ContactProblem& problem, const VecX& guess) const override;
+  using ContactSolver::solve;
+  ContactSolution solve(const PreparedProblem& problem, const VecX& guess) const override;
   ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;
 
  private:

@@ -159,13 +159,13 @@ ContactSolution iterate(IslandOperator& island, const VecX& guess, const ApgdSet
 
 }  // namespace
 
-ContactSolution ApgdSolver::solve(const ContactProblem& problem, const VecX& guess) const {
+ContactSolution ApgdSolver::solve(const PreparedProblem& problem, const VecX& guess) const {
   return solve(problem, guess, Budget(settings_.shared));
 }
 
-ContactSolution ApgdSolver::solve(const ContactProblem& problem, const VecX& guess, const Budget& budget) const {
-  demand_known("apgd", k_laws, problem.law);
-  demand_no_moments(name(), problem);
+ContactSolution ApgdSolver::solve(const PreparedProblem& problem, const VecX& guess, const Budget& budget) const {
+  demand_known("apgd", k_laws, problem.problem().law);
+  demand_no_moments(name(), problem.problem());
   return solve_by_operator(problem, guess, settings_.shared, false, [&](IslandOperator& island, const VecX& start) {
     return iterate(island, start, settings_, budget);
   });

@@ -26,12 +26,13 @@ struct ApgdSettings {
 class ApgdSolver final : public ContactSolver {
  public:
   explicit ApgdSolver(const ApgdSettings& settings) : settings_(settings) {}
+  using ContactSolver::solve;
   std::string name() const override { return "apgd"; }
   /// As EgSolver's.
-  ContactSolution solve(const ContactProblem& problem, const VecX& guess) const override;
+  ContactSolution solve(const PreparedProblem& problem, const VecX& guess) const override;
   ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;
   /// As a stage of a solve that runs.
-  ContactSolution solve(const ContactProblem& problem, const VecX& guess, const Budget& budget) const;
+  ContactSolution solve(const PreparedProblem& problem, const VecX& guess, const Budget& budget) const;
 
  private:
   ApgdSettings settings_;

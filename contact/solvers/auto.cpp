@@ -169,29 +169,28 @@ ContactSolution climb(const LocalProblem& island, const VecX& guess, Start start
 }
 
 /// The guess as the solution.
-ContactSolution accepted(const ContactProblem& problem, const VecX& guess) {
+ContactSolution accepted(const PreparedProblem& problem, const VecX& guess) {
   ContactSolution solution;
   solution.r = guess;
   solution.v = velocities(problem, guess);
-  solution.u = contact_velocities(problem, solution.v);
+  solution.u = contact_velocities(problem.problem(), solution.v);
   solution.status = SolveStatus::converged;
   solution.message = "guess";
   return solution;
 }
 
 /// The islands whose law_map is above the tolerance, or that nothing can move.
-std::vector<std::vector<int>> unsolved(const ContactProblem& problem, const VecX& r, double tolerance) {
-  const MassInverse masses(problem);
-  const VecX v = velocities(problem, masses, r);
-  std::vector<double> response(largest_response(problem));
+std::vector<std::vector<int>> unsolved(const PreparedProblem& prepared, const VecX& r, double tolerance) {
+  const ContactProblem& problem = prepared.problem();
+  const VecX v = velocities(prepared, r);
   const auto is_solved = [&](int c) {
-    const double d = inverse_mass_scale(problem, masses, c, response.data());
+    const double d = prepared.inverse_mass_scales()[static_cast<std::size_t>(c)];
     const Vec3 r_c = r.segment<3>(3 * static_cast<Eigen::Index>(c));
     const Vec3 u = compliant_velocity(problem.compliance[static_cast<std::size_t>(c)], r_c,
                                       contact_velocity(problem, c, v.data()));
     return law_map(problem.law, problem.facets, contact_scale(problem, c, d), r_c, u) <= tolerance;
   };
-  auto islands = find_islands(problem);
+  auto islands = prepared.islands();
   std::erase_if(islands,
                 [&](const std::vector<int>& island) { return std::all_of(island.begin(), island.end(), is_solved); });
   return islands;
@@ -201,14 +200,15 @@ std::vector<std::vector<int>> unsolved(const ContactProblem& problem, const VecX
 /// it knows the law, each with half of the iterations. The better impulses go into `whole.r`, iterations into `whole`.
 SolveStatus solve_without_w(const ContactProblem& problem, const std::vector<int>& island, const AutoSettings& settings,
                             const Budget& budget, Log& log, ContactSolution& whole) {
-  const ContactProblem part = select(problem, island);
+  const ContactProblem part_problem = select(problem, island);
+  const PreparedProblem part(part_problem);
   VecX r(3 * static_cast<Eigen::Index>(island.size()));
   for (std::size_t i = 0; i < island.size(); ++i)
     r.segment<3>(3 * static_cast<Eigen::Index>(i)) = whole.r.segment<3>(3 * static_cast<Eigen::Index>(island[i]));
   const SolverSettings& shared = settings.shared;
   ContactSolution found = NsgsSolver({.shared = shared}).solve(part, r, budget.capped((budget.iterations() + 1) / 2));
   log.add("more nsgs", "sweeps", found.iterations);
-  if (found.status != SolveStatus::converged && part.law != Law::pyramid && budget.allows(found.iterations)) {
+  if (found.status != SolveStatus::converged && part_problem.law != Law::pyramid && budget.allows(found.iterations)) {
     const int swept = found.iterations;
     ContactSolution next = ApgdSolver({.shared = shared}).solve(part, found.r, budget.after(swept));
     log.add("apgd", "iterations", next.iterations);
@@ -251,29 +251,30 @@ ContactSolution AutoSolver::solve(const LocalProblem& problem, const VecX& guess
   return solution;
 }
 
-ContactSolution AutoSolver::solve(const ContactProblem& problem, const VecX& guess) const {
+ContactSolution AutoSolver::solve(const PreparedProblem& prepared, const VecX& guess) const {
+  const ContactProblem& problem = prepared.problem();
   NILAS_DEMAND(guess.size() == 0 || guess.size() == 3 * static_cast<Eigen::Index>(problem.num_contacts()));
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const double tolerance = settings_.shared.tolerance;
   const bool cold = is_cold(guess);
-  double guess_map = guess.size() > 0 ? measure(problem, guess).law_map_m_s : infinity;
-  if (guess_map <= tolerance) return accepted(problem, guess);
+  double guess_map = guess.size() > 0 ? measure(prepared, guess).law_map_m_s : infinity;
+  if (guess_map <= tolerance) return accepted(prepared, guess);
   if (std::isnan(guess_map)) guess_map = infinity;
   AutoSettings running = settings_;
   running.shared = with_margin(settings_.shared);
   const Budget budget(settings_.shared);
   Log log;
   ContactSolution swept =
-      NsgsSolver({.shared = running.shared}).solve(problem, guess, first_rung(problem, cold, settings_, budget));
+      NsgsSolver({.shared = running.shared}).solve(prepared, guess, first_rung(problem, cold, settings_, budget));
   log.add("nsgs", "sweeps", swept.iterations);
   if (swept.status == SolveStatus::converged || problem.has_moments()) {
     describe(log, swept);
     return swept;
   }
-  const double swept_map = measure(problem, swept.r).law_map_m_s;
+  const double swept_map = measure(prepared, swept.r).law_map_m_s;
   if (guess_map < swept_map || (std::isnan(swept_map) && std::isfinite(guess_map))) swept.r = guess;
   const Budget left = budget.after(swept.iterations);
-  auto islands = unsolved(problem, swept.r, running.shared.tolerance);
+  auto islands = unsolved(prepared, swept.r, running.shared.tolerance);
   const auto first_large =
       std::stable_partition(islands.begin(), islands.end(), [&](const auto& i) { return is_reducible(problem, i); });
   SolveStatus large = SolveStatus::converged;
@@ -281,14 +282,14 @@ ContactSolution AutoSolver::solve(const ContactProblem& problem, const VecX& gue
     large = worse(large, solve_without_w(problem, *island, running, left, log, swept));
   islands.erase(first_large, islands.end());
   ContactSolution solution =
-      solve_islands(problem, islands, swept.r, [&](const LocalProblem& island, const VecX& start) {
+      solve_islands(prepared, islands, swept.r, [&](const LocalProblem& island, const VecX& start) {
         return climb(island, start, {cold, true}, running, left, log);
       });
   solution.iterations += swept.iterations;
   if (large == SolveStatus::numerical_error && solution.message.empty()) solution.message = swept.message;
   solution.status = worse(solution.status, large);
   solution.history.insert(solution.history.begin(), swept.history.begin(), swept.history.end());
-  if (solution.status == SolveStatus::converged && !(measure(problem, solution.r).law_map_m_s <= tolerance))
+  if (solution.status == SolveStatus::converged && !(measure(prepared, solution.r).law_map_m_s <= tolerance))
     solution.status = SolveStatus::stalled;
   describe(log, solution);
   return solution;

@@ -42,10 +42,11 @@ struct AutoSettings {
 class AutoSolver final : public ContactSolver {
  public:
   explicit AutoSolver(const AutoSettings& settings) : settings_(settings) {}
+  using ContactSolver::solve;
   std::string name() const override { return "auto"; }
   /// converged: every island's law_map_m_s is at most the tolerance, as `measure` finds it on the impulses returned.
   /// Otherwise the status of the last rung.
-  ContactSolution solve(const ContactProblem& problem, const VecX& guess) const override;
+  ContactSolution solve(const PreparedProblem& problem, const VecX& guess) const override;
   ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;
 
  private:

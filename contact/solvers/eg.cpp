@@ -113,13 +113,13 @@ ContactSolution iterate(IslandOperator& island, const VecX& guess, const EgSetti
 
 }  // namespace
 
-ContactSolution EgSolver::solve(const ContactProblem& problem, const VecX& guess) const {
+ContactSolution EgSolver::solve(const PreparedProblem& problem, const VecX& guess) const {
   return solve(problem, guess, Budget(settings_.shared));
 }
 
-ContactSolution EgSolver::solve(const ContactProblem& problem, const VecX& guess, const Budget& budget) const {
-  demand_known("eg", k_laws, problem.law);
-  demand_no_moments(name(), problem);
+ContactSolution EgSolver::solve(const PreparedProblem& problem, const VecX& guess, const Budget& budget) const {
+  demand_known("eg", k_laws, problem.problem().law);
+  demand_no_moments(name(), problem.problem());
   EgSettings own = settings_;
   // its own residual is what an order-free solve may look at, and that differs from `measure` by rounding
   if (own.order_free) own.shared = with_margin(own.shared);

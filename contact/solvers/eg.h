@@ -28,14 +28,15 @@ struct EgSettings {
 class EgSolver final : public ContactSolver {
  public:
   explicit EgSolver(const EgSettings& settings) : settings_(settings) {}
+  using ContactSolver::solve;
   std::string name() const override { return settings_.order_free ? "eg-order-free" : "eg"; }
   /// converged: law_map_m_s is at most the tolerance as `measure` finds it; else the best impulses measured. With
   /// tolerance 0 nothing is measured. numerical_error: input that is not finite, or a contact that cannot yield.
   /// Throws InputError for the law pyramid, whose bounds depend on r_N.
-  ContactSolution solve(const ContactProblem& problem, const VecX& guess) const override;
+  ContactSolution solve(const PreparedProblem& problem, const VecX& guess) const override;
   ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;
   /// As a stage of a solve that runs.
-  ContactSolution solve(const ContactProblem& problem, const VecX& guess, const Budget& budget) const;
+  ContactSolution solve(const PreparedProblem& problem, const VecX& guess, const Budget& budget) const;
 
  private:
   EgSettings settings_;

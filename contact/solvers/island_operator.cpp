@@ -133,7 +133,7 @@ ContactSolution solve_by_operator(const LocalProblem& problem, const VecX& guess
   });
 }
 
-ContactSolution solve_by_operator(const ContactProblem& problem, const VecX& guess, const SolverSettings& shared,
+ContactSolution solve_by_operator(const PreparedProblem& problem, const VecX& guess, const SolverSettings& shared,
                                   bool order_free, const OperatorSolve& solve) {
   ContactSolution out = solve_row_islands(problem, guess, shared, RowOrder::given, [&](const RowIsland& island) {
     VecX start(row_of(island.island.last - island.island.first));
@@ -149,7 +149,7 @@ ContactSolution solve_by_operator(const ContactProblem& problem, const VecX& gue
   });
   if (order_free) {
     out.v = order_free_velocities(problem, out.r);
-    out.u = contact_velocities(problem, out.v);
+    out.u = contact_velocities(problem.problem(), out.v);
   }
   return out;
 }

@@ -42,7 +42,7 @@ using OperatorSolve = std::function<ContactSolution(IslandOperator& island, cons
 ContactSolution solve_by_operator(const LocalProblem& problem, const VecX& guess, const SolverSettings& shared,
                                   const OperatorSolve& solve);
 /// `order_free`: r, v and u too have bits that do not depend on the order of contacts and bodies.
-ContactSolution solve_by_operator(const ContactProblem& problem, const VecX& guess, const SolverSettings& shared,
+ContactSolution solve_by_operator(const PreparedProblem& problem, const VecX& guess, const SolverSettings& shared,
                                   bool order_free, const OperatorSolve& solve);
 
 }  // namespace nilas

@@ -1,6 +1,5 @@
 #include "contact/solvers/newton_order_free.h"
 
-#include "contact/problem/islands.h"
 #include "contact/solvers/eg.h"
 #include "contact/solvers/newton.h"
 #include "contact/solvers/shared/order_free_velocities.h"
@@ -25,12 +24,12 @@ IslandSolve island_solve(const SolverSettings& shared, const Budget& budget) {
 
 }  // namespace
 
-ContactSolution OrderFreeNewtonSolver::solve(const ContactProblem& problem, const VecX& guess) const {
-  demand_known("newton-order-free", k_laws, problem.law);
-  demand_no_moments(name(), problem);
+ContactSolution OrderFreeNewtonSolver::solve(const PreparedProblem& problem, const VecX& guess) const {
+  demand_known("newton-order-free", k_laws, problem.problem().law);
+  demand_no_moments(name(), problem.problem());
   const Budget budget(shared_);
   const auto newton = [&](const VecX& start) {
-    return solve_islands(problem, find_islands(problem), start, island_solve(with_margin(shared_), budget));
+    return solve_islands(problem, problem.islands(), start, island_solve(with_margin(shared_), budget));
   };
   ContactSolution solution = newton(guess);
   // where not one step was taken the problem itself is at fault
@@ -42,7 +41,7 @@ ContactSolution OrderFreeNewtonSolver::solve(const ContactProblem& problem, cons
     solution.iterations += done;
   }
   solution.v = order_free_velocities(problem, solution.r);
-  solution.u = contact_velocities(problem, solution.v);
+  solution.u = contact_velocities(problem.problem(), solution.v);
   return solution;
 }
 

@@ -15,9 +15,10 @@ namespace nilas {
 class OrderFreeNewtonSolver final : public ContactSolver {
  public:
   explicit OrderFreeNewtonSolver(const SolverSettings& shared) : shared_(shared) {}
+  using ContactSolver::solve;
   std::string name() const override { return "newton-order-free"; }
   /// As newton. iterations: factorisations of the island that took most, and steps of eg-order-free.
-  ContactSolution solve(const ContactProblem& problem, const VecX& guess) const override;
+  ContactSolution solve(const PreparedProblem& problem, const VecX& guess) const override;
   /// The order of contacts does not show here either; Newton alone.
   ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;
 

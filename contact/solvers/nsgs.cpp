@@ -59,7 +59,7 @@ class LocalIsland : public LocalSweeps {
 
 }  // namespace
 
-ContactSolution NsgsSolver::solve(const ContactProblem& problem, const VecX& guess) const {
+ContactSolution NsgsSolver::solve(const PreparedProblem& problem, const VecX& guess) const {
   return solve(problem, guess, Budget(settings_.shared));
 }
 
@@ -67,8 +67,9 @@ ContactSolution NsgsSolver::solve(const LocalProblem& problem, const VecX& guess
   return solve(problem, guess, Budget(settings_.shared));
 }
 
-ContactSolution NsgsSolver::solve(const ContactProblem& problem, const VecX& guess, const Budget& budget) const {
-  if (problem.has_moments()) demand_known("nsgs with rolling friction", {Law::coulomb, Law::pyramid}, problem.law);
+ContactSolution NsgsSolver::solve(const PreparedProblem& problem, const VecX& guess, const Budget& budget) const {
+  if (problem.problem().has_moments())
+    demand_known("nsgs with rolling friction", {Law::coulomb, Law::pyramid}, problem.problem().law);
   return solve_row_islands(problem, guess, settings_.shared, RowOrder::coloured, [&](const RowIsland& island) {
     BodiesIsland sweeps(island);
     ContactSolution part = sweep_to_tolerance(sweeps, island.island.last - island.island.first, settings_, budget);

@@ -21,15 +21,16 @@ using NsgsSettings = SweepSettings;
 class NsgsSolver final : public ContactSolver {
  public:
   explicit NsgsSolver(const NsgsSettings& settings) : settings_(settings) {}
+  using ContactSolver::solve;
   std::string name() const override { return "nsgs"; }
   /// converged: every island's law_map_m_s is at most the tolerance, as `measure` finds it on the impulses returned.
   /// stalled, iteration_limit: the impulses are the best that were measured. With tolerance 0 nothing is measured.
   /// numerical_error: something is not finite, or a contact closes whose sides cannot move and that has no force limit;
   /// `message` says which.
-  ContactSolution solve(const ContactProblem& problem, const VecX& guess) const override;
+  ContactSolution solve(const PreparedProblem& problem, const VecX& guess) const override;
   ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;
   /// As a stage of a solve that runs.
-  ContactSolution solve(const ContactProblem& problem, const VecX& guess, const Budget& budget) const;
+  ContactSolution solve(const PreparedProblem& problem, const VecX& guess, const Budget& budget) const;
   ContactSolution solve(const LocalProblem& problem, const VecX& guess, const Budget& budget) const;
 
  private:

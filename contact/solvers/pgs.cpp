@@ -77,9 +77,9 @@ class LocalIsland : public LocalSweeps {
 
 }  // namespace
 
-ContactSolution PgsSolver::solve(const ContactProblem& problem, const VecX& guess) const {
-  demand_known("pgs", {Law::pyramid, Law::coulomb, Law::frictionless}, problem.law);
-  demand_no_moments(name(), problem);
+ContactSolution PgsSolver::solve(const PreparedProblem& problem, const VecX& guess) const {
+  demand_known("pgs", {Law::pyramid, Law::coulomb, Law::frictionless}, problem.problem().law);
+  demand_no_moments(name(), problem.problem());
   const Budget budget(settings_.shared);
   return solve_row_islands(problem, guess, settings_.shared, RowOrder::given, [&](const RowIsland& island) {
     BodiesIsland sweeps(island, settings_);

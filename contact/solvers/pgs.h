@@ -23,13 +23,14 @@ using PgsSettings = SweepSettings;
 class PgsSolver final : public ContactSolver {
  public:
   explicit PgsSolver(const PgsSettings& settings) : settings_(settings) {}
+  using ContactSolver::solve;
   std::string name() const override { return "pgs"; }
   /// converged: every island's law_map_m_s is at most the tolerance, as `measure` finds it on the impulses returned.
   /// With tolerance 0 nothing is measured and the status is iteration_limit.
   /// numerical_error: something is not finite, or a contact closes whose sides cannot move and that has no force limit;
   /// then `message` says which, and that contact's impulse is zero.
   /// Throws InputError for a law other than pyramid, coulomb or frictionless.
-  ContactSolution solve(const ContactProblem& problem, const VecX& guess) const override;
+  ContactSolution solve(const PreparedProblem& problem, const VecX& guess) const override;
   /// The same sweeps on the rows of W.
   ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;
 

@@ -111,10 +111,11 @@ ContactSolution solve_islands(const LocalProblem& problem, const VecX& guess, co
   return whole;
 }
 
-ContactSolution solve_islands(const ContactProblem& problem, const std::vector<std::vector<int>>& islands,
+ContactSolution solve_islands(const PreparedProblem& prepared, const std::vector<std::vector<int>>& islands,
                               const VecX& guess, const IslandSolve& solve) {
+  const ContactProblem& problem = prepared.problem();
+  const MassInverse& masses = prepared.masses();
   NILAS_DEMAND(guess.size() == 0 || guess.size() == 3 * problem.num_contacts());
-  const MassInverse masses(problem);
   ContactSolution whole = nothing_solved(problem.num_contacts());
   if (masses.first_bad_block() >= 0) {
     whole = failed(problem.num_contacts(),
@@ -129,7 +130,7 @@ ContactSolution solve_islands(const ContactProblem& problem, const std::vector<s
                     : left_alone(part_of(whole.r, island), not_reducible_message(island)),
                 island, whole);
   }
-  whole.v = velocities(problem, masses, whole.r);
+  whole.v = velocities(prepared, whole.r);
   whole.u = contact_velocities(problem, whole.v);
   return whole;
 }
@@ -159,13 +160,13 @@ ContactSolution IslandSolver::solve(const LocalProblem& problem, const VecX& gue
   return solution;
 }
 
-ContactSolution IslandSolver::solve(const ContactProblem& problem, const VecX& guess) const {
-  demand_law(problem.law);
-  demand_no_moments(name(), problem);
+ContactSolution IslandSolver::solve(const PreparedProblem& problem, const VecX& guess) const {
+  demand_law(problem.problem().law);
+  demand_no_moments(name(), problem.problem());
   const SolverSettings shared = with_margin(shared_);
   const Budget budget(shared_);
   ContactSolution solution = solve_islands(
-      problem, find_islands(problem), guess,
+      problem, problem.islands(), guess,
       [&](const LocalProblem& island, const VecX& start) { return solve_island(island, start, shared, budget); });
   confirm(problem, shared_.tolerance, solution);
   return solution;

@@ -19,9 +19,13 @@ class ContactSolver {
   virtual ~ContactSolver() = default;
   virtual std::string name() const = 0;
   /// Same arguments, same bits. Never throws for non-convergence. `guess`: 3 nc impulses, or empty.
-  virtual ContactSolution solve(const ContactProblem& problem, const VecX& guess) const = 0;
+  virtual ContactSolution solve(const PreparedProblem& problem, const VecX& guess) const = 0;
   /// The same for a problem without bodies; `v` stays empty.
   virtual ContactSolution solve(const LocalProblem& problem, const VecX& guess) const = 0;
+  /// Of a problem that nobody else has prepared.
+  ContactSolution solve(const ContactProblem& problem, const VecX& guess) const {
+    return solve(PreparedProblem(problem), guess);
+  }
 };
 
 /// Solves one connected local problem.
@@ -34,7 +38,7 @@ using IslandSolve = std::function<ContactSolution(const LocalProblem& island, co
 ContactSolution solve_islands(const LocalProblem& problem, const VecX& guess, const IslandSolve& solve);
 /// Of a problem with bodies only the islands given (contact/problem/islands.h) are reduced, one at a time, and solved;
 /// all other contacts keep the impulses of `guess`.
-ContactSolution solve_islands(const ContactProblem& problem, const std::vector<std::vector<int>>& islands,
+ContactSolution solve_islands(const PreparedProblem& problem, const std::vector<std::vector<int>>& islands,
                               const VecX& guess, const IslandSolve& solve);
 
 /// Throws InputError naming the laws that a solver knows where `law` is none of them.
@@ -48,7 +52,8 @@ void demand_no_moments(const std::string& solver, const ContactProblem& problem)
 class IslandSolver : public ContactSolver {
  public:
   explicit IslandSolver(const SolverSettings& shared) : shared_(shared) {}
-  ContactSolution solve(const ContactProblem& problem, const VecX& guess) const final;
+  using ContactSolver::solve;
+  ContactSolution solve(const PreparedProblem& problem, const VecX& guess) const final;
   ContactSolution solve(const LocalProblem& problem, const VecX& guess) const final;
   /// As a stage of a solve that runs.
   ContactSolution solve(const LocalProblem& problem, const VecX& guess, const Budget& budget) const;

@@ -19,7 +19,7 @@ static ContactSolution solve_with_both(const ContactSolver& first, const Contact
   return solution;
 }
 
-ContactSolution WithRetry::solve(const ContactProblem& problem, const VecX& guess) const {
+ContactSolution WithRetry::solve(const PreparedProblem& problem, const VecX& guess) const {
   return solve_with_both(*first_, *second_, problem, guess);
 }
 

@@ -8,9 +8,10 @@ class WithRetry final : public ContactSolver {
  public:
   WithRetry(std::unique_ptr<ContactSolver> first, std::unique_ptr<ContactSolver> second)
       : first_(std::move(first)), second_(std::move(second)) {}
+  using ContactSolver::solve;
   std::string name() const override { return first_->name(); }
   /// The better of the two by law_map_m_s; `iterations` of both; the message says that the second was asked.
-  ContactSolution solve(const ContactProblem& problem, const VecX& guess) const override;
+  ContactSolution solve(const PreparedProblem& problem, const VecX& guess) const override;
   ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;
 
  private:

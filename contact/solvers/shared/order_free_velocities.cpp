@@ -1,11 +1,11 @@
 #include "contact/solvers/shared/order_free_velocities.h"
 
-#include "contact/problem/mass_inverse.h"
 #include "core/base/order_free_sum.h"
 
 namespace nilas {
 
-VecX order_free_velocities(const ContactProblem& problem, const VecX& r) {
+VecX order_free_velocities(const PreparedProblem& prepared, const VecX& r) {
+  const ContactProblem& problem = prepared.problem();
   std::vector<OrderFreeSum> momenta(static_cast<std::size_t>(problem.num_velocities()));
   for (std::size_t i = 0; i < momenta.size(); ++i) momenta[i].add(problem.f[static_cast<Eigen::Index>(i)]);
   for (int c = 0; c < problem.num_contacts(); ++c) {
@@ -20,12 +20,11 @@ VecX order_free_velocities(const ContactProblem& problem, const VecX& r) {
     add(pair.a, problem.jacobian_a(c));
     add(pair.b, problem.jacobian_b(c));
   }
-  const MassInverse masses(problem);
   VecX v(problem.num_velocities());
   for (std::size_t i = 0; i < momenta.size(); ++i) v[static_cast<Eigen::Index>(i)] = momenta[i].value();
   for (int k = 0; k < problem.num_blocks(); ++k) {
     double* const block = v.data() + problem.block_offset[static_cast<std::size_t>(k)];
-    masses.apply(k, block, block);
+    prepared.masses().apply(k, block, block);
   }
   return v;
 }

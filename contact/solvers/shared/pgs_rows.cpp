@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/problem/islands.h"
 #include "contact/problem/operators.h"
 #include "contact/solvers/shared/colouring.h"
 #include "contact/solvers/shared/pgs_sweep.h"
@@ -50,11 +49,13 @@ static bool has_roots(const MassInverse& masses, const ContactProblem::Pair& pai
   return (pair.a < 0 || masses.has_root(pair.a)) && (pair.b < 0 || masses.has_root(pair.b));
 }
 
-static void place_islands(const ContactProblem& problem, const MassInverse& masses, RowOrder order, PgsRows& rows) {
+static void place_islands(const PreparedProblem& prepared, RowOrder order, PgsRows& rows) {
+  const ContactProblem& problem = prepared.problem();
+  const MassInverse& masses = prepared.masses();
   const int rows_per_contact = rows.law == Law::frictionless ? 1 : 3;
   std::vector<char> listed(static_cast<std::size_t>(problem.num_blocks()), 0);
   Eigen::Index coefficients = 0;
-  for (auto& members : find_islands(problem)) {
+  for (auto members : prepared.islands()) {
     PgsIsland island;
     island.first = static_cast<int>(rows.source.size());
     if (order == RowOrder::coloured && members.size() >= k_fewest_coloured)
@@ -239,12 +240,13 @@ static void set_velocities(const ContactProblem& problem, const MassInverse& mas
   for (const auto& contact : rows.contacts) apply_impulse(contact, rows);
 }
 
-PgsRows make_pgs_rows(const ContactProblem& problem, const MassInverse& masses, const VecX& guess, RowOrder order,
-                      int threads) {
+PgsRows make_pgs_rows(const PreparedProblem& prepared, const VecX& guess, RowOrder order, int threads) {
+  const ContactProblem& problem = prepared.problem();
+  const MassInverse& masses = prepared.masses();
   PgsRows rows;
   rows.law = problem.law;
   place_velocities(problem, rows);
-  place_islands(problem, masses, order, rows);
+  place_islands(prepared, order, rows);
   link_moments(problem, rows);
   const std::size_t room = 2 * largest_response(problem);
   const auto count = static_cast<std::ptrdiff_t>(rows.contacts.size());

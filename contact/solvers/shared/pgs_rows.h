@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "contact/law/law_map.h"
-#include "contact/problem/mass_inverse.h"
+#include "contact/problem/prepared_problem.h"
 #include "contact/problem/problem.h"
 
 namespace nilas {
@@ -71,7 +71,6 @@ struct PgsRows {
 void set_block_velocities(const MassInverse& masses, int k, const double* momentum, PgsRows& rows);
 
 /// Sets all up for the impulses `guess` (3 nc, or empty for none), made admissible.
-PgsRows make_pgs_rows(const ContactProblem& problem, const MassInverse& masses, const VecX& guess, RowOrder order,
-                      int threads);
+PgsRows make_pgs_rows(const PreparedProblem& prepared, const VecX& guess, RowOrder order, int threads);
 
 }  // namespace nilas

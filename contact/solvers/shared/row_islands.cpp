@@ -60,22 +60,14 @@ void solve_all(const ContactProblem& problem, const MassInverse& masses, PgsRows
   merge(parts, out);
 }
 
-void demand_sizes(const ContactProblem& problem) {
-  const std::size_t nc = problem.pairs.size();
-  NILAS_DEMAND(problem.f.size() == problem.num_velocities());
-  NILAS_DEMAND(problem.w.size() == 3 * problem.num_contacts() && problem.jacobian_offset.size() == nc + 1);
-  NILAS_DEMAND(problem.mu.size() == nc && problem.force_limit.size() == nc && problem.compliance.size() == nc);
-  NILAS_DEMAND(problem.key.size() == nc);
-}
-
 }  // namespace
 
-ContactSolution solve_row_islands(const ContactProblem& problem, const VecX& guess, const SolverSettings& shared,
+ContactSolution solve_row_islands(const PreparedProblem& prepared, const VecX& guess, const SolverSettings& shared,
                                   RowOrder order, const RowSolve& solve) {
+  const ContactProblem& problem = prepared.problem();
+  const MassInverse& masses = prepared.masses();
   NILAS_DEMAND(guess.size() == 0 || guess.size() == 3 * problem.num_contacts());
-  demand_sizes(problem);
-  const MassInverse masses(problem);
-  PgsRows rows = make_pgs_rows(problem, masses, guess, order, shared.threads);
+  PgsRows rows = make_pgs_rows(prepared, guess, order, shared.threads);
   ContactSolution out;
   out.r = VecX::Zero(3 * static_cast<Eigen::Index>(problem.num_contacts()));
   if (masses.first_bad_block() >= 0)
@@ -84,7 +76,7 @@ ContactSolution solve_row_islands(const ContactProblem& problem, const VecX& gue
     fail("the problem or the guess holds numbers that are not finite", out);
   else
     solve_all(problem, masses, rows, shared, solve, out);
-  out.v = velocities(problem, masses, out.r);
+  out.v = velocities(prepared, out.r);
   out.u = contact_velocities(problem, out.v);
   if (out.status != SolveStatus::numerical_error && !(out.v.allFinite() && out.r.allFinite()))
     fail("the impulses grew beyond all numbers", out);

@@ -2,6 +2,7 @@
 /// The islands of a problem with bodies solved apart on its rows, without ever forming W: a product costs O(nc).
 #include <functional>
 
+#include "contact/problem/prepared_problem.h"
 #include "contact/problem/solution.h"
 #include "contact/solvers/shared/pgs_rows.h"
 #include "contact/solvers/shared/row_residual.h"
@@ -27,7 +28,7 @@ constexpr int k_large_island = 1000;
 /// Sets the rows up with the guess made admissible, calls `solve` for every island (in parallel, each with its own
 /// data) and gathers: the worst status, the most iterations, the first message. numerical_error where input is not
 /// finite or a contact closes whose sides cannot move and that has no force limit.
-ContactSolution solve_row_islands(const ContactProblem& problem, const VecX& guess, const SolverSettings& shared,
+ContactSolution solve_row_islands(const PreparedProblem& prepared, const VecX& guess, const SolverSettings& shared,
                                   RowOrder order, const RowSolve& solve);
 
 }  // namespace nilas

@@ -24,7 +24,7 @@ class Push : public ForceModule {
 
   std::string name() const override { return "push"; }
   void add_forces(const Bodies& bodies, double /*t*/, Wrenches& out) override {
-    if (left_ <= 0) return;
+    if (left_ < 0.5 * k_step) return;
     for (int b = 0; b < bodies.size(); ++b)
       if (bodies.is_free(b)) out[static_cast<std::size_t>(b)].force += Vec3(k_push, 0, 0);
   }

@@ -293,7 +293,7 @@ TEST(Swept, ACutUnderLoadEndsAtTheInstant) {
 }
 
 TEST(Swept, MoreauCannotBeCut) {
-  EXPECT_THROW(Rig(contact("substeps='3' integrator='moreau'") + bullet_on_target()), InputError);
+  EXPECT_THROW(Rig(contact("substeps='3' integrator='moreau'") + bullet_on_target()), SceneError);
   Rig uncut(contact("integrator='moreau'") + plate("target", 2, 0, Vec3::Zero()) +
             plate("bullet", 1, -0.87, {k_fast, 0, 0}));
   uncut.run(4);
