@@ -12,6 +12,8 @@ template <class... Calls>
 struct Overloaded : Calls... {
   using Calls::operator()...;
 };
+template <class... Calls>
+Overloaded(Calls...) -> Overloaded<Calls...>;
 
 template <ChoiceEnum Enum, class... Alternatives>
 constexpr Enum kind_of(const std::variant<Alternatives...>& variant) {

@@ -1,5 +1,6 @@
 #pragma once
-/// Text templates filled from JSON, in the manner of Mustache: pages and scripts for gnuplot stand in files of their own.
+/// Text templates filled from JSON, in the manner of Mustache: pages and scripts for gnuplot stand in files of their
+/// own.
 ///
 ///   {{name}}                   the value, escaped for where it stands; numbers as short as they read back
 ///   {{{name}}}                 the value as it is

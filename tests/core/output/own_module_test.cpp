@@ -52,10 +52,9 @@ class OwnModule : public testing::Test {
   Simulation simulation() { return {scene_, 1, warnings_, with_push()}; }
 
   test::ScratchFolder folder_;
-  Scene scene_ =
-      read_scene(folder_.write("scene.xml",
-                               "<scene version='1'><gravity value='0 0 0'/><time step='0.01' end='1'/>"
-                               "<body name='box' shape='box' size='1 1 1' mass='60'/></scene>"));
+  Scene scene_ = read_scene(folder_.write("scene.xml",
+                                          "<scene version='1'><gravity value='0 0 0'/><time step='0.01' end='1'/>"
+                                          "<body name='box' shape='box' size='1 1 1' mass='60'/></scene>"));
   WarningCounts warnings_{make_logger("off", "")};
 };
 
