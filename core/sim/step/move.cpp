@@ -1,6 +1,7 @@
 #include "core/sim/step/move.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "contact/position_correction.h"
 #include "core/sim/step/advance.h"
@@ -17,7 +18,7 @@ void add_couples(const AssembledContacts& contacts, const ContactSolution& solut
         contacts.C[c] * solution.r.segment<3>(3 * static_cast<Eigen::Index>(c));
 }
 
-StepMotion velocity_step(const World& world, const Loads& loads, const Substep& substep, const SolvedContacts& solved,
+StepMotion velocity_step(const World& world, const Loads& loads, const Substep& substep, SolvedContacts& solved,
                          const VesselStart& vessel) {
   const Bodies& bodies = world.parts.bodies;
   const AssembledContacts& contacts = solved.contacts;
@@ -31,7 +32,7 @@ StepMotion velocity_step(const World& world, const Loads& loads, const Substep& 
     motion.before.v[hull] = vessel.v;
     motion.before.w[hull] = vessel.w;
   }
-  motion.points = solved.found.points;
+  motion.points = std::move(solved.found.points);
   for (std::size_t i = 0; i < motion.points.size(); ++i) {
     const Vec3 r = solved.solution.r.segment<3>(3 * static_cast<Eigen::Index>(i));
     motion.impulses.emplace_back(contacts.C[i] * r);
@@ -73,7 +74,7 @@ void leave_to_their_motion(const StepMotion& motion, std::vector<ContactPoint>& 
 
 }  // namespace
 
-StepMotion move(World& world, const Loads& loads, const Substep& substep, const SolvedContacts& solved,
+StepMotion move(World& world, const Loads& loads, const Substep& substep, SolvedContacts& solved,
                 const VesselStart& vessel) {
   StepMotion motion = velocity_step(world, loads, substep, solved, vessel);
   advance(world.parts.bodies, motion.after, world.model.theta * substep.h, world.gyroscopic, world.threads);

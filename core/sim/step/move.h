@@ -9,8 +9,8 @@
 namespace nilas {
 
 /// Moves all bodies to the substep's end with the velocities of the solution. Returns the velocities around the
-/// impulses, and the impulses.
-StepMotion move(World& world, const Loads& loads, const Substep& substep, const SolvedContacts& solved,
+/// impulses, and the impulses; the contact points go from `solved` to it.
+StepMotion move(World& world, const Loads& loads, const Substep& substep, SolvedContacts& solved,
                 const VesselStart& vessel);
 
 struct CorrectedPositions {
