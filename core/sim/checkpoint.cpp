@@ -31,7 +31,7 @@ void add_entry(const StateEntry& entry, StateHash& hash) {
   for (const std::int64_t n : integers) hash.add(static_cast<std::uint64_t>(n));
 }
 
-/// HDF5 itself notices a file that is cut short, not a byte that has changed.
+/// Checksum over all entries: HDF5 detects a truncated file, but not a changed byte.
 std::int64_t checksum(const State& state) {
   StateHash hash;
   for (const auto& [name, entry] : state.entries) {
@@ -41,7 +41,7 @@ std::int64_t checksum(const State& state) {
   return static_cast<std::int64_t>(hash.value());
 }
 
-/// Groups come before what is in them.
+/// Adds the groups above an entry, which must exist before it.
 void add_groups(const std::string& name, std::set<std::string>& known, Hdf5Writer& file) {
   for (std::size_t end = name.find('/'); end != std::string::npos; end = name.find('/', end + 1))
     if (known.insert(name.substr(0, end)).second) file.add_group(name.substr(0, end));

@@ -1,5 +1,5 @@
 #pragma once
-/// checkpoint.h5: a state on disk with what it belongs to. Layout: docs/reference/outputs.md.
+/// Reads and writes checkpoint.h5: a state and its origin. Layout: docs/reference/outputs.md.
 #include <filesystem>
 #include <string>
 
@@ -7,22 +7,22 @@
 
 namespace nilas {
 
-/// The only version of the layout that is read.
+/// Version of the layout; no other version can be read.
 constexpr int k_checkpoint_version = 12;
 
-/// What a state is worth nothing without.
+/// The program and scene that a state belongs to; it must not be used with others.
 struct CheckpointOrigin {
-  std::string program;  ///< versions of it and its libraries, compiler, flags: others round otherwise
+  std::string program;  ///< versions of program and libraries, compiler and flags: others round differently
   std::string build;    ///< SHA-256 of the program's file
   std::string scene;    ///< Scene::fingerprint
 };
 
-/// Replaces the file at once: a reader finds the old one or the new one, whole, even after the machine stopped. Throws
-/// FileError.
+/// Writes the state and replaces the file atomically: a reader finds the complete old or new file, even after a crash
+/// of the machine. Throws FileError.
 void write_checkpoint(const std::filesystem::path& path, const CheckpointOrigin& origin, const State& state);
 
-/// Throws FileError when the file cannot be opened, InputError when it is no checkpoint, is damaged or cut short, or is
-/// of another version, program, build or scene.
+/// Reads a state. Throws FileError when the file cannot be opened. Throws InputError when it is no checkpoint, is
+/// damaged or truncated, or belongs to another version, program, build or scene.
 State read_checkpoint(const std::filesystem::path& path, const CheckpointOrigin& origin);
 
 }  // namespace nilas

@@ -1,5 +1,5 @@
 #pragma once
-/// A scene in motion: builds what the scene names and advances it step by step.
+/// Runs a scene: builds its contents and advances it step by step.
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -20,46 +20,46 @@ struct World;
 
 class Simulation {
  public:
-  /// Builds only what the scene names. Throws InputError or FileError for content that cannot run (open hull,
-  /// overlapping floes ...).
+  /// Builds only what the scene names. Throws InputError or FileError for content that cannot run (an open hull,
+  /// overlapping floes, ...).
   Simulation(const Scene& scene, int threads, WarningCounts& warnings);
-  /// The same with a list of modules of one's own in place of scene_modules().
+  /// The same with another list of modules in place of scene_modules().
   Simulation(const Scene& scene, int threads, WarningCounts& warnings, const ModuleList& modules);
   ~Simulation();
 
-  /// Advances by the scene's step. Throws SimulationError when a body leaves finite numbers.
+  /// Advances by the scene's step. Throws SimulationError as take_step() and take_reference_step() do.
   StepRecord step();
 
-  /// Why the next step cannot be taken, although nothing failed: the carriage's path has ended, or it would drive the
-  /// hull into a wall of the tank. Empty where the run can go on.
+  /// The reason why the run must end before the next step although nothing failed: the carriage's path has ended, or
+  /// the carriage would drive the hull into a wall of the tank. Empty where the run can continue.
   std::string end_of_course() const;
 
   double time() const;
   const Bodies& bodies() const;
   const RunInfo& info() const;
-  /// Energies at the start, as long as no step was made; afterwards those of the last step.
+  /// Energies at the start before the first step; afterwards those of the last step.
   const Ledger& initial_ledger() const;
-  /// The contact problem of the last step; where it was divided into substeps, that of the last one with contacts.
-  /// Empty before the first step.
+  /// The contact problem of the last step; in a step with several substeps, that of the last one with contacts. Empty
+  /// before the first step.
   const SolvedProblem& last_problem() const;
   /// The problems of all substeps of the last step, in the order of time.
   const std::vector<SolvedProblem>& solved_substeps() const;
-  int vessel_index() const;  ///< in bodies(), -1 without a vessel
-  long steps() const;        ///< done since the start
-  /// A sum since the start, over the modules that know it by this name; 0 where none does:
-  ///   "crushed_mass"   of ice that the vessel and bodies crushed [kg]
-  ///   "brash_mass"     of pieces too small to be bodies [kg]
-  ///   "extruded_mass"  of crushed ice that was cut out of its floes [kg]
+  int vessel_index() const;  ///< index in bodies(), -1 without a vessel
+  long steps() const;        ///< number of steps since the start
+  /// A sum since the start over the modules that know this name; 0 where none does:
+  ///   "crushed_mass"   ice that the vessel and bodies crushed [kg]
+  ///   "brash_mass"     pieces too small to be bodies [kg]
+  ///   "extruded_mass"  crushed ice that was cut out of its floes [kg]
   double total(std::string_view name) const;
-  /// The same of one body, by its id:
-  ///   "damage"         largest of a floe's places [-]
+  /// The same for one body, by its id:
+  ///   "damage"         the largest damage at any place of a floe [-]
   double of_body(std::string_view name, std::int64_t id) const;
 
-  /// All that the next steps depend on, between two steps. What follows from the scene alone is not in it.
+  /// Saves everything that the next steps depend on and that does not follow from the scene alone. Call between steps.
   void save(StateWriter out) const;
-  /// Continues from what a simulation of the same scene saved: the next steps give the same bits, whatever the number
-  /// of threads. last_problem() stays empty until the next step. Throws InputError when the state is one of another
-  /// scene.
+  /// Continues from the saved state of a simulation of the same scene. The next steps are bitwise the same, whatever
+  /// the number of threads. last_problem() stays empty until the next step. Throws InputError when the state belongs to
+  /// another scene.
   void restore(const StateReader& in);
 
  private:

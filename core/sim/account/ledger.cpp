@@ -17,7 +17,7 @@ Vec3 spin_momentum(const Bodies& bodies, const StepMotion& motion, std::size_t b
   return R * (bodies.inertia_B[b] * (R.transpose() * w));
 }
 
-/// Impulse of loads over the step times the mean of the velocities before and after.
+/// The work of these loads over the step [J]: their impulse times the mean of the velocities before and after.
 double work(const Bodies& bodies, const StepMotion& motion, const std::vector<Wrench>& loads) {
   double sum = 0;
   for (int k = 0; k < bodies.size(); ++k) {
@@ -48,7 +48,8 @@ void EnergyAccount::book_work(std::size_t k, double work) {
   put_in_ += std::abs(work);
 }
 
-/// In a motion; what they do to the kinetic energy is no error of the integrator.
+/// Books the works of carriage and joints in a motion. What they do to the kinetic energy is no error of the
+/// integrator.
 void EnergyAccount::book_works(const JointAccount::Motion& works) {
   ledger_.integrator += works.carriage + works.springs;
   if (works.carriage != 0) book_work(carriage_, works.carriage);
@@ -78,7 +79,7 @@ void EnergyAccount::velocity_step(const Bodies& bodies, const StepMotion& motion
   for (std::size_t i = 0; i < motion.points.size(); ++i) {
     const Vec3 mean = 0.5 * (relative_velocity(motion, motion.before, i) + relative_velocity(motion, motion.after, i));
     const double normal = motion.normal_impulses[i].dot(mean);
-    // half of what the speed asked for adds to u_N: the other half is the mean with a velocity before that had none
+    // The speed that the stabilisation asks for is in the velocity after alone, so half of it is in the mean.
     const double asked = 0.5 * motion.speed_asked[i] * motion.normal_impulses[i].dot(motion.points[i].n);
     (motion.points[i].crushes() ? ledger_.crushing : ledger_.impact) -= normal - asked;
     ledger_.stabilisation -= asked;
@@ -231,7 +232,7 @@ MomentumBalance momentum_balance(const Bodies& bodies, const StepMotion& motion,
     if (k == vessel.index && vessel.on_carriage)
       spin = vessel.inertia_after * motion.after.w[b] - vessel.inertia_before * motion.before.w[b];
     add(motion.p[b], bodies.mass[b] * (motion.after.v[b] - motion.before.v[b]), spin, 1);
-    // each source apart: weight and buoyancy that cancel are still the scale that rounding is measured by
+    // Each source is added by itself: weight and buoyancy that cancel still set the scale for rounding.
     const auto add_loads = [&](const std::vector<Wrench>& wrenches) {
       add(motion.p[b], motion.h * wrenches[b].force, motion.h * wrenches[b].torque, -1);
     };

@@ -9,48 +9,50 @@
 
 namespace nilas {
 
-/// Loads of one step by source: each entry of `by_module` belongs to one force module.
+/// The loads of one step by source; each entry of the lists belongs to one force module.
 struct StepLoads {
   const std::vector<Wrench>* gravity = nullptr;
   std::vector<const std::vector<Wrench>*> conservative;
-  std::vector<const std::vector<Wrench>*> working;  ///< in the order of the ledger's works, the carriage excepted
+  std::vector<const std::vector<Wrench>*> working;  ///< one entry per work of the ledger, without the carriage
 };
 
-/// The vessel's part where its motion comes from a carriage, and what the joints of a vessel with parts do. Such a
-/// vessel is booked as the free bodies are, from velocity step to velocity step.
+/// What the accounts need of a vessel on a carriage or with parts. A vessel with parts is booked like the free bodies,
+/// from velocity step to velocity step.
 struct VesselAccount {
   int index = -1;
   bool on_carriage = false;
   Wrench carriage;  ///< mean load on the vessel about its centre of mass, in G [N, N m]
   Mat3 inertia_before = Mat3::Zero(), inertia_after = Mat3::Zero();  ///< in G at both ends of the step [kg m^2]
-  const JointAccount* joints = nullptr;  ///< of a vessel with parts, whose hull `index` is and whose parts follow it
+  const JointAccount* joints = nullptr;  ///< null without parts; else `index` is the hull and its parts follow it
 };
 
 class EnergyAccount {
  public:
   EnergyAccount(const std::vector<std::string>& work_names, double kinetic, double potential);
 
-  /// Books what the motion before the impulses did to the kinetic energy, now `kinetic`, and the works of carriage and
+  /// Books the motion before the impulses: `kinetic` is the kinetic energy after it, `works` the works of carriage and
   /// joints in it.
   void motion_before_impulses(double kinetic, const JointAccount::Motion& works = {});
   /// Books the works and losses of a velocity step.
   void velocity_step(const Bodies& bodies, const StepMotion& motion, const StepLoads& loads,
                      const VesselAccount& vessel);
-  /// Books what the position update did: `kinetic` and `potential` at the step's end; `pseudo` the stabilisation's
-  /// velocities (empty: none), along which the conservative loads worked; the works of carriage and joints in it.
+  /// Books the position update. `kinetic` and `potential`: the energies at the step's end. `pseudo`: the velocities of
+  /// the stabilisation, along which the conservative loads worked (empty: none). `works`: those of carriage and joints
+  /// in the update.
   void position_step(double kinetic, double potential, const Velocities& pseudo, const StepMotion& motion,
                      const StepLoads& loads, const JointAccount::Motion& works = {});
   /// Books a whole step of the reference integrator: energies at its end, works and losses over it. There is no
-  /// integrator_J then: what the integration itself loses is the imbalance.
+  /// integrator_J then: errors of the integration show as imbalance.
   void whole_step(double kinetic, double potential, const std::vector<double>& works, double friction, double impact);
-  /// Books what the breaking of floes changed: energies after it. Returns what left the bodies [J].
+  /// Books the breaking of floes. `kinetic` and `potential`: the energies after it. Returns the energy that left the
+  /// bodies [J].
   double breaking(double kinetic, double potential);
   const Ledger& ledger() const { return ledger_; }
   /// Initial kinetic energy plus the sum of absolute works: the scale of imbalance_J [J].
   double energy_put_in() const { return put_in_; }
 
   void save(StateWriter out) const;
-  /// Throws InputError when the state has other works.
+  /// Throws InputError when the state was saved with other works.
   void restore(const StateReader& in);
 
  private:
@@ -59,17 +61,17 @@ class EnergyAccount {
   void book_works(const JointAccount::Motion& works);
 
   Ledger ledger_;
-  std::size_t carriage_ = 0, joints_ = 0;  ///< among the works, where they are
-  double start_ = 0;                       ///< kinetic + potential at the start
+  std::size_t carriage_ = 0, joints_ = 0;  ///< their indices among the works
+  double start_ = 0;                       ///< kinetic + potential energy at the start [J]
   double put_in_ = 0;
   double kinetic_after_velocity_ = 0;
-  double conservative_work_ = 0;  ///< of gravity and the conservative modules in this velocity step
+  double conservative_work_ = 0;  ///< work of gravity and the conservative modules in this velocity step [J]
   double potential_before_ = 0;
 };
 
-/// Kinetic energy of all bodies that move.
+/// Kinetic energy of all bodies that move [J].
 double kinetic_energy(const Bodies& bodies);
-/// Potential energy of weight.
+/// Potential energy of weight [J].
 double weight_energy(const Bodies& bodies, const Vec3& gravity);
 
 struct MomentumBalance {
@@ -77,7 +79,7 @@ struct MomentumBalance {
   double angular = 0, angular_scale = 0;  ///< about G's origin [N m s]
   MomentumBalance& operator+=(const MomentumBalance& other);
 };
-/// What the velocity step's momenta lack against its impulses, at the configuration where the contacts were found.
+/// The change of the momenta in a velocity step minus its impulses, in the configuration where the contacts were found.
 MomentumBalance momentum_balance(const Bodies& bodies, const StepMotion& motion, const StepLoads& loads,
                                  const VesselAccount& vessel);
 

@@ -16,14 +16,15 @@ static ImpulseResidual residual_of(const SolvedProblem& solved, const StepMotion
                           std::max(motion.points[i].gap, 0.0) / motion.h);
 }
 
-/// What the contacts behind those of the vessel leave: which way it would reach the vessel is not known.
+/// The residuals of contacts that reach the vessel only through other bodies. They count in absolute value along every
+/// axis, because the direction in which they would reach the vessel is unknown.
 static Wrench from_behind(const SolvedProblem& solved, const StepMotion& motion, int vessel, int num_parts) {
   Wrench sum;
   const auto is_vessel = [&](int body) { return body >= vessel && body <= vessel + num_parts; };
   const Vec3& com = motion.p[static_cast<std::size_t>(vessel)];
   const auto points = static_cast<int>(motion.points.size());
   for (std::vector<int>& island : find_islands(solved.problem)) {
-    std::erase_if(island, [&](int c) { return c >= points; });  // moments
+    std::erase_if(island, [&](int c) { return c >= points; });  // drops the moments
     const auto of_vessel = [&](int c) {
       const ContactPoint& point = motion.points[static_cast<std::size_t>(c)];
       return is_vessel(point.a) || is_vessel(point.b);

@@ -11,10 +11,10 @@ namespace {
 
 struct BodyGeometry {
   Shape shape;
-  MassProperties unit;  ///< of density 1 kg/m^3, com in the element's frame
+  MassProperties unit;  ///< mass properties for density 1 kg/m^3, centre of mass in the element's frame
 };
 
-/// Hull meshes are moved to where their centre of mass is.
+/// Shape and mass of a mesh file. The meshes are shifted so that the centre of mass is the origin.
 BodyGeometry mesh_geometry(const MeshScene& mesh) {
   BodyGeometry g;
   Hull hull = read_hull(mesh.file);
@@ -29,7 +29,7 @@ BodyGeometry mesh_geometry(const MeshScene& mesh) {
   std::vector<ConvexPolytope> parts;
   for (auto& part : hull.parts) {
     for (auto& p : part.vertices) p -= g.unit.com;
-    constexpr double k_float_rounding = 1e-5;  // of the size: STL files hold float32 coordinates
+    constexpr double k_float_rounding = 1e-5;  // share of the size: STL files hold float32 coordinates
     parts.push_back(make_polytope(part, k_float_rounding * size));
   }
   g.shape = mesh_shape(hull.fluid, std::move(parts));

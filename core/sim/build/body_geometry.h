@@ -10,14 +10,14 @@
 namespace nilas {
 
 struct Solid {
-  std::shared_ptr<const Shape> shape;  ///< about the centre of mass, along the element's axes
-  MassProperties mass;                 ///< com in the element's frame
+  std::shared_ptr<const Shape> shape;  ///< origin at the centre of mass, axes of the element
+  MassProperties mass;                 ///< centre of mass in the element's frame
 };
 
-/// Throws InputError and FileError naming the mesh file that is at fault.
+/// Builds shape and mass. Throws InputError and FileError naming the mesh file that is at fault.
 Solid build_solid(const SolidScene& scene);
 
-/// About z, then the new y, then the new x.
+/// The attitude after turns about z, then about the new y, then about the new x [deg].
 Quat attitude_of(const Vec3& yaw_pitch_roll_deg);
 
 }  // namespace nilas

@@ -1,5 +1,5 @@
 #pragma once
-/// What a scene asks of breaking, in the terms of the models.
+/// Translates a scene's <fracture> into the settings of the fracture models.
 #include <string>
 
 #include "core/scene/scene.h"
@@ -8,10 +8,10 @@
 
 namespace nilas {
 
-/// All three throw ContractError when the scene names no <fracture>, the first also without <water> and <ice>.
+/// All three functions throw ContractError when the scene has no <fracture>; the first also without <water> and <ice>.
 BreakingSettings breaking_settings(const Scene& scene);
 PieceLimits piece_limits(const Scene& scene);
-/// For the list of what was built.
+/// One line for the list of what was built.
 std::string breaking_description(const Scene& scene);
 
 }  // namespace nilas

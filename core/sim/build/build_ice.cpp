@@ -16,10 +16,10 @@ namespace nilas {
 
 namespace {
 
-/// Ice keeps this many thicknesses away from the hull's outline at the start.
+/// Initial distance between ice and the hull's outline [thicknesses].
 constexpr double k_hull_margin_thicknesses = 0.5;
 
-/// Outline of the hull at and below height z, in G: what the ice must leave free. Empty when the hull stays above z.
+/// Outline of the hull at and below height z, frame G; the ice must leave it free. Empty when the hull stays above z.
 std::vector<Vec2> hull_outline(const Bodies& bodies, int vessel, double z) {
   const auto v = static_cast<std::size_t>(vessel);
   std::vector<Vec2> points;
@@ -38,7 +38,8 @@ std::vector<Vec2> hull_outline(const Bodies& bodies, int vessel, double z) {
   return points.size() < 3 ? std::vector<Vec2>{} : convex_hull(points);
 }
 
-/// Whether a convex counter-clockwise outline holds all points, as the hull does those of what hangs below it.
+/// Whether a convex counter-clockwise outline contains all points. The hull's outline contains those of everything that
+/// hangs below it.
 bool lies_within(const std::vector<Vec2>& points, const std::vector<Vec2>& outline) {
   return std::all_of(points.begin(), points.end(), [&](const Vec2& p) {
     for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -74,7 +75,7 @@ class IceBuilder {
   }
 
  private:
-  /// Bodies are numbered from 1 over all of the scene.
+  /// Plans the single floes, with numbers that continue those of the fields' floes. Numbers start at 1.
   void plan_single_floes() {
     int number = 0;
     for (const auto& planned : parts_.ice) number += static_cast<int>(planned.floes.size());
@@ -100,7 +101,7 @@ class IceBuilder {
     return planned;
   }
 
-  /// The properties of floes that neither state nor vary them.
+  /// Mean properties of floes that neither state nor vary them.
   FloeValues means_of(const std::optional<double>& thickness) const {
     FloeValues means{};
     if (const auto& fracture = scene_.fracture) {
@@ -153,7 +154,7 @@ class IceBuilder {
       });
   }
 
-  /// For the list of what was built.
+  /// The reason for the list of what was built.
   static std::string reason(const VaryScene& vary) {
     return fmt::format("<ice><vary>: {}, cov {:g}, {}", name_of(vary.distribution), vary.cov,
                        vary.correlation_length > 0 ? fmt::format("within floes over {:g} m", vary.correlation_length)
@@ -211,7 +212,7 @@ class IceBuilder {
     return {{region[0], region[1]}, {region[2], region[3]}};
   }
 
-  /// Where the vessel came from, in plan: -x of its own frame.
+  /// Horizontal direction from which the vessel comes: -x of its own frame.
   Vec2 aft() const {
     const int v = parts_.vessel_index;
     return v < 0 ? Vec2(-Vec2::UnitX()) : Vec2(-parts_.bodies.R_GB[static_cast<std::size_t>(v)].col(0).head<2>());

@@ -16,9 +16,9 @@ namespace nilas {
 
 namespace {
 
-/// Layout of the default cells: transverse and vertical cells stand this share of the hull's length from the joint.
+/// Distance of the default transverse and vertical load cells from the joint [share of the hull's length].
 constexpr double k_cell_arm_share = 0.25;
-/// Parts of a hull folder are float32 coordinates: convex only within this share of the hull's size.
+/// Convex pieces of a hull folder have float32 coordinates: they are convex only within this share of the hull's size.
 constexpr double k_part_tolerance = 1e-5;
 
 Mat3 tensor(const Vec6& entries) {
@@ -48,8 +48,8 @@ double height_of(const TriangleMesh& mesh) {
   return top->z() - bottom->z();
 }
 
-/// Mass, centre and inertia in V: as given, else of uniform density; the mass from the draught or the given height
-/// where not given.
+/// Mass, centre of mass and inertia in V. Missing values follow from uniform density; a missing mass follows from the
+/// draught or the given height.
 MassProperties vessel_mass(const Scene& scene, const TriangleMesh& fluid, const Mat3& R, const WorldParts& parts) {
   const VesselScene& vessel = *scene.vessel;
   const MassScene& given = vessel.mass;
@@ -76,7 +76,7 @@ MassProperties vessel_mass(const Scene& scene, const TriangleMesh& fluid, const 
   return properties;
 }
 
-/// Height of V's origin: as given, by the draught, or at floating equilibrium.
+/// Height of V's origin: the given one, the one that gives the draught, or that of floating equilibrium.
 double vessel_height(const Scene& scene, const TriangleMesh& fluid, const Mat3& R, double mass,
                      const WorldParts& parts) {
   const VesselScene& vessel = *scene.vessel;
@@ -105,7 +105,7 @@ CarriageModel carriage_model(const Scene& scene, const VesselModel& model, doubl
   return carriage;
 }
 
-/// Hull geometry about the centre of mass, as the body arrays want it.
+/// Hull geometry with its origin at the centre of mass, as the body arrays need it.
 std::shared_ptr<const Shape> hull_shape(const Hull& hull, const Vec3& com) {
   const auto shifted = [&](TriangleMesh mesh) {
     for (auto& p : mesh.vertices) p -= com;
@@ -127,7 +127,7 @@ double length_of(const TriangleMesh& mesh) {
   return high - low;
 }
 
-/// Adds a part to the model; its shape to `solids`.
+/// Adds a part to the model and its shape to `solids`.
 void add_part(const Scene& scene, const PartScene& given, VesselModel& model, std::vector<Solid>& solids) {
   solids.push_back(build_solid(given));
   const MassProperties& mass = solids.back().mass;
@@ -163,12 +163,12 @@ void add_rods(const Scene& scene, VesselModel& model, RunInfo& info) {
   if (model.rods.empty()) return;
   if (const auto fault = rod_fault(model, scene.time.start)) {
     const RodScene& rod = scene.vessel->rods[static_cast<std::size_t>(fault->rod)];
-    const std::string line = rod.line > 0 ? std::to_string(rod.line) + ":" : "";  // none of an added element
+    const std::string line = rod.line > 0 ? std::to_string(rod.line) + ":" : "";  // added elements have none
     throw InputError(scene.file.string() + ":" + line + " <rod name='" + rod.name + "'>: " + fault->message);
   }
 }
 
-/// A part stands still where the hull is fixed and every joint between them a weld.
+/// Whether a part stands still: the hull is fixed and all joints between hull and part are welds.
 bool stands_still(const VesselModel& model, std::size_t part) {
   if (!model.fixed || model.parts[part].joint != JointKind::weld) return false;
   return model.parts[part].to < 0 || stands_still(model, static_cast<std::size_t>(model.parts[part].to));

@@ -18,7 +18,7 @@
 
 namespace nilas {
 
-/// The line of the contact model in the list of what was built.
+/// Adds the contact model to the list of what was built.
 static void list_contact(const Scene& scene, RunInfo& info) {
   const ContactScene& contact = scene.contact;
   info.modules.emplace_back(
@@ -75,7 +75,7 @@ static void list_absent(const Scene& scene, RunInfo& info) {
   absent(scene.fracture.has_value(), "fracture");
 }
 
-/// Bodies that a user places and that must be free at the start; others may stand in each other.
+/// Bodies that a user places and that must not overlap others at the start. Other bodies may overlap each other.
 constexpr std::array k_judged{BodyKind::floe, BodyKind::vessel};
 
 void refuse_overlaps(const Scene& scene, const WorldParts& parts) {
@@ -108,7 +108,8 @@ void refuse_overlaps(const Scene& scene, const WorldParts& parts) {
   }
 }
 
-/// A twin starts next to nothing aside: in a chaotic scene it soon goes a way of its own.
+/// Starts a perturbed run: shifts free floes and bodies horizontally by up to 1e-12 m. In a chaotic scene the run soon
+/// diverges from the unperturbed one.
 void set_aside(std::uint64_t twin, Bodies& bodies) {
   constexpr double k_aside = 1e-12;  // [m]
   RandomStream stream(twin, "twin");
@@ -141,7 +142,7 @@ WorldParts build_world(const Scene& scene, int threads, WarningCounts& warnings,
   try {
     refuse_overlaps(scene, parts);
   } catch (const InputError& overlap) {
-    // a hull that lies wrong is often why
+    // A hull with a wrong orientation is a frequent cause.
     std::string message = overlap.what();
     for (const std::string& doubt : vessel_doubts(scene, parts)) message += "\n" + doubt;
     throw InputError(message);

@@ -1,5 +1,5 @@
 #pragma once
-/// From a scene to everything that a run moves.
+/// Builds everything that a run moves from a scene.
 #include "core/base/log.h"
 #include "core/scene/scene.h"
 #include "core/sim/build/module_list.h"
@@ -7,8 +7,8 @@
 
 namespace nilas {
 
-/// Builds all parts and, of `modules`, those that the scene asks for. `warnings` must outlive the result. Throws
-/// InputError, FileError for content that cannot run.
+/// Builds bodies and models, and those of `modules` that the scene asks for. `warnings` must outlive the result. Throws
+/// InputError and FileError for content that cannot run.
 WorldParts build_world(const Scene& scene, int threads, WarningCounts& warnings,
                        const ModuleList& modules = scene_modules());
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What a scene asks of crushing, in the terms of the model.
+/// Translates a scene's <crushing> into the settings of the crushing model.
 #include <string>
 
 #include "core/bodies/bodies.h"
@@ -8,9 +8,9 @@
 
 namespace nilas {
 
-/// Both throw ContractError when the scene names no <crushing>.
+/// Both functions throw ContractError when the scene has no <crushing>.
 CrushingSettings crushing_settings(const Scene& scene);
-/// For the list of what was built; names the bodies that stay rigid.
+/// One line for the list of what was built. It names the bodies that stay rigid.
 std::string crushing_description(const Scene& scene, const Bodies& bodies);
 
 }  // namespace nilas

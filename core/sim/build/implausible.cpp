@@ -14,15 +14,15 @@ namespace nilas {
 
 namespace {
 
-/// Two digits, by floor or ceil, so that advice stays on the safe side.
+/// Rounds to two digits by floor or ceil, so that advice stays on the safe side.
 double two_digits(double x, double (*round)(double)) {
   const double unit = std::pow(10, std::floor(std::log10(x)) - 1);
   return round(x / unit) * unit;
 }
 
-/// The most that a ramp leaves of the speed as the swing of a mode with this period [s]: the modulus of its
-/// acceleration's Fourier transform, or a bound of it. With x = omega ramp: 2 sin(x/2) / x of a linear ramp;
-/// 12/x^2 (2 sin(x/2) / x - cos(x/2)) of a smooth one.
+/// The largest share of the speed that can remain after a ramp as swing of a mode with this period [s]. It is the
+/// modulus of the Fourier transform of the acceleration, or a bound of it. With x = omega ramp: 2 sin(x/2) / x for a
+/// linear ramp; 12/x^2 (2 sin(x/2) / x - cos(x/2)) for a smooth one.
 double swing_after(const CarriageScene& carriage, double period) {
   const double x = 2 * k_pi / period * carriage.ramp;
   constexpr double k_smooth = 12;
@@ -35,7 +35,7 @@ double swing_after(const CarriageScene& carriage, double period) {
   return 1;
 }
 
-/// Length from which on a ramp of the same shape leaves no more than `share` of the speed [s].
+/// Shortest ramp of the same shape that leaves at most `share` of the speed [s].
 double gentle_ramp(const CarriageScene& carriage, double period, double share) {
   constexpr double k_smooth = 12;
   const double x = carriage.ramp_shape == RampShape::smooth ? 1 + std::sqrt(k_smooth / share) : 2 / share;
@@ -140,13 +140,13 @@ class Doubts {
                                *forecast->leaves_ice, scene_.time.end));
   }
 
-  /// Whether loads are summed up beyond a time.
+  /// Whether the statistics window extends beyond a time.
   bool counts_after(double t) const {
     const auto& window = scene_.output.statistics;
     return !window || window->at(1) > t;
   }
 
-  /// Settings of a carriage that are no tow of a ship.
+  /// Warns of carriage settings that do not fit the tow of a ship.
   void towing() {
     if (!scene_.vessel || !scene_.vessel->carriage || parts_.info.course != CourseKind::carriage) return;
     const CarriageScene& carriage = *scene_.vessel->carriage;
@@ -170,7 +170,7 @@ class Doubts {
   void path() {
     const CarriageMotion& motion = parts_.carriage->motion;
     const auto [first, last] = motion.path_span();
-    constexpr double k_rounding = 1e-6;  // of a step, as end_of_course() has it
+    constexpr double k_rounding = 1e-6;  // share of a step, same value as in end_of_course()
     const double end = scene_.time.start + static_cast<double>(number_of_steps(scene_.time)) * scene_.time.step;
     if (last < end - k_rounding * scene_.time.step)
       doubt("vessel/carriage/path",
@@ -202,8 +202,8 @@ class Doubts {
                             two_digits(gentle_ramp(*carriage, mode.period, k_overshoot / share), std::ceil)));
       }
       constexpr double k_steps_on_water = 10;
-      if (scene_.contact.integrator == Integrator::reference) continue;  // its own steps resolve all
-      // faster turns on the cells die out unseen, but surge and sway are what the tow force shows
+      if (scene_.contact.integrator == Integrator::reference) continue;  // its adaptive steps resolve every mode
+      // Fast rotations on the cells are damped without harm, but surge and sway show in the tow force.
       if (mode.on_cells && !along) continue;
       const double longest = mode.period / (mode.on_cells ? k_least_steps_on_cells : k_steps_on_water);
       if (h > longest)

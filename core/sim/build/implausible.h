@@ -1,5 +1,5 @@
 #pragma once
-/// Scenes that can be run but can hardly mean what they say, as far as the built world tells.
+/// Warnings about scenes that can run but are probably not meant as written.
 #include "core/sim/world/world.h"
 
 namespace nilas {

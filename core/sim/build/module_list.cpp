@@ -19,7 +19,7 @@ BuiltModule buoyancy(const ModuleSources& from) {
 
 BuiltModule drag(const ModuleSources& from) {
   if (!from.scene.hydro || !from.scene.hydro->drag) return {};
-  // a solver that keeps mirrored scenes mirrored is of no use where their loads differ by rounding
+  // A solver that keeps mirrored scenes mirrored needs loads that do not differ by rounding.
   const bool order_free = find_solver(from.scene.contact.solver).order_free;
   const auto& drag = *from.scene.hydro->drag;
   return {make_drag(*from.parts.water, {drag.form, drag.skin}, from.threads, order_free),

@@ -1,5 +1,5 @@
 #pragma once
-/// The modules that a scene can ask for: the one list to which a new one is added.
+/// The list of all modules that a scene can ask for. Add a new module here.
 #include <functional>
 #include <memory>
 #include <string>
@@ -12,23 +12,23 @@
 
 namespace nilas {
 
-/// What modules are built from. A module may refer to `parts.ice_properties` and to `warnings`, which outlive it, and
-/// must copy everything else.
+/// The sources from which modules are built. A module may refer to `parts.ice_properties` and `warnings`, which outlive
+/// it, and must copy everything else.
 struct ModuleSources {
   const Scene& scene;
-  const WorldParts& parts;  ///< all bodies are there
+  const WorldParts& parts;  ///< its bodies are complete
   int threads;
   WarningCounts& warnings;
 };
 
 struct BuiltModule {
-  std::unique_ptr<Module> module;  ///< nothing where the scene does not ask for it
+  std::unique_ptr<Module> module;  ///< null where the scene does not ask for it
   std::string reason;              ///< the element that asks for it, for the list of what was built and why
 };
 
 struct ModuleEntry {
   std::string name;
-  bool listed = true;  ///< in the lists of what was built and what was not; false: it only serves another module
+  bool listed = true;  ///< true: shown in the lists of what was and was not built; false: only serves another module
   std::function<BuiltModule(const ModuleSources&)> build;
 };
 

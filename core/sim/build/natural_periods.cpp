@@ -11,7 +11,7 @@ namespace nilas {
 
 namespace {
 
-/// All matrices here are of small motions (translation; rotation) of the centre of mass, in G.
+/// Mass matrix. All matrices of this file refer to small motions (translation; rotation) of the centre of mass, in G.
 Mat6 mass_matrix(const Bodies& bodies, int vessel) {
   Mat6 M = Mat6::Zero();
   M.topLeftCorner<3, 3>() = bodies.mass[static_cast<std::size_t>(vessel)] * Mat3::Identity();
@@ -19,8 +19,8 @@ Mat6 mass_matrix(const Bodies& bodies, int vessel) {
   return M;
 }
 
-/// Hydrostatic stiffness: heave, roll and pitch (Newman, Marine Hydrodynamics, 6.16), with the vessel's own weight
-/// acting at its centre of mass.
+/// Hydrostatic stiffness in heave, roll and pitch (Newman, Marine Hydrodynamics, 6.16), including the vessel's weight,
+/// which acts at the centre of mass.
 Mat6 water_stiffness(const Scene& scene, const WorldParts& parts) {
   Mat6 K = Mat6::Zero();
   if (!parts.water || !scene.hydro || !scene.hydro->buoyancy) return K;
@@ -42,7 +42,7 @@ Mat6 water_stiffness(const Scene& scene, const WorldParts& parts) {
   return weight * K;
 }
 
-/// From a small motion of the centre of mass to (rotation; translation) of the joint in the carriage's frame.
+/// Matrix from a small motion of the centre of mass to (rotation; translation) of the joint in the carriage's frame.
 Mat6 joint_motion(const CarriageModel& carriage, const WorldParts& parts, double t0) {
   const CarriageMotion::State start = carriage.motion.at(t0);
   const Mat3 to_carriage = Eigen::AngleAxisd(-start.yaw, Vec3::UnitZ()).toRotationMatrix();
@@ -59,7 +59,7 @@ Mat6 joint_motion(const CarriageModel& carriage, const WorldParts& parts, double
 /// Entries of (rotation; translation) along which the joint is free.
 std::vector<int> free_entries(const CarriageModel& carriage) {
   if (carriage.balance == BalanceKind::prismatic) return {5};
-  static constexpr std::array<int, 6> k_entries{3, 4, 5, 0, 1, 2};  // of surge sway heave roll pitch yaw
+  static constexpr std::array<int, 6> k_entries{3, 4, 5, 0, 1, 2};  // indices of surge, sway, heave, roll, pitch, yaw
   std::vector<int> entries;
   for (std::size_t k = 0; k < carriage.free.size(); ++k)
     if (carriage.free.at(k)) entries.push_back(k_entries.at(k));
@@ -90,13 +90,13 @@ std::vector<NaturalPeriod> natural_periods(const Scene& scene, const WorldParts&
       basis = T.inverse()(Eigen::all, free);
   }
   if (basis.cols() == 0) return {};
-  // heading of the vessel: modes are named along its own axes
+  // Modes are named along the vessel's own axes.
   Mat6 axes = Mat6::Zero();
   const Mat3& R = parts.bodies.R_GB[static_cast<std::size_t>(parts.vessel_index)];
   axes.topLeftCorner<3, 3>() = axes.bottomRightCorner<3, 3>() = R.transpose();
   const MatX K = basis.transpose() * (cells + water) * basis, mass = basis.transpose() * M * basis;
   const Eigen::GeneralizedSelfAdjointEigenSolver<MatX> modes(K, mass);
-  constexpr double k_held = 1e-9;  // of the stiffest: below it lies rounding
+  constexpr double k_held = 1e-9;  // share of the stiffest mode; below it the stiffness is rounding
   const double least = k_held * modes.eigenvalues().cwiseAbs().maxCoeff();
   std::vector<NaturalPeriod> periods;
   for (Eigen::Index k = modes.eigenvalues().size() - 1; k >= 0; --k) {

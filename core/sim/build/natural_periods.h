@@ -1,5 +1,5 @@
 #pragma once
-/// Natural periods of a scene's vessel, on the force balance that holds it and on the water. docs/reference/scales.md
+/// Natural periods of a scene's vessel on its force balance and on the water. docs/reference/scales.md
 #include <string>
 #include <vector>
 
@@ -7,20 +7,20 @@
 
 namespace nilas {
 
-/// The stiff block of a vessel damps modes on its cells with fewer steps per period.
+/// Steps per period below which the implicit treatment of the vessel damps modes on its cells.
 constexpr double k_least_steps_on_cells = 4;
 
 struct NaturalPeriod {
-  std::string motion;     ///< the larger part of the mode: surge, sway, heave, roll, pitch or yaw
-  bool on_cells = false;  ///< the load cells hold more of its energy than the water does
+  std::string motion;     ///< name of the dominant motion: surge, sway, heave, roll, pitch or yaw
+  bool on_cells = false;  ///< true if the load cells hold more of its energy than the water does
   double period = 0;      ///< [s]
 };
 
-/// Of small motions about the vessel's pose at the start, undamped and without added mass, shortest first. Modes that
-/// nothing holds have no period and are left out, and so are unstable ones. Empty without a vessel that can move.
+/// Periods of small motions about the vessel's initial pose, undamped and without added mass, shortest first. Modes
+/// without stiffness and unstable modes are left out. Empty without a vessel that can move.
 std::vector<NaturalPeriod> natural_periods(const Scene& scene, const WorldParts& parts);
 
-/// Heave of a floe of mean thickness that floats, without added mass [s]; 0 without floating ice.
+/// Heave period of a floating floe of mean thickness, without added mass [s]; 0 without floating ice.
 double floe_heave_period(const Scene& scene, const WorldParts& parts);
 
 }  // namespace nilas

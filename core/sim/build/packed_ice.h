@@ -1,11 +1,11 @@
 #pragma once
-/// What a scene asks of fields of random floes, in the terms of the generators.
+/// Translates a scene's fields of random floes into the settings of the generators.
 #include "core/field/spec/field_spec.h"
 #include "core/scene/elements/field_scene.h"
 
 namespace nilas {
 
-/// Concentration, sizes and outlines; the region, the outlines to keep clear of and the seed are left to the caller.
+/// Concentration, sizes and outlines. The caller fills in the region, the outlines to keep clear of and the seed.
 /// Throws FileError and InputError for a library of outlines that cannot be read.
 PackedSpec packed_spec(const PackedFieldScene& field);
 PackedSpec cell_spec(const VoronoiFieldScene& field);

@@ -9,13 +9,12 @@ namespace nilas {
 
 namespace {
 
-/// No floe's thickness, density or strength is below this share of the mean: a distribution's tail towards 0 is none of
-/// ice.
+/// Lower bound of a floe's thickness, density or strength [share of the mean]: values near 0 are not those of ice.
 constexpr double k_least_share = 0.05;
-/// Ice that floats is lighter than the water, by this at least.
+/// Upper bound of the density of ice that floats [share of the water's density].
 constexpr double k_greatest_density = 0.999;
 
-/// Greatest share of the mean [-].
+/// Upper bound of the property [share of the mean].
 double highest_share(const VaryScene& vary, const Scene& scene, double water_density) {
   if (vary.property != FloeProperty::density || water_density <= 0) return std::numeric_limits<double>::infinity();
   const double allowed = k_greatest_density * water_density;

@@ -9,7 +9,7 @@
 
 namespace nilas {
 
-/// As `nilas hull` may be given it: the mesh of a hull folder, or the file itself.
+/// The file name to give to `nilas hull`: the mesh of a hull folder, or the file itself.
 static std::string mesh_file(const std::filesystem::path& hull) {
   return (is_folder(hull) ? hull.filename() / "fluid.stl" : hull.filename()).string();
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// Whether the hull of a scene's vessel can be meant as it is.
+/// Checks whether the hull of a scene's vessel is plausible as placed.
 #include <string>
 #include <vector>
 
@@ -7,7 +7,7 @@
 
 namespace nilas {
 
-/// Sentences of hull_doubts() about the built vessel as the scene places it; empty for a scene without one.
+/// The sentences of hull_doubts() about the vessel as the scene places it; empty without a vessel.
 std::vector<std::string> vessel_doubts(const Scene& scene, const WorldParts& parts);
 
 }  // namespace nilas

@@ -10,7 +10,7 @@ namespace nilas {
 
 namespace {
 
-/// The vessel alone in the water, as the run's own force modules see it.
+/// The vessel alone in the water, under the force modules of the run.
 class AtRest {
  public:
   AtRest(const Scene& scene, const std::vector<BodySpec>& specs, const WorldParts& parts) : gravity_(scene.gravity) {

@@ -14,16 +14,17 @@ namespace nilas {
 
 namespace {
 
-/// Local error per step: of motion without closed contacts the least that CVODE takes, less a margin; the forces of
-/// closed contacts are known to about 1e-10 alone, and steps would shrink to nothing for their sake.
+/// Local error per step. Without closed contacts: the smallest that CVODE accepts, with a margin. With closed contacts:
+/// larger, because their forces are known to about 1e-10 only and steps would otherwise shrink to nothing.
 constexpr double k_relative_in_flight = 1e-15, k_relative_in_contact = 1e-13;
-/// Slower approach is inelastic and ends a series of bounces: far above what a fall through the rounding of gaps gives.
+/// Approach below this speed is inelastic and ends a series of bounces. It is far above the speed of a fall through the
+/// rounding of gaps.
 constexpr double k_inelastic_speed = 2e-5;  // [m/s]
-/// Points as close as this belong to one impact [m].
+/// Points within this distance belong to one impact [m].
 constexpr double k_touch = 2e-9;
-/// An unloaded point of a body that rests on others may sink by this before it bears [m].
+/// An unloaded point of a body that rests on others may sink by this before it carries load [m].
 constexpr double k_unloaded_slack = 1e-12;
-constexpr int k_events_to_trust = 5, k_most_events = 200;  ///< at one instant
+constexpr int k_events_to_trust = 5, k_most_events = 200;  ///< counts of events at one instant
 
 std::unique_ptr<ContactSolver> acceleration_solver(const ContactScene& contact, int threads) {
   SolverSettings settings;
@@ -35,17 +36,17 @@ std::unique_ptr<ContactSolver> acceleration_solver(const ContactScene& contact, 
 }
 
 double rest_speed(double tolerance) {
-  constexpr double k_least = 2e-6;  // [m/s] ten times what a fall through the rounding of gaps gives
+  constexpr double k_least = 2e-6;  // [m/s] ten times the speed of a fall through the rounding of gaps
   return std::max(k_least, 3 * tolerance);
 }
 
-/// Of a gap between points at p.
+/// Rounding error of a gap between points at p [m].
 double gap_rounding(const Vec3& p) {
   constexpr double k_share = 3e-16;
   return k_share * (1 + p.norm());
 }
 
-/// What began and ended between two decisions.
+/// Adds the events that make the difference between two lists of sustained contacts.
 void note_changes(double t, const std::vector<SustainedContact>& before, const std::vector<SustainedContact>& after,
                   std::vector<ContactEvent>& events) {
   const auto in = [](const std::vector<SustainedContact>& list, std::uint64_t key) {
@@ -88,7 +89,7 @@ ReferenceIntegrator::ReferenceIntegrator(const Scene& scene, int threads, WorldP
       module_loads_(parts.forces.size(), Wrenches(parts.bodies.id.size())),
       impact_settings_(model.assembly),
       rest_speed_(rest_speed(scene.contact.tolerance)) {
-  impact_settings_.h = 1;  // no part of the way is left: points are closed
+  impact_settings_.h = 1;  // the points are already closed
   impact_settings_.restitution_threshold = k_inelastic_speed;
   impact_settings_.stabilisation = {};
   const auto points = contacts_.detect(parts.bodies);
@@ -104,7 +105,7 @@ bool ReferenceIntegrator::moves(int body) const {
   return parts_.bodies.is_free(body) || (vessel_ && vessel_->holds(body));
 }
 
-/// Force or impulse of a contact on the vessel and its parts.
+/// Adds the force or impulse `on_b` of a contact to the loads on the vessel and its parts.
 void ReferenceIntegrator::add_to_vessel(const ContactPoint& c, const Vec3& on_b, ReferenceVesselLoads& sum) const {
   const auto about = [&](int body, const Vec3& force) -> Wrench {
     return {force, (c.p - parts_.bodies.p_GB[static_cast<std::size_t>(body)]).cross(force)};
@@ -181,7 +182,8 @@ ReferenceLoads ReferenceIntegrator::loads(double t) {
   return out;
 }
 
-/// First the open points' gaps above the levels where they close, then two per sustained contact.
+/// Event functions: first one for the gaps of the open points above the levels where they close, then two per sustained
+/// contact.
 void ReferenceIntegrator::watch(double t, VecX& g) {
   loads(t);
   contacts_.watch(sustained_, g.tail(g.size() - 1));
@@ -196,7 +198,7 @@ void ReferenceIntegrator::watch(double t, VecX& g) {
 
 void ReferenceIntegrator::begin_smooth_motion(double t0, double longest_step) {
   EventOde ode;
-  // events are found to a share of the time since the last one, not of the time of day
+  // The time of an event is found to a share of the integration time, so time is counted from the last event.
   ode.derivative = [this, t0](double since, const VecX& y, VecX& dy) {
     state_.unpack(t0 + since, y, parts_.bodies);
     state_.derivative(parts_.bodies, y, loads(t0 + since), dy);
@@ -215,7 +217,7 @@ void ReferenceIntegrator::begin_smooth_motion(double t0, double longest_step) {
   smooth_start_ = t0;
 }
 
-/// Impulses by the scene's own contact problem, law, restitution and solver; nothing moves meanwhile.
+/// Applies impulses from the scene's own contact problem, law, restitution and solver. Poses do not change.
 void ReferenceIntegrator::impact(double t, std::vector<ContactPoint> points, ReferenceStep& step) {
   Bodies& bodies = parts_.bodies;
   const auto hardest = std::min_element(points.begin(), points.end(),
@@ -259,7 +261,7 @@ void ReferenceIntegrator::impact(double t, std::vector<ContactPoint> points, Ref
   step.impact.impulses = std::move(impulses.impulses);
 }
 
-/// Losses and momenta of impulses that changed the velocities from `before` to what they are.
+/// Books losses and momenta of impulses that changed the velocities from `before` to the current ones.
 void ReferenceIntegrator::book(const ContactImpulses& impulses, const Velocities& before,
                                ReferenceAccount& account) const {
   const Bodies& bodies = parts_.bodies;
@@ -288,13 +290,13 @@ void ReferenceIntegrator::book(const ContactImpulses& impulses, const Velocities
   if (on_vessel.carriage) book_carriage(on_vessel.contact, before, account);
 }
 
-/// Among the works: before that of the joints, which come last.
+/// Index of the carriage among the works; only the joints come after it.
 std::size_t ReferenceIntegrator::carriage_work() const {
   return parts_.info.work_names.size() - (parts_.num_parts > 0 ? 2 : 1);
 }
 
-/// The carriage's impulse is what the vessel's momenta lack against that of its contacts, about the hull's centre of
-/// mass.
+/// Books the carriage's impulse: the change of the vessel's momenta minus the impulses of its contacts, about the
+/// hull's centre of mass.
 void ReferenceIntegrator::book_carriage(const Wrench& contact, const Velocities& before,
                                         ReferenceAccount& account) const {
   const Bodies& bodies = parts_.bodies;
@@ -319,7 +321,7 @@ void ReferenceIntegrator::book_carriage(const Wrench& contact, const Velocities&
   account.angular_scale += moment_of(bodies.p_GB[hull], held);
 }
 
-/// Where the carriage's motion has a kink at t: goes on beyond it.
+/// Enters the next smooth stretch of the carriage's motion if the present one ends at t. Returns whether it did.
 bool ReferenceIntegrator::enter_stretch(double t, ReferenceStep& step) {
   if (!vessel_ || t < vessel_->stretch_end()) return false;
   const Velocities before{parts_.bodies.v_GB, parts_.bodies.w_GB};
@@ -328,8 +330,8 @@ bool ReferenceIntegrator::enter_stretch(double t, ReferenceStep& step) {
   return true;
 }
 
-/// Open points close where their gap falls through zero, or through a little less where rounding or a bounce that is
-/// just over leaves them at zero.
+/// Sets the gaps at which open points close: zero, or slightly less where rounding or a bounce that has just ended
+/// leaves a gap of zero.
 void ReferenceIntegrator::set_levels(const std::vector<ContactPoint>& points) {
   level_.clear();
   for (const auto& point : points) {
@@ -339,7 +341,7 @@ void ReferenceIntegrator::set_levels(const std::vector<ContactPoint>& points) {
   }
 }
 
-/// A bounce shorter than the integrator's first step may pass unseen.
+/// Whether some point has sunk in while approaching: the integrator may step over a bounce shorter than its first step.
 bool ReferenceIntegrator::sunk() {
   const auto points = contacts_.detect(parts_.bodies);
   return std::any_of(points.begin(), points.end(),
@@ -355,7 +357,7 @@ void ReferenceIntegrator::count_standstill(double t) {
         fmt::format("at {:g} s integrator 'reference' finds more than {} events at one instant", t, k_most_events));
 }
 
-/// After an event: impulses where points close, then which contacts stay closed, and how.
+/// Handles an event: impulses where points close, then the decision which contacts stay closed, and how.
 void ReferenceIntegrator::settle(double t, ReferenceStep& step) {
   count_standstill(t);
   Bodies& bodies = parts_.bodies;

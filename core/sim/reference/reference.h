@@ -1,6 +1,6 @@
 #pragma once
-/// Reference motion of free rigid bodies: smooth stretches by an integrator of high order, cut at the instants where
-/// contacts close, open, stick or slip. Method and limits: docs/theory/dynamics.md.
+/// Reference motion of free rigid bodies: smooth stretches are integrated with high order. They end at the instants
+/// where contacts close, open, stick or slip. Method and limits: docs/theory/dynamics.md.
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -16,29 +16,29 @@
 
 namespace nilas {
 
-/// What happened within one output step.
+/// The record of one output step.
 struct ReferenceStep {
   ReferenceAccount account;
   std::vector<ContactEvent> events;
-  int contacts = 0;  ///< that stay closed at the end
+  int contacts = 0;  ///< number of contacts that stay closed at the end
   int iterations = 0;
   SolveStatus status = SolveStatus::converged;  ///< the worst of all impacts
   std::string message;
-  Residuals residuals;            ///< of the impact with the largest law_map_m_s
-  SolvedProblem impact;           ///< the last one
-  std::vector<ContactPoint> met;  ///< contacts that closed, and those that stay closed
+  Residuals residuals;            ///< those of the impact with the largest law_map_m_s
+  SolvedProblem impact;           ///< problem of the last impact
+  std::vector<ContactPoint> met;  ///< contacts that closed in the step or stay closed
 };
 
 class ReferenceIntegrator {
  public:
-  /// Moves the bodies of `parts`; impacts by `model`. Throws InputError where too many contacts are closed.
+  /// Moves the bodies of `parts`; impacts follow `model`. Throws InputError where too many contacts are closed.
   ReferenceIntegrator(const Scene& scene, int threads, WorldParts& parts, const ContactModel& model);
 
-  /// From t0 to t1 [s]. Throws SimulationError where the motion cannot be followed.
+  /// Advances from t0 to t1 [s]. Throws SimulationError where the motion cannot be followed.
   ReferenceStep advance(double t0, double t1);
-  /// Hull and parts as they are, joint loads of this instant `t` [s]; where a vessel moves.
+  /// Hull and parts in their present state, with the joint loads at the instant `t` [s]. Only for a vessel that moves.
   std::vector<PartState> parts_now(double t);
-  /// Whether a vessel moves that is free or towed: its momenta are in the account.
+  /// Whether a free or towed vessel moves, so that its momenta are in the account.
   bool accounts_for_vessel() const { return vessel_ && vessel_->has_known_loads(); }
   bool has_vessel() const { return vessel_.has_value(); }
 
@@ -63,23 +63,23 @@ class ReferenceIntegrator {
 
   WorldParts& parts_;
   const ContactModel& model_;
-  SlippingContacts slipped_;  ///< at the last impact
+  SlippingContacts slipped_;  ///< contacts that slipped at the last impact
   Vec3 gravity_;
   std::optional<ReferenceVessel> vessel_;
   ReferenceVesselLoads no_vessel_loads_;
   ReferenceState state_;
   SustainedContacts contacts_;
-  SustainedForces sustained_;           ///< of the last call to loads()
-  std::vector<Wrenches> module_loads_;  ///< of the last call to free_loads()
+  SustainedForces sustained_;           ///< result of the last call to loads()
+  std::vector<Wrenches> module_loads_;  ///< result of the last call to free_loads()
   AssemblySettings impact_settings_;
-  double rest_speed_;                      ///< slower normal speeds are rest [m/s]
-  std::map<std::uint64_t, double> level_;  ///< gap at which an open point closes, where it is not zero [m]
-  std::optional<OdeSolution> smooth_;      ///< of the motion since the last event
+  double rest_speed_;                      ///< normal speeds below this count as rest [m/s]
+  std::map<std::uint64_t, double> level_;  ///< gap at which an open point closes, by key, where it is not zero [m]
+  std::optional<OdeSolution> smooth_;      ///< solution of the motion since the last event
   double smooth_start_ = 0;                ///< [s]
-  VecX accounted_;                         ///< its state when the account was last read
+  VecX accounted_;                         ///< state of `smooth_` when the account was last read
   bool settled_ = false;
   double last_event_ = 0;
-  int standstill_ = 0;  ///< events in a row at one instant
+  int standstill_ = 0;  ///< number of consecutive events at one instant
 };
 
 }  // namespace nilas

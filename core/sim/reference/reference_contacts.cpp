@@ -16,12 +16,12 @@ namespace nilas {
 
 namespace {
 
-/// Rounding lets closed contacts drift; their gap and speed are drawn back with this rate [1/s].
+/// Rate at which gap and speed of closed contacts are drawn back, against drift by rounding [1/s].
 constexpr double k_drift_rate = 10;
-/// Poses move by this share of a radius, or turn by as many radians, to see how contacts move: the error of the
-/// difference, its square, is then like that of rounding.
+/// Step of the difference quotients for the motion of contacts: a share of a radius, or an angle [rad]. The error of
+/// the difference, its square, is then similar to rounding.
 constexpr double k_probe = 1e-5;
-/// Slip back from rest by more than rounding ends a state that began at rest [m/s].
+/// Reverse slip above this speed ends a state that began at rest; below it is rounding [m/s].
 constexpr double k_slip_slack = 1e-11;
 
 bool moves(const Bodies& bodies, int k) { return bodies.motion[static_cast<std::size_t>(k)] != Motion::fixed; }
@@ -46,7 +46,7 @@ Vec3 relative_velocity(const Bodies& bodies, const ContactPoint& c) {
   return bodies.velocity_at(c.b, c.p) - bodies.velocity_at(c.a, c.p);
 }
 
-/// Puts the poses back that a probe moves.
+/// Saves the poses that a probe changes, and restores them at the end of its scope.
 class KeptPoses {
  public:
   explicit KeptPoses(Bodies& bodies) : bodies_(bodies), p_(bodies.p_GB), q_(bodies.q_GB), R_(bodies.R_GB) {}
@@ -66,7 +66,7 @@ class KeptPoses {
   std::vector<Mat3> R_;
 };
 
-/// Moves all bodies with the velocities that they have.
+/// Moves all bodies over `time` [s] with their present velocities.
 void go_on(Bodies& bodies, double time) {
   for (int k = 0; k < bodies.size(); ++k) {
     if (!moves(bodies, k)) continue;
@@ -75,7 +75,7 @@ void go_on(Bodies& bodies, double time) {
   }
 }
 
-/// Twist rates (v', w') of the bodies that move under loads alone, zero for the others.
+/// Twist rates (v', w') under loads alone of the bodies that move; zero for the others.
 std::vector<Vec6> free_accelerations(const Bodies& bodies, const Wrenches& loads, const ReferenceVessel* vessel) {
   std::vector<Vec6> rates(loads.size(), Vec6::Zero());
   for (int k = 0; k < bodies.size(); ++k) {
@@ -92,11 +92,11 @@ std::vector<Vec6> free_accelerations(const Bodies& bodies, const Wrenches& loads
   return rates;
 }
 
-/// One row of relative acceleration, or one direction of force, at a contact: what it is for both bodies.
+/// One row of relative acceleration, or one direction of force, at a contact: its components for both bodies.
 struct Direction {
   std::size_t a = 0, b = 0;
   Vec6 on_a, on_b;
-  VecX on_vessel;  ///< in its speeds; empty where neither is of it
+  VecX on_vessel;  ///< component in the vessel's speeds; empty where neither body belongs to it
 };
 
 Direction direction(const Bodies& bodies, const ContactPoint& c, const Vec3& d, const ReferenceVessel* vessel) {
@@ -120,7 +120,7 @@ Vec6 response(const Bodies& bodies, std::size_t b, const Vec6& load) {
   return out;
 }
 
-/// What forces along `columns` do to the accelerations along `rows`.
+/// Delassus matrix: accelerations along `rows` per unit force along `columns`.
 MatX delassus(const Bodies& bodies, const std::vector<Direction>& rows, const std::vector<Direction>& columns,
               const ReferenceVessel* vessel) {
   const auto size = static_cast<Eigen::Index>(rows.size());
@@ -141,7 +141,7 @@ MatX delassus(const Bodies& bodies, const std::vector<Direction>& rows, const st
   return W;
 }
 
-/// The smallest solution: contacts may be more than the bodies' freedoms.
+/// The solution of smallest norm: there may be more contact forces than degrees of freedom.
 VecX smallest_solution(const MatX& W, const VecX& needed) {
   Eigen::CompleteOrthogonalDecomposition<MatX> decomposition(W.rows(), W.cols());
   constexpr double k_rank = 1e-10;
@@ -150,7 +150,7 @@ VecX smallest_solution(const MatX& W, const VecX& needed) {
   return decomposition.solve(needed);
 }
 
-/// A contact that the law found bearing `force`: slipping where it slips already or friction is at its limit.
+/// A contact that carries `force` by the law. It slips if it slips already or friction is at its limit.
 SustainedContact bearing(const ContactPoint& point, const Vec3& force, const Mat3& frame, const Vec3& slip,
                          const FrictionPair& pair) {
   SustainedContact contact;
@@ -172,7 +172,7 @@ SustainedContact bearing(const ContactPoint& point, const Vec3& force, const Mat
   return contact;
 }
 
-/// Along the slip; along slip_axis where there is none yet, and on beyond a stop as if it went on.
+/// Direction of the slip. It is slip_axis where there is no slip yet, and stays smooth beyond a stop.
 Vec3 slip_direction(const SustainedContact& contact, const ContactKinematics& at) {
   const Vec3 n = at.frame.col(0);
   const Vec3 slip = at.velocity - n.dot(at.velocity) * n;
@@ -235,8 +235,8 @@ std::vector<ContactKinematics> SustainedContacts::kinematics(Bodies& bodies, con
   return out;
 }
 
-/// M a = f + H r, u = H^T a + b. What slips already is given its direction: a part of u far above what accelerations
-/// add.
+/// The contact problem of the accelerations: M a = f + H r, u = H^T a + b. A contact that slips already gets its
+/// direction from a component of u far above any acceleration.
 AccelerationProblem SustainedContacts::pose(Bodies& bodies, const Wrenches& loads,
                                             const std::vector<ContactPoint>& points) {
   AssemblySettings settings;
@@ -279,7 +279,7 @@ AccelerationProblem SustainedContacts::pose(Bodies& bodies, const Wrenches& load
   return out;
 }
 
-/// Relative acceleration along the frame C that the vessel's turning joints give where its speeds do not change.
+/// Relative acceleration, in the axes of C, that the rotation of the vessel's joints causes at constant joint speeds.
 Vec3 SustainedContacts::vessel_bias(const Bodies& bodies, const ContactPoint& c, const Mat3& C) const {
   Vec3 sum = Vec3::Zero();
   for (const auto& [body, sign] : {std::pair(c.a, -1.0), std::pair(c.b, 1.0)}) {
@@ -305,7 +305,7 @@ void SustainedContacts::decide(Bodies& bodies, const Wrenches& loads, const std:
   const ContactProblem& problem = posed.contacts.problem;
   const ContactSolution solution = solver_->solve(problem, {});
   const double residual = measure(problem, solution.r, solution.v).law_map_m_s;
-  constexpr double k_accepted = 1e-6;  // of the largest acceleration
+  constexpr double k_accepted = 1e-6;  // share of the largest acceleration
   if (!(residual <= k_accepted * posed.scale))
     throw SimulationError(fmt::format(
         "at {:g} s the forces of the closed contacts were not found ({}, residual {:.3g} m/s^2): the law may have no "
@@ -314,7 +314,7 @@ void SustainedContacts::decide(Bodies& bodies, const Wrenches& loads, const std:
   const auto W = delassus_diagonal(problem);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vec3 r = solution.r.segment<3>(3 * static_cast<Eigen::Index>(i));
-    constexpr double k_least_share = 1e-9;  // of the largest acceleration
+    constexpr double k_least_share = 1e-9;  // share of the largest acceleration
     if (r[0] * W[i](0, 0) > k_least_share * posed.scale + k_least_acceleration)
       list_.push_back(bearing(points[i], r, posed.contacts.C[i], posed.slip[i], friction_of(bodies, points[i])));
   }
@@ -332,7 +332,7 @@ SustainedForces SustainedContacts::forces(Bodies& bodies, const Wrenches& loads)
   out.at = kinematics(bodies, keys());
   out.force.assign(list_.size(), Vec3::Zero());
   std::vector<Direction> rows, columns;
-  std::vector<std::pair<std::size_t, Eigen::Index>> place;  // of an unknown: contact and component
+  std::vector<std::pair<std::size_t, Eigen::Index>> place;  // contact and component of each unknown
   std::vector<double> bias, start;
   std::vector<Vec3> friction(list_.size(), Vec3::Zero());  // per newton of normal force
   for (std::size_t i = 0; i < list_.size(); ++i) {
@@ -357,7 +357,7 @@ SustainedForces SustainedContacts::forces(Bodies& bodies, const Wrenches& loads)
     needed[j] = -(row.on_a.dot(rates[row.a]) + row.on_b.dot(rates[row.b]) + bias[static_cast<std::size_t>(j)]);
     r[j] = start[static_cast<std::size_t>(j)];
   }
-  // of all distributions the one nearest to what the law gave
+  // Of all possible distributions, take the one nearest to that of the law.
   const MatX W = delassus(bodies, rows, columns, vessel_);
   r += smallest_solution(W, needed - W * r);
   for (Eigen::Index j = 0; j < size; ++j) {

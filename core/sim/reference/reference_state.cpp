@@ -5,9 +5,9 @@ namespace nilas {
 namespace {
 
 constexpr Eigen::Index k_per_body = 13;  // p, q, v, L
-/// Of the loads on a vessel: as a whole, on each part, of the carriage.
+/// Number of components of the loads on a vessel: on the whole, per part, of the carriage.
 constexpr Eigen::Index k_whole = 15, k_part = 6, k_carriage = 15;
-/// After the works: friction, impulse, angular impulse, and the two scales.
+/// Offsets after the works: friction, impulse, angular impulse, and the two scales; then their number.
 constexpr Eigen::Index k_friction = 0, k_impulse = 1, k_angular = 4, k_scales = 7, k_sums = 9;
 
 Vec3 angular_momentum(const Bodies& bodies, std::size_t b) {
@@ -114,7 +114,7 @@ void ReferenceState::derivative(const Bodies& bodies, const VecX& y, const Refer
   for (const int k : free_) {
     const auto b = static_cast<std::size_t>(k);
     const Wrench& load = loads.total[b];
-    // that of y itself, not the bodies', which is of unit length: what its length drifts by must not slow the turn
+    // Use the quaternion of y, not the normalised one of the bodies: drift of its length must not slow the rotation.
     const Quat q(y[at + 3], y[at + 4], y[at + 5], y[at + 6]);
     const Vec3& w = bodies.w_GB[b];
     const Quat dq = Quat(0, w.x(), w.y(), w.z()) * q;

@@ -8,7 +8,7 @@
 
 namespace nilas {
 
-/// Loads are means over the step; those in the joints are of its end.
+/// Loads on the vessel: means over the step, but joint loads at its end.
 static VesselRecord vessel_record(World& world, ReferenceIntegrator& reference, const ReferenceVesselLoads& impulses) {
   const auto mean = [&](const Wrench& impulse) -> Wrench {
     return {impulse.force / world.step, impulse.torque / world.step};

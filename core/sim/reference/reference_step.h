@@ -1,5 +1,5 @@
 #pragma once
-/// A step of the reference integrator, with as many impacts and other events as fall into it.
+/// One step of the reference integrator, with all impacts and other events in it.
 #include "core/sim/account/step_record.h"
 #include "core/sim/reference/reference.h"
 #include "core/sim/world/world_state.h"

@@ -39,12 +39,12 @@ void ReferenceVessel::enter_next_stretch(Bodies& bodies) {
   CarriageMotion::State change;
   change.v = after.v - before.v;
   change.yaw_rate = after.yaw_rate - before.yaw_rate;
-  // of both stretches the speeds are known to rounding alone
+  // Both speeds are only known to rounding.
   constexpr double k_rounding = 1e-14;
   if (change.v.norm() <= k_rounding * (1 + after.v.norm()) &&
       std::abs(change.yaw_rate) <= k_rounding * (1 + std::abs(after.yaw_rate)))
     return;
-  // while it lasts nothing moves, and springs give nothing
+  // Poses do not change during the impulse, and springs give no impulse.
   const VecX u = tree_.speeds();
   CarriageMotion::State stopped = after;
   stopped.v.setZero();
@@ -110,7 +110,7 @@ CarriageMotion::State ReferenceVessel::carriage_acceleration() const {
   return carriage_ ? carriage_->acceleration() : CarriageMotion::State{};
 }
 
-/// Of the parts.
+/// Spring and damper forces on the speeds of the tree.
 VecX ReferenceVessel::joint_forces() const {
   return -tree_.stiffness().cwiseProduct(tree_.stretch()) - tree_.damping().cwiseProduct(tree_.speeds());
 }

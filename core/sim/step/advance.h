@@ -1,19 +1,19 @@
 #pragma once
-/// The motion of free rigid bodies: velocities without contact, and the poses that velocities lead to.
+/// Motion of free rigid bodies: velocities without contact, and poses after a motion with given velocities.
 #include "contact/step_motion.h"
 #include "core/bodies/bodies.h"
 
 namespace nilas {
 
-/// Velocity step of the free bodies without contact: v + h F/m, and with L = I w the angular momentum, I w' = L + h T.
-/// (The gyroscopic term is in advance(), through the conservation of L while the attitude changes.)
+/// Velocity step of the free bodies without contact: v + h F/m and, with L = I w, I w' = L + h T. (The gyroscopic term
+/// is in advance(), which conserves L while the attitude changes.)
 void free_velocities(const Bodies& bodies, const std::vector<Wrench>& loads, double h, Velocities& out);
 
-/// Moves every free body over h with the velocities given. `gyroscopic`: by turn_freely() of core/bodies, which keeps
-/// angular momentum and energy of rotation; else the angular velocity is kept.
+/// Moves every free body over h [s] with the given velocities. `gyroscopic`: by turn_freely() of core/bodies, which
+/// keeps angular momentum and energy of rotation; else the angular velocity is kept.
 void advance(Bodies& bodies, const Velocities& velocities, double h, bool gyroscopic, int threads);
 
-/// Moves free bodies by pseudo velocities over h without touching their velocities.
+/// Moves free bodies by pseudo velocities over h [s]; their own velocities do not change.
 void displace(Bodies& bodies, const Velocities& pseudo, double h);
 
 }  // namespace nilas

@@ -10,7 +10,7 @@ static bool may_pass_before_impulses(const World& world) {
   return world.model.theta < 1 && world.model.detection == Detection::continuous;
 }
 
-/// What moves before the impulses, without contacts, must not pass through anything.
+/// The longest length up to `longest` [s] in which no bodies pass through each other before the impulses.
 static double passable_length(World& world, double t, double longest) {
   const Bodies& bodies = world.parts.bodies;
   double h = longest;
@@ -39,7 +39,7 @@ SubstepStart begin_substep(World& world, double t, double longest) {
   const bool whole = is_booked_whole(world.parts);
   if (!whole) move_vessel_before_impulses(world, start.h);
   if (theta < 1) world.energy.motion_before_impulses(kinetic_energy(bodies), joint_work_before(world));
-  // the energy of what the carriage moves is booked from end to end
+  // The energy of a vessel that is booked whole is taken from end to end of the substep.
   if (whole) {
     const auto b = static_cast<std::size_t>(world.parts.vessel_index);
     start.vessel = {bodies.v_GB[b], bodies.w_GB[b], bodies.inertia_G(world.parts.vessel_index)};

@@ -1,5 +1,5 @@
 #pragma once
-/// The motion before the impulses: none with semi-implicit Euler, the share 1 - theta of the substep with moreau.
+/// The motion before the impulses: none with semi-implicit Euler, the share 1 - theta of the substep with Moreau.
 #include <optional>
 #include <vector>
 
@@ -18,16 +18,17 @@ struct BeforeMotion {
 };
 
 struct SubstepStart {
-  double h = 0;                         ///< the longest that the substep may be [s]
-  VesselStart vessel;                   ///< of a vessel that is booked whole
-  std::optional<BeforeMotion> to_undo;  ///< where bodies moved, or modules remember what a search changes
+  double h = 0;                         ///< longest permitted length of the substep [s]
+  VesselStart vessel;                   ///< filled for a vessel that is booked whole
+  std::optional<BeforeMotion> to_undo;  ///< if bodies moved, or modules keep state that a search changes
 };
 
-/// Moves everything to the pose where the impulses of a substep of at most `longest` [s] act; of less where bodies
-/// would pass through each other on the way. Throws SimulationError where they do however short the substep is.
+/// Moves everything to the pose where the impulses of a substep of at most `longest` [s] act. The substep is shorter
+/// where bodies would otherwise pass through each other on the way. Throws SimulationError where they do so however
+/// short it is.
 SubstepStart begin_substep(World& world, double t, double longest);
 
-/// Goes back to where begin_substep() found the world.
+/// Restores the world that begin_substep() found.
 void take_back(World& world, const SubstepStart& start);
 
 }  // namespace nilas

@@ -12,7 +12,7 @@ namespace nilas {
 
 namespace {
 
-/// The vessel as a system without coordinates that continues as it moves.
+/// The vessel as a block without coordinates that continues with its present motion.
 std::vector<ArticulatedBlock> vessel_as_it_moves(const World& world, const Velocities& velocities) {
   const WorldParts& parts = world.parts;
   if (!parts.vessel || parts.vessel->fixed()) return {};
@@ -26,7 +26,7 @@ std::vector<ArticulatedBlock> vessel_as_it_moves(const World& world, const Veloc
   return {std::move(block)};
 }
 
-/// The velocities that a substep of length h would end with, without the impacts that are still to come.
+/// The velocities at the end of a substep of this length, without the impacts still to come.
 Velocities velocities_until_impact(World& world, const Loads& loads, const Substep& substep) {
   const Bodies& bodies = world.parts.bodies;
   Velocities velocities;
@@ -41,7 +41,7 @@ Velocities velocities_until_impact(World& world, const Loads& loads, const Subst
   return new_velocities(world, contacts, solution, loads, substep.h);
 }
 
-/// Impacts are found up to this error [of the step].
+/// Error up to which impact times are found [share of the step].
 constexpr double k_instant = 1e-9;
 
 }  // namespace

@@ -12,14 +12,14 @@ namespace nilas {
 
 namespace {
 
-/// The rotation vector of `turned` against `start` that is nearest to `expected`, which may be more than half a turn.
+/// The rotation vector from `start` to `turned` that is nearest to `expected`, which may exceed half a turn.
 Vec3 rotation_between(const Quat& start, const Quat& turned, const Vec3& expected) {
   const Eigen::AngleAxisd turn(turned * start.conjugate());
   const double whole = 2 * k_pi * std::round((expected.dot(turn.axis()) - turn.angle()) / (2 * k_pi));
   return (turn.angle() + whole) * turn.axis();
 }
 
-/// Even turns that lead where the bodies of these pairs will be after `exact` [s], continued for `horizon` [s].
+/// Uniform rotations that lead to the attitudes of these pairs' bodies after `exact` [s], continued for `horizon` [s].
 std::vector<BodyMotion> paths(const World& world, const Velocities& velocities, const std::vector<FastPair>& pairs,
                               double exact, double horizon) {
   const Bodies& bodies = world.parts.bodies;
@@ -44,7 +44,7 @@ std::vector<BodyMotion> paths(const World& world, const Velocities& velocities, 
   return motions;
 }
 
-/// Pairs that may overlap, since their contact is not rigid, are left out.
+/// The fast pairs, without those of pairs_left_out(), which may overlap.
 std::vector<FastPair> list_fast_pairs(const World& world, const Velocities& velocities, double horizon) {
   std::vector<FastPair> pairs =
       fast_pairs(world.parts.bodies, {velocities.v, velocities.w, horizon}, world.width, k_fast_share);
@@ -53,7 +53,7 @@ std::vector<FastPair> list_fast_pairs(const World& world, const Velocities& velo
   return pairs;
 }
 
-/// The width of a body's thickest convex part: a body that pierces a sliver of it is not through it.
+/// Smallest width of a body's thickest convex piece: a body that pierces only a sliver is not through it.
 double thickest_part(const Shape& shape, double smallest) {
   double thickest = smallest;
   for (const auto& part : shape.parts) thickest = std::max(thickest, part.smallest_width);

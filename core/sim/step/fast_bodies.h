@@ -1,5 +1,5 @@
 #pragma once
-/// Bodies that move so far against each other in a substep that they could pass through each other.
+/// Detection of bodies that move so far in a substep that they could pass through each other.
 /// docs/theory/contact-detection.md
 #include <optional>
 #include <utility>
@@ -11,23 +11,24 @@
 
 namespace nilas {
 
-/// Pairs that move less than this share of the thinner body's thickness against each other cannot get past its middle.
+/// Threshold of a fast pair: its relative motion as a share of the thinner body's thickness. A slower pair cannot pass
+/// the middle of the thinner body.
 constexpr double k_fast_share = 0.5;
 
-/// Pairs whose contact is not a rigid one: a module's, or bodies that a joint holds together. Empty where there are
-/// none. Refers to the world.
+/// Filter of pairs without rigid contact: a module handles their contact, or a joint connects them. Empty where there
+/// are none. Refers to the world.
 PairFilter pairs_left_out(const World& world);
 
-/// Where fast pairs first touch along these velocities over `horizon` [s] or, with `overlap`, first overlap that deep.
-/// Free bodies turn on as they will have turned after `exact` [s].
+/// The places where fast pairs first touch along these velocities over `horizon` [s] or, with `overlap`, first overlap
+/// that deep. Free bodies continue the rotation that they will have after `exact` [s].
 std::vector<SweptPair> sweep(World& world, const Velocities& velocities, double exact, double horizon,
                              const SoughtOverlap& overlap = {});
 
-/// Two bodies of which one would go deeper into the other by half the thinner one's thickness within `horizon` [s]: it
+/// Two bodies of which one would enter the other by half the thinner one's thickness within `horizon` [s], so that it
 /// could leave on the other side.
 std::optional<std::pair<int, int>> passing_bodies(World& world, const Velocities& velocities, double horizon);
 
-/// Throws SimulationError naming the two bodies; `t`: now [s].
+/// Throws SimulationError naming the two bodies. `t`: present time [s].
 [[noreturn]] void refuse_passing(const World& world, const std::pair<int, int>& pair, double t);
 
 }  // namespace nilas

@@ -11,8 +11,8 @@ namespace nilas {
 
 namespace {
 
-/// Contacts enter the problem when they can close within this multiple of the bodies' path in one substep: a hit turns
-/// some points of a floe faster than what hit it.
+/// Contacts enter the problem when they can close within this multiple of the bodies' path in one substep. It is above
+/// 1 because a hit may turn points of a floe faster than the body that hit it moves.
 constexpr double k_reach_share = 1.5;
 
 using PartNames = std::tuple<int, int, int, int>;
@@ -39,12 +39,12 @@ std::vector<ContactPoint> detect_discrete(World& world, const Loads& loads, cons
   return points;
 }
 
-/// Fast pairs that do not touch yet have the contacts of their paths instead of those that the substep's start shows;
-/// in a substep that ends with an impact none, but those too early to cut at.
+/// Gives fast pairs that do not touch yet the contacts on their paths in place of those at the substep's start. In a
+/// substep that ends with an impact they have none, except those too early to cut at.
 void follow_fast_pairs(World& world, const Loads& loads, const Substep& substep, FoundContacts& found) {
   const Bodies& bodies = world.parts.bodies;
   std::vector<ContactPoint>& points = found.points;
-  // what is farther away can only be closed by a fast pair, at the substep's end
+  // Only a fast pair can close a larger gap, and that happens at the substep's end.
   if (substep.ends_with_impact)
     std::erase_if(points, [&](const ContactPoint& c) { return c.gap > k_fast_share * thinner(world, c); });
   Velocities velocities;
@@ -70,8 +70,8 @@ void follow_fast_pairs(World& world, const Loads& loads, const Substep& substep,
   sort_as_detected(points);
 }
 
-/// The judgement of assemble(): a slower approach than the threshold ends a series of bounces. A body that could be
-/// half through another when it is met bounces at once.
+/// Whether a contact bounces, by the criterion of assemble(): approach slower than the threshold ends a series of
+/// bounces. A body that could be half through another when they meet bounces at once.
 bool will_bounce_when_met(const World& world, const ContactPoint& c, double h) {
   const Bodies& bodies = world.parts.bodies;
   const double before = c.n.dot(bodies.velocity_at(c.b, c.p) - bodies.velocity_at(c.a, c.p));
@@ -105,7 +105,8 @@ FoundContacts find_contacts(World& world, const Loads& loads, const Substep& sub
       follow_fast_pairs(world, loads, substep, found);
       break;
   }
-  // in the middle of the motion what bounces is hit when it is met: then a bounce is its own image in time
+  // Impulses act in the middle of the motion: a bouncing point must have no impulse before it touches. A bounce is then
+  // symmetric in time.
   if (world.model.hit_when_met)
     std::erase_if(found.points,
                   [&](const ContactPoint& c) { return c.gap > 0 && will_bounce_when_met(world, c, substep.h); });
@@ -132,7 +133,7 @@ ContactPoint as_gap(const World& world, const ContactPoint& met, double t, const
     return bodies.motion[k] == Motion::fixed ? Vec3(Vec3::Zero()) : Vec3(t * h * velocities.v[k]);
   };
   const auto turn = [&](std::size_t k) { return bodies.motion[k] == Motion::fixed ? 0 : velocities.w[k].norm(); };
-  double share_b = 0.5;  // one point serves both: the arm of what turns, or moves at all, is right
+  double share_b = 0.5;  // one point serves both bodies: the arm is exact for the one that turns, or moves at all
   if (bodies.motion[a] == Motion::fixed || bodies.motion[b] == Motion::fixed)
     share_b = bodies.motion[a] == Motion::fixed ? 1 : 0;
   else if (turn(a) + turn(b) > 0)

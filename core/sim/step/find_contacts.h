@@ -10,25 +10,26 @@
 
 namespace nilas {
 
-/// Impacts earlier than this are contacts of the substep: it is not cut there [of the step].
+/// Impacts earlier than this become contacts of the substep instead of ending it [share of the step].
 constexpr double k_shortest_cut = 1e-3;
 
 struct FoundContacts {
   std::vector<ContactPoint> points;
-  /// Keys of contacts that fast bodies meet on their paths: their gap is what closes until then, not a distance.
+  /// Keys of contacts that fast bodies meet on their paths. Their gap is the distance that closes until then, not the
+  /// present distance.
   std::vector<std::uint64_t> met_on_path;
 };
 
-/// The rigid contacts that can close in the substep, by the scene's mode of detection.
+/// The rigid contacts that can close in the substep, found by the scene's mode of detection.
 FoundContacts find_contacts(World& world, const Loads& loads, const Substep& substep);
-/// Adds the points of pairs whose contact is a module's, among those of the last detection.
+/// Adds, from the last detection, the points of pairs whose contact a module handles.
 void add_module_contacts(World& world, const Substep& substep, std::vector<ContactPoint>& points);
 
-/// A contact that two bodies meet at the share `t` of the substep with these velocities. It has the arm that each body
-/// will have there, and a gap that these velocities close just then: the substep may go up to it and no further.
+/// A contact that two bodies meet at the share `t` of the substep with these velocities. It has the arms that the
+/// bodies will have there, and a gap that these velocities close at just that time.
 ContactPoint as_gap(const World& world, const ContactPoint& met, double t, const Velocities& velocities, double h);
 
-/// Sorts points as ContactDetector gives them.
+/// Sorts points in the order of ContactDetector.
 void sort_as_detected(std::vector<ContactPoint>& points);
 
 }  // namespace nilas

@@ -5,8 +5,8 @@
 
 namespace nilas {
 
-/// Weight and the modules' loads at the present poses, for a substep that begins at `t` and may be as long as `h` [s].
-/// Throws SimulationError naming a body whose loads left finite numbers.
+/// Weight and the modules' loads at the present poses, for a substep that begins at `t` and lasts at most `h` [s].
+/// Throws SimulationError naming a body whose loads are not finite.
 Loads evaluate_loads(World& world, double t, double h);
 
 }  // namespace nilas

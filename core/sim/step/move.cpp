@@ -44,8 +44,8 @@ StepMotion velocity_step(const World& world, const Loads& loads, const Substep& 
   return motion;
 }
 
-/// The contact points at the substep's end; those of fast pairs where they were found, since a turn of their bodies
-/// leads elsewhere than what is carried with them.
+/// The contact points at the substep's end. Those of fast pairs are where they were found, because the bodies' rotation
+/// would carry them elsewhere.
 std::vector<ContactPoint> points_at_the_end(const World& world, const Substep& substep, const FoundContacts& found,
                                             const StepMotion& motion) {
   const Bodies& bodies = world.parts.bodies;
@@ -64,7 +64,8 @@ std::vector<ContactPoint> points_at_the_end(const World& world, const Substep& s
   return points;
 }
 
-/// A point that was hit deep leaves as it came; lifted out as well, it would win height in every bounce.
+/// Sets the gap of points to zero that their own motion closes: lifted out as well, a deep point would gain height in
+/// every bounce.
 void leave_to_their_motion(const StepMotion& motion, std::vector<ContactPoint>& points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double speed = points[i].n.dot(relative_velocity(motion, motion.after, i));

@@ -1,5 +1,5 @@
 #pragma once
-/// From impulses to velocities and poses.
+/// Moves the bodies with the velocities that the impulses give.
 #include "contact/step_motion.h"
 #include "core/sim/step/solve_contacts.h"
 #include "core/sim/step/substep.h"
@@ -8,17 +8,17 @@
 
 namespace nilas {
 
-/// Moves all bodies to the substep's end with the velocities of the solution. Returns the velocities around the
-/// impulses, and the impulses; the contact points go from `solved` to it.
+/// Moves all bodies to the substep's end with the velocities of the solution. Returns the impulses and the velocities
+/// before and after them. Takes the contact points out of `solved`.
 StepMotion move(World& world, const Loads& loads, const Substep& substep, SolvedContacts& solved,
                 const VesselStart& vessel);
 
 struct CorrectedPositions {
-  Velocities pseudo;  ///< that the bodies were displaced with over the substep; empty without a correction
+  Velocities pseudo;  ///< velocities of the displacement over the substep; empty without a correction
   bool converged = true;
 };
 
-/// Takes back what penetration there is by displacing the bodies, where the scene asks for that.
+/// Reduces penetration by displacing the bodies, where the scene asks for it.
 CorrectedPositions correct_positions(World& world, const Substep& substep, const SolvedContacts& solved,
                                      const StepMotion& motion);
 

@@ -13,13 +13,14 @@ namespace nilas {
 
 namespace {
 
-/// Overlaps that a solved substep must not lead to: a body that reaches half of the thickness can leave on the other
-/// side [of the thickness]. What is left of a path into a body, the next step finds as a penetration.
+/// Overlaps that a solved substep must not lead to [share of the thickness]: a body that reaches half of the thickness
+/// can leave on the other side. Smaller overlaps become a penetration of the next step.
 constexpr SoughtOverlap k_passing{0.02, k_fast_share};
-/// Solutions of one substep in which a body may turn out to have missed a contact, before it is halved or judged.
+/// Largest number of solutions of one substep in which a body may miss a contact, before the substep is halved or
+/// judged.
 constexpr int k_most_misses = 8, k_most_misses_whole = 40;
 
-/// Frames with orthonormal columns, of every contact, and of every moment that of its contact.
+/// Frames with orthonormal columns for every contact; a moment has the frame of its contact.
 std::vector<Mat3> orthonormal_frames(const AssembledContacts& contacts) {
   std::vector<Mat3> frames = contacts.C;
   for (std::size_t c = 0; c < frames.size(); ++c)
@@ -28,7 +29,7 @@ std::vector<Mat3> orthonormal_frames(const AssembledContacts& contacts) {
   return frames;
 }
 
-/// The impulses of the last solution, and what modules know of those on bodies that are new.
+/// First guess: the impulses of the last solution, and those that modules know for new bodies.
 VecX first_guess(World& world, const SolvedContacts& solved, const std::vector<Mat3>& frames) {
   VecX guess;
   if (world.model.warm_start) {
@@ -50,7 +51,7 @@ void solve(World& world, SolvedContacts& solved) {
   solved.residuals = measure(problem, solved.solution.r, solved.solution.v, solved.d);
 }
 
-/// The velocities that were solved for, of the free bodies and of the vessel.
+/// Velocities of the free bodies and of the vessel after the impulses.
 Velocities solved_velocities(const World& world, const Loads& loads, const Substep& substep,
                              const SolvedContacts& solved, const std::vector<ArticulatedBlock>& vessel) {
   const AssembledContacts& contacts = solved.contacts;
@@ -75,7 +76,7 @@ Velocities solved_velocities(const World& world, const Loads& loads, const Subst
 }
 
 /// Contacts that the solved velocities lead to. Each body has its own number of solutions in which it may miss some, so
-/// that strangers do not use them up.
+/// that unrelated bodies do not use it up.
 class MissedContacts {
  public:
   MissedContacts(World& world, const Substep& substep, bool can_halve)
@@ -84,7 +85,7 @@ class MissedContacts {
         most_(can_halve ? k_most_misses : k_most_misses_whole),
         misses_(world.size(), 0) {}
 
-  /// True when the velocities still lead fast pairs into each other: their contacts there are added.
+  /// Adds the contacts of fast pairs that the velocities still lead into each other. Returns whether there are any.
   bool add(const Velocities& after, SolvedContacts& solved) {
     solved.unheld.clear();
     if (world_.model.detection != Detection::continuous) return false;

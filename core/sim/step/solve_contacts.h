@@ -19,26 +19,26 @@ struct SolvedContacts {
   AssembledContacts contacts;
   ContactSolution solution;
   Residuals residuals;
-  std::vector<double> d;      ///< per contact, as from `measure` [1/kg]
-  SlippingContacts slipping;  ///< for the next step
-  Velocities after;           ///< that were solved for, of free bodies and vessel
-  /// Fast pairs that the solution leads into each other although all tries were spent.
+  std::vector<double> d;      ///< per contact, as returned by `measure` [1/kg]
+  SlippingContacts slipping;  ///< contacts that slip, for the next step
+  Velocities after;           ///< velocities after the impulses, of free bodies and vessel
+  /// Fast pairs that the solution leads into each other after the last try.
   std::vector<std::pair<int, int>> unheld;
 };
 
-/// Told of every solution, also of those that lead fast pairs into each other and are replaced.
+/// Called with every solution, including those that lead fast pairs into each other and are replaced.
 using NoteSolution = std::function<void(const ContactSolution&, const Residuals&)>;
 
 /// Assembles and solves the substep's problem. Where the solution leads fast pairs into each other, their contacts on
-/// the way are added and it is solved again. `can_halve`: fewer tries, since a shorter substep may follow.
+/// the path are added and the problem is solved again. `can_halve`: fewer tries, since a shorter substep may follow.
 SolvedContacts solve_contacts(World& world, const Loads& loads, const Substep& substep, FoundContacts found,
                               bool can_halve, const NoteSolution& note, Stopwatch& watch);
 
-/// What the solution could not hold stays as a penetration, with a warning, or is refused where a body would pass
-/// through another. Throws SimulationError.
+/// Handles the pairs that the solution could not hold apart: warns and leaves a penetration. Throws SimulationError
+/// where a body would pass through another.
 void judge_unheld(World& world, const Substep& substep, const SolvedContacts& solved);
 
-/// The velocities of the free bodies after the impulses; others keep what they have.
+/// The velocities of the free bodies after the impulses; other bodies keep theirs.
 Velocities new_velocities(const World& world, const AssembledContacts& contacts, const ContactSolution& solution,
                           const Loads& loads, double h);
 

@@ -48,7 +48,7 @@ void StepBook::note_found(const FoundContacts& found, bool first) {
   record_.detection += world_.detector.counts();
   if (!first) return;
   int count = 0;
-  record_.penetration_max = record_.penetration_mean = 0;  // those of a substep that was taken back do not count
+  record_.penetration_max = record_.penetration_mean = 0;  // the values of a substep that was taken back do not count
   for (const auto& c : found.points) {
     if (c.gap >= 0) continue;
     ++count;
@@ -59,7 +59,7 @@ void StepBook::note_found(const FoundContacts& found, bool first) {
 }
 
 void StepBook::note_solution(const ContactSolution& solution, const Residuals& residuals, double t_end) {
-  // the worst of all solutions of the step
+  // Keep the worst of all solutions of the step.
   if (!(residuals.law_map_m_s < record_.residuals.law_map_m_s)) record_.residuals = residuals;
   nilas::note_solution(world_, solution, t_end, record_);
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// What is written down of a step: energy, momentum, residuals, loads.
+/// Records a step: energy, momentum, residuals, loads.
 #include "contact/step_motion.h"
 #include "core/sim/account/ledger.h"
 #include "core/sim/account/step_record.h"
@@ -16,18 +16,19 @@ class StepBook {
  public:
   explicit StepBook(World& world);
 
-  /// Contacts as they were found where a substep begins; `first` of the step. Their penetration is that of the step.
+  /// Notes the contacts at the start of a substep. `first`: of the first substep, whose penetration is that of the
+  /// step.
   void note_found(const FoundContacts& found, bool first);
-  /// A solution, with a warning where it is short of the tolerance; `t_end` of its substep [s].
+  /// Notes a solution, with a warning where it misses the tolerance. `t_end`: end of its substep [s].
   void note_solution(const ContactSolution& solution, const Residuals& residuals, double t_end);
-  /// A substep was taken: its accounts, its loads, and the problem for whoever asks for it later.
+  /// Books a substep that was taken: its accounts, its loads and its solved problem.
   void add(const Substep& substep, const Loads& loads, SolvedContacts solved, const StepMotion& motion,
            const CorrectedPositions& corrected, const VesselStart& vessel);
-  /// The step is over.
+  /// Ends the step and returns its record.
   StepRecord close();
 
   Stopwatch& watch() { return watch_; }
-  /// The record as far as it is written, for the modules' share of it.
+  /// The record so far, so that modules can add to it.
   StepRecord& record() { return record_; }
 
  private:
@@ -39,15 +40,15 @@ class StepBook {
   MomentumBalance balance_;
 };
 
-/// The parts of a record that are the same whatever moved the bodies: place in time, ledger, balance, state hash.
+/// Fills the entries of a record that do not depend on the integrator: time, ledger, balance, state hash.
 void note_end(const World& world, const MomentumBalance& balance, StepRecord& record);
-/// Throws SimulationError where the scene stops at a step that the solver did not converge in.
+/// Throws SimulationError where the solver did not converge and the scene asks to stop.
 void stop_on_failure(const World& world, const StepRecord& record);
-/// The problem that stands for a step: of the last substep with contacts. Nothing before the first step.
+/// The problem that represents a step: that of the last substep with contacts. Null before the first step.
 const SolvedProblem* last_problem(const World& world);
-/// Adds a solution's status and iterations to a record, with a warning where it is short of the tolerance.
+/// Adds a solution's status and iterations to a record, with a warning where it misses the tolerance.
 void note_solution(World& world, const ContactSolution& solution, double t_end, StepRecord& record);
-/// Warns once of every pair of materials that touches and that the scene does not name.
+/// Warns once of every pair of materials in contact that the scene does not name.
 void warn_of_unnamed_pairs(World& world, const std::vector<ContactPoint>& points);
 
 }  // namespace nilas

@@ -10,7 +10,7 @@ namespace nilas {
 
 void add_structure_loads(const World& world, const StepMotion& motion, std::vector<StructureRecord>& records) {
   const auto& structures = world.parts.info.structures;
-  // floes that broke have moved the bodies behind them; their order stays
+  // Broken floes change the indices of the bodies behind them, but not their order.
   std::vector<int> places;
   for (std::size_t b = 0; b < world.parts.bodies.id.size(); ++b)
     if (is_structure(world.parts.bodies, b)) places.push_back(static_cast<int>(b));

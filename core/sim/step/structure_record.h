@@ -8,7 +8,7 @@
 
 namespace nilas {
 
-/// Adds the loads of a substep as its share of the step's means.
+/// Adds the loads of a substep, weighted with its share of the step, to the means.
 void add_structure_loads(const World& world, const StepMotion& motion, std::vector<StructureRecord>& records);
 
 }  // namespace nilas

@@ -1,29 +1,29 @@
 #pragma once
-/// How a step is divided into substeps.
+/// Division of a step into substeps.
 #include <algorithm>
 
 namespace nilas {
 
-/// A step is not halved into substeps shorter than this share of it.
+/// Length below which substeps are not halved [share of the step].
 constexpr double k_shortest_half = 1.0 / 65536;
 
 class SubstepPlan {
  public:
-  /// Of a step from `t` of length `step` [s]; impacts cut it into at most `most` substeps.
+  /// Plans a step from `t` of length `step` [s], which impacts cut into at most `most` substeps.
   SubstepPlan(double t, double step, int most) : t_(t), step_(step), longest_(step), most_(most) {}
 
   bool is_done() const { return elapsed_ >= step_; }
   bool is_at_start() const { return elapsed_ == 0; }
   double step() const { return step_; }
   double now() const { return t_ + elapsed_; }
-  /// What is left of the step, or less where it was halved [s].
+  /// The rest of the step, or less after halving [s].
   double longest() const { return std::min(step_ - elapsed_, longest_); }
   bool may_cut() const { return cuts_ < most_; }
   bool can_halve(double h) const { return h > k_shortest_half * step_; }
 
-  /// The substep of length h was taken back: the next try is half as long.
+  /// Notes that a substep of length h was taken back: the next one is at most half as long.
   void halve(double h) { longest_ = h / 2; }
-  /// A substep of length h was taken; it could have been as long as `allowed` [s], and the next may be twice that.
+  /// Notes that a substep of length h was taken that could have lasted `allowed` [s]. The next may be twice that.
   void take(double h, double allowed) {
     cuts_ += h < allowed ? 1 : 0;
     elapsed_ = h < step_ - elapsed_ ? elapsed_ + h : step_;

@@ -12,7 +12,7 @@
 
 namespace nilas {
 
-/// Lets modules change bodies: floes break. Pieces take part from the next step on.
+/// Lets modules change bodies, for instance break floes. Pieces take part from the next step on.
 static void end_step(World& world, StepBook& book) {
   const auto book_break = [&] { return world.energy.breaking(kinetic_energy(world.parts.bodies), world.potential()); };
   StepEnd end{world.parts.bodies, world.time(), world.step, world.solved.back(), book_break, {}, {}, {}};
@@ -31,12 +31,12 @@ StepRecord take_step(World& world) {
   while (!plan.is_done()) {
     const bool first = plan.is_at_start();
 
-    // the pose where the impulses act, and the loads other than contact there
+    // The pose where the impulses act, and the loads other than contact there.
     const SubstepStart start = begin_substep(world, plan.now(), plan.longest());
     const Loads loads = evaluate_loads(world, plan.now(), start.h);
     book.watch().lap(Phase::hydro);
 
-    // the time until fast bodies meet, and the contacts that can close in it
+    // The time until fast bodies meet, and the contacts that can close within it.
     const Substep substep = choose_substep(world, loads, plan.now(), start.h, plan.may_cut());
     FoundContacts found = find_contacts(world, loads, substep);
     book.note_found(found, first);
@@ -44,7 +44,7 @@ StepRecord take_step(World& world) {
     add_module_contacts(world, substep, found.points);
     book.watch().lap(Phase::fracture);
 
-    // one value holds the contact problem; the impulses are judged by the one yardstick
+    // One value holds the contact problem; one set of residuals judges its solution.
     const bool can_halve = plan.can_halve(substep.h);
     const auto note = [&](const ContactSolution& solution, const Residuals& residuals) {
       book.note_solution(solution, residuals, substep.t + substep.h);
@@ -57,7 +57,7 @@ StepRecord take_step(World& world) {
     }
     judge_unheld(world, substep, solved);
 
-    // velocities, poses, then the position correction that the scene chose
+    // Velocities and poses, then the position correction that the scene chose.
     const StepMotion motion = move(world, loads, substep, solved, start.vessel);
     const CorrectedPositions corrected = correct_positions(world, substep, solved, motion);
     plan.take(substep.h, start.h);

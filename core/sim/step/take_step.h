@@ -5,8 +5,8 @@
 
 namespace nilas {
 
-/// Advances the world by its step. Throws SimulationError when a body leaves finite numbers, would pass through another
-/// or, where the scene asks for that, the contact solver does not converge.
+/// Advances the world by its step. Throws SimulationError when a body's values are no longer finite, when a body would
+/// pass through another or, where the scene asks to stop, when the contact solver does not converge.
 StepRecord take_step(World& world);
 
 }  // namespace nilas

@@ -12,7 +12,7 @@ namespace nilas {
 
 namespace {
 
-/// Loads on the hull and the parts about the hull's centre of mass.
+/// Sum of the loads on the hull and the parts, about the hull's centre of mass.
 Wrench on_whole_vessel(const Wrench& on_hull, std::size_t hull, const StepMotion& motion, const Wrenches& on_parts) {
   Wrench sum = on_hull;
   for (std::size_t k = 0; k < on_parts.size(); ++k) {
@@ -33,7 +33,7 @@ std::vector<PartRecord> part_records(const WorldParts& parts, const StepMotion& 
   return records;
 }
 
-/// The contact force by side of the hull, and the share of ice in it.
+/// Adds the contact force by side of the hull, and the share of ice in it.
 void add_contacts_by_side(const WorldParts& parts, const StepMotion& motion, VesselRecord& record) {
   const auto vessel = static_cast<std::size_t>(parts.vessel_index);
   OrderFreeVectorSum on_port, on_starboard, of_ice;
@@ -58,7 +58,7 @@ void add_share(const Wrench& substep, double share, Wrench& step) {
   step += {share * substep.force, share * substep.torque};
 }
 
-/// Where the step has none yet, it begins at zero.
+/// Adds the share of a substep's load. A step without a load so far begins at zero.
 void add_share(const std::optional<Wrench>& substep, double share, std::optional<Wrench>& step) {
   if (!substep) return;
   if (!step) step.emplace();

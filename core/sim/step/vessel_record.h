@@ -9,12 +9,12 @@
 
 namespace nilas {
 
-/// Loads over a substep that ended at `t_end` [s]. `solved` and `frames` (AssembledContacts::C) are of the same
+/// Loads over a substep that ended at `t_end` [s]. `solved` and `frames` (AssembledContacts::C) belong to the same
 /// substep.
 VesselRecord vessel_record(const World& world, const Loads& loads, const StepMotion& motion,
                            const SolvedProblem& solved, const std::vector<Mat3>& frames, double t_end);
 
-/// Adds the loads of a substep that took this share of its step; states are those of the last one.
+/// Adds the loads of a substep, weighted with its share of the step. States are those of the last substep.
 void add_share(VesselRecord substep, double share, VesselRecord& step);
 
 }  // namespace nilas

@@ -27,8 +27,8 @@ CorrectionSettings ContactModel::correction_over(double h) const {
   return settings;
 }
 
-/// The correction reaches this over a step: a hundredth of a millimetre at 0.01 s is far below what it is to remove,
-/// and where a scene fixes its sweeps it is no more than what the velocities may leave [m/s].
+/// Tolerance of the position correction [m/s]. Over a step of 0.01 s it is a hundredth of a millimetre, far below the
+/// penetration to remove. Where a scene fixes its iterations, it is no more than what the velocities may leave.
 constexpr double k_correction_tolerance = 1e-3;
 
 static void set_stabilisation(const ContactScene& contact, ContactModel& model) {
@@ -84,9 +84,9 @@ ContactModel build_contact_model(const ContactScene& contact, int threads) {
   set_stabilisation(contact, model);
   const SolverEntry& solver = find_solver(contact.solver);
   model.correction.order_free = solver.order_free;
-  constexpr int k_extragradient_steps = 1000;  // each does less than a sweep
+  constexpr int k_extragradient_steps = 1000;  // each costs less than a sweep
   if (solver.order_free) model.correction.max_sweeps = std::max(model.correction.max_sweeps, k_extragradient_steps);
-  // a scene that fixes its sweeps means these too
+  // A fixed number of iterations applies to the correction as well.
   model.tolerance = contact.tolerance;
   model.fixed_sweeps = contact.tolerance == 0;
   if (model.fixed_sweeps) model.correction.max_sweeps = std::min(model.correction.max_sweeps, contact.max_iterations);
@@ -94,7 +94,7 @@ ContactModel build_contact_model(const ContactScene& contact, int threads) {
   model.hit_when_met = model.theta < 1 && std::any_of(contact.friction.begin(), contact.friction.end(),
                                                       [](const FrictionScene& pair) { return pair.restitution > 0; });
   model.warm_start = contact.warm_start;
-  model.stop_on_failure = contact.on_failure == OnFailure::stop && !model.fixed_sweeps;  // they promise nothing
+  model.stop_on_failure = contact.on_failure == OnFailure::stop && !model.fixed_sweeps;  // no tolerance to miss
   model.detection = contact.detection;
   if (model.detection == Detection::continuous) model.most_substeps = std::max(1, contact.substeps);
   model.margin = contact.margin;
@@ -106,7 +106,7 @@ ContactModel build_contact_model(const ContactScene& contact, int threads) {
   if (contact.on_failure == OnFailure::retry && !model.fixed_sweeps)
     model.solver =
         std::make_unique<WithRetry>(std::move(model.solver), find_solver(SolverName::automatic).make(settings));
-  // slower than ten times what the solver may leave is rest
+  // Slip below ten times the solver's tolerance counts as rest.
   constexpr double k_least_slip = 1e-5;  // [m/s]
   if (has_static_friction(contact))
     model.static_friction = StaticFriction{std::max(k_least_slip, 10 * contact.tolerance)};

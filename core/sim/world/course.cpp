@@ -11,7 +11,7 @@ namespace {
 
 using Box2 = Eigen::AlignedBox2d;
 
-/// The hull as seen from above, from its corners at the start of the run, moved by the carriage.
+/// The hull's horizontal outline: its corners at the start of the run, moved by the carriage.
 class TowedOutline {
  public:
   TowedOutline(const WorldParts& parts, double t0)
@@ -41,7 +41,7 @@ class TowedOutline {
   std::vector<Vec2> corners_;
 };
 
-/// The wall that a box crosses, or nothing.
+/// Name of the wall that a box crosses; empty if none.
 std::string crossed_wall(const TankScene& tank, const Box2& box) {
   const double side = 0.5 * tank.width;
   if (box.max().x() > tank.length) return fmt::format("the tank's end wall (x = {:g} m)", tank.length);
@@ -68,7 +68,7 @@ Box2 box_of_ice(const Bodies& bodies) {
   return box;
 }
 
-/// The time between `before` and `after` from which `holds` is true, to a millionth of the span.
+/// The time between `before` and `after` from which on `holds` is true, to a millionth of the interval.
 template <class Holds>
 double since_when(double before, double after, const Holds& holds) {
   for (int pass = 0; pass < 20; ++pass) {
@@ -116,11 +116,11 @@ void describe_course(const Scene& scene, WorldParts& parts) {
   if (crossed_wall(*scene.tank, hull).empty()) parts.course_within = scene.tank;
 }
 
-/// The wall that a body would cross if it went on as it does.
+/// Name of the wall that a body would cross with its present velocity; empty if none.
 static std::string wall_ahead(const TankScene& tank, const Bodies& bodies, int body, double h) {
   const auto b = static_cast<std::size_t>(body);
   const Vec3 &p = bodies.p_GB[b], &v = bodies.v_GB[b], &w = bodies.w_GB[b];
-  // a step further: a hull that ends the step at the wall has hit it, and poses of moreau lie half a step on
+  // One step further: a hull that ends the step at the wall has hit it, and poses of Moreau lie half a step ahead.
   const double ahead = 2 * h;
   const double reach =
       bodies.shape[b]->bounding_radius + ahead * (v.norm() + w.norm() * bodies.shape[b]->bounding_radius);
@@ -136,7 +136,7 @@ static std::string wall_ahead(const TankScene& tank, const Bodies& bodies, int b
 
 std::string end_of_course(const WorldParts& parts, double t, double h) {
   if (!parts.carriage) return "";
-  constexpr double k_rounding = 1e-6;  // of a step: sums of many steps
+  constexpr double k_rounding = 1e-6;  // share of a step: rounding of sums of many steps
   if (parts.carriage->motion.follows_path()) {
     const double last = parts.carriage->motion.path_span()[1];
     if (t + h > last + k_rounding * h) return fmt::format("the carriage's path ends at {:g} s", last);

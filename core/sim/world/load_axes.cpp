@@ -11,8 +11,8 @@ constexpr double k_at_rest = 1e-9;  // [m/s]
 
 Vec2 unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
-/// Horizontal velocity of what drifts against a fixed vessel or structure: the first that is not zero of the virtual
-/// drag, the current, and the velocities of the ice.
+/// Horizontal velocity of the drift against a fixed vessel or structure: the first non-zero one of the virtual drag,
+/// the current, and the velocities of the ice.
 Vec2 drift_of(const Scene& scene) {
   std::vector<Vec3> named;
   if (scene.hydro && scene.hydro->virtual_drag) named.push_back(scene.hydro->virtual_drag->velocity);
@@ -74,7 +74,7 @@ void describe_loads(const Scene& scene, WorldParts& parts) {
   info.peak_filter = scene.output.peak_filter;
   const bool crushes = scene.fracture && scene.fracture->crushing && scene.ice;
   info.rigid_contacts = !crushes || !all_breakable(*scene.ice);
-  // its impacts within a step leave no contacts to sum
+  // Its impacts within a step leave no contacts to add up.
   if (scene.contact.integrator == Integrator::reference) return;
   for (std::size_t b = 0; b < parts.bodies.id.size(); ++b)
     if (is_structure(parts.bodies, b))
@@ -96,7 +96,7 @@ Vec2 course_at(const WorldParts& parts, double t) {
   }
   const Vec3 forward = parts.vessel->state().pose.q * Vec3::UnitX();
   const Vec2 heading = forward.head<2>();
-  // a vessel that stands on end has no heading
+  // A vessel that points straight up or down has no heading.
   return heading.norm() > k_at_rest ? Vec2(heading.normalized()) : Vec2(Vec2::UnitX());
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Everything a run moves and the models that move it, as built from a scene. Only what the scene names is here.
+/// Everything that a run moves and the models that move it, built from a scene. Contains only what the scene names.
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -23,18 +23,18 @@ namespace nilas {
 struct WorldParts {
   Bodies bodies;
   std::optional<Water> water;
-  std::vector<std::unique_ptr<Module>> modules;  ///< what the scene asks for, in the order of the module list
-  std::vector<Module*> forces;                   ///< of them those that exert loads
+  std::vector<std::unique_ptr<Module>> modules;  ///< modules of the scene, in the order of the module list
+  std::vector<Module*> forces;                   ///< the modules that exert loads
   std::optional<VesselSystem> vessel;
-  std::optional<CarriageModel> carriage;   ///< of a vessel that is towed
-  std::optional<TankScene> course_within;  ///< whose walls end the course of a towed vessel
+  std::optional<CarriageModel> carriage;   ///< only for a towed vessel
+  std::optional<TankScene> course_within;  ///< tank whose walls end a towed vessel's course
   std::optional<VesselModel> vessel_model;
-  int vessel_index = -1;                          ///< of its hull
-  std::string restless;                           ///< the part that keeps a towed vessel from starting at rest
-  int num_parts = 0;                              ///< of the vessel, whose bodies follow the hull's in their order
-  std::vector<std::pair<int, int>> joined;        ///< bodies a < b that a joint holds together, in rising order
-  std::vector<PlannedIce> ice;                    ///< its floes in the order of their bodies
-  std::unique_ptr<IceProperties> ice_properties;  ///< of a scene with <fracture> and ice; modules refer to it
+  int vessel_index = -1;                    ///< index of its hull
+  std::string restless;                     ///< name of the part that prevents a towed vessel from starting at rest
+  int num_parts = 0;                        ///< number of the vessel's parts, whose bodies follow the hull's in order
+  std::vector<std::pair<int, int>> joined;  ///< pairs of bodies a < b that a joint connects, in rising order
+  std::vector<PlannedIce> ice;              ///< its floes have the order of their bodies
+  std::unique_ptr<IceProperties> ice_properties;  ///< present in a scene with <fracture> and ice; modules refer to it
   FrictionPairs friction;
   RunInfo info;
 
@@ -44,22 +44,22 @@ struct WorldParts {
   bool is_of_vessel(int body) const {
     return vessel_index >= 0 && body >= vessel_index && body <= vessel_index + num_parts;
   }
-  /// Whether a joint holds two bodies together: these do not collide.
+  /// Whether a joint connects two bodies. Such bodies do not collide.
   bool are_joined(int a, int b) const {
     return std::binary_search(joined.begin(), joined.end(), std::pair(std::min(a, b), std::max(a, b)));
   }
 };
 
-/// The vessel entry of `bodies` and its system. Returns its index.
+/// Adds the vessel to `bodies` and builds its system. Returns the index of its hull.
 int build_vessel(const Scene& scene, WorldParts& parts);
-/// Floes of all fields and single floes: the plan, and the bodies. `threads` draw properties; the result does not
-/// depend on their number.
+/// Plans the floes of all fields and the single floes, and adds their bodies. The result does not depend on `threads`,
+/// which share the drawing of properties.
 void build_ice(const Scene& scene, int threads, WorldParts& parts, WarningCounts& warnings);
-/// Tank walls and <body> elements.
+/// Adds tank walls and <body> elements.
 void build_structures(const Scene& scene, WorldParts& parts);
 
-/// Throws InputError naming the pair when two bodies, one of them a floe, overlap at the start by more than the scene
-/// tolerates.
+/// Throws InputError naming the pair when two bodies, one of them a floe or the vessel, overlap at the start by more
+/// than the scene tolerates.
 void refuse_overlaps(const Scene& scene, const WorldParts& parts);
 
 }  // namespace nilas

@@ -46,7 +46,7 @@ void World::demand_finite(double t) const {
           bodies.q_GB[b].coeffs().allFinite()))
       throw SimulationError("at " + std::to_string(t) + " s body '" + bodies.name[b] +
                             "' left finite numbers; try a smaller <time step>");
-  // squares and volumes of what is farther or faster than this overflow long before it does
+  // Beyond this, squares and volumes soon overflow.
   constexpr double k_beyond = 1e12;
   for (std::size_t b = 0; b < size(); ++b)
     if (!(bodies.p_GB[b].norm() < k_beyond && bodies.v_GB[b].norm() < k_beyond && bodies.w_GB[b].norm() < k_beyond))

@@ -1,5 +1,5 @@
 #pragma once
-/// A world in motion: what was built from the scene, and the state that a step takes from one instant to the next.
+/// A world in motion: the contents built from the scene, and the state that steps carry forward.
 #include <cstdint>
 #include <set>
 #include <utility>
@@ -15,26 +15,26 @@
 namespace nilas {
 
 struct World {
-  /// Starts from these parts, which stay where they are. `warnings` must outlive this.
+  /// Starts from `built`. `warnings` must outlive this object.
   World(const Scene& scene, int threads, WarningCounts& warnings, WorldParts built);
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
   std::size_t size() const { return static_cast<std::size_t>(parts.bodies.size()); }
-  /// At the end of the last step [s].
+  /// Time at the end of the last step [s].
   double time() const { return start + static_cast<double>(steps) * step; }
   double potential();
-  /// Brings all that is kept per body up to date; `pieces`: bodies that came in the place of a floe.
+  /// Updates all per-body data after bodies changed. `pieces`: new bodies that replace a floe.
   void follow_bodies(const std::vector<NewPiece>& pieces);
-  /// Throws SimulationError naming the body that left finite numbers or went beyond all bounds; `t` [s].
+  /// Throws SimulationError naming a body whose state is not finite or exceeds all bounds. `t`: present time [s].
   void demand_finite(double t) const;
 
   void save(StateWriter out) const;
-  /// Throws InputError when the state is one of another scene.
+  /// Throws InputError when the state belongs to another scene.
   void restore(const StateReader& in);
 
-  // What never changes.
-  WorldParts parts;  ///< but its bodies, vessel and modules, which move
+  // Constant during a run.
+  WorldParts parts;  ///< constant except for bodies, vessel and modules
   WarningCounts& warnings;
   int threads;
   double step, start;  ///< length of a step, time of the first [s]
@@ -48,13 +48,13 @@ struct World {
   WarmStart warm;
   SlippingContacts slipping;
   EnergyAccount energy;
-  std::set<std::pair<int, int>> unnamed_pairs;  ///< materials that touched although no <friction> names them
-  std::vector<SolvedProblem> solved;            ///< of the last step, one for each substep
+  std::set<std::pair<int, int>> unnamed_pairs;  ///< pairs of materials in contact that no <friction> names
+  std::vector<SolvedProblem> solved;            ///< problems of the last step, one per substep
 
-  // Follows from the bodies.
+  // Derived from the bodies.
   int floes = 0;
   Wrenches weight;
-  std::vector<double> width;  ///< smallest of each body [m]
+  std::vector<double> width;  ///< smallest width of each body [m]
 };
 
 }  // namespace nilas
