@@ -18,8 +18,8 @@ namespace nilas {
 /// gyroscopic term is always kept there. One system belongs to one thread.
 class VesselSystem {
  public:
-  /// On a carriage, motion.at(before it moves) must be the place of pose_V * joint_V. Throws InputError for a mass,
-  /// inertia or force balance that cannot be.
+  /// Builds the vessel at t0 [s]. On a carriage, motion.at() before it moves must give the place of pose_V * joint_V.
+  /// Throws InputError for an impossible mass, inertia or force balance.
   VesselSystem(const VesselModel& model, double t0);
   ~VesselSystem();
   VesselSystem(VesselSystem&&) noexcept;
@@ -27,56 +27,55 @@ class VesselSystem {
 
   const VesselState& state() const;
   double time() const;
-  bool fixed() const;  ///< neither hull nor parts can move
+  bool fixed() const;  ///< true if neither hull nor parts can move
   bool on_carriage() const;
   /// Names of what was built: "vessel", "carriage", "force balance six-cells" ...
   std::vector<std::string> built() const;
 
-  /// On a carriage, before the first step: the static equilibrium of the cells' deflections and of the free axes that
-  /// water balances; other free axes stay. So do the joints of parts whose springs, weight or water bring them back.
-  /// There is no rest where a free axis carries more than 1 % of the weight unbalanced, as a vessel that falls, where a
-  /// part moves as the scene starts it, and without a carriage. `start_there`: moves the vessel to its rest. Throws
-  /// InputError when no equilibrium is found.
+  /// Searches the rest on a carriage, before the first step: the static equilibrium of the cells' deflections, of free
+  /// axes that water balances, and of joints that springs, weight or water restore. Other free axes stay. There is no
+  /// rest where a free axis carries more than 1 % of the weight unbalanced (a falling vessel), where a part has an
+  /// initial rate, and without a carriage. `start_there`: moves the vessel to its rest. Throws InputError when no
+  /// equilibrium is found.
   VesselRest settle(const RestModel& rest, bool start_there);
 
-  /// The first part of a step of length h [s], up to the pose where loads and contacts act: (1 - theta) h with the
-  /// velocities that the vessel has. state() is then that of the middle pose, the carriage's velocity that of its
+  /// First motion of a step of length h [s], up to the pose where loads and contacts act: (1 - theta) h with the
+  /// present velocities. Afterwards state() is that of the middle pose, and the carriage's velocity that of its
   /// instant. Nothing moves with semi-implicit Euler. Throws SimulationError as finish() does.
   void move_before_impulses(double h);
-  /// Starts a step of length h [s], with theta its impulses, under `free`: weight, hydrodynamic and other loads about
-  /// the centre of mass in G, constant over the step. A fixed vessel (or one with no free coordinate) has a block of
-  /// size 0 and a prescribed mean twist.
-  /// `on_parts`: the same for the parts, as many as there are.
+  /// Starts a step of length h [s] (with theta: its impulses) under `free`: weight, hydrodynamic and other loads about
+  /// the centre of mass in G, constant over the step. `on_parts`: the same for each part. A fixed vessel, or one
+  /// without a free coordinate, has a block of size 0 and a prescribed mean twist.
   VesselBlock begin(const Wrench& free, double h, const std::vector<Wrench>& on_parts = {});
-  /// Ends it with the contact impulse about the centre of mass where begin() was called, in G [N s, N m s]. Throws
-  /// SimulationError when the vessel leaves finite numbers or the joint its range.
+  /// Ends the step with the contact impulse about the centre of mass where begin() was called, frame G [N s, N m s].
+  /// Throws SimulationError when a value is not finite or the joint leaves its range.
   void finish(const Wrench& contact_impulse, const std::vector<Wrench>& on_parts = {});
-  /// Takes a step back that move_before_impulses() or begin() has begun, so that another may begin, of another length.
+  /// Undoes a step that move_before_impulses() or begin() has begun, so that a step of another length can begin.
   void abandon_step();
-  /// Twist (v; w) of the centre of mass just after the velocity step, before the pose moved: for energy accounts. On a
-  /// carriage, where the momenta balance between both poses, the twist at the step's end.
+  /// Twist (v; w) of the centre of mass just after the velocity step, before the pose moves, for energy accounts. On a
+  /// carriage it is the twist at the step's end, because the momenta are balanced between both poses.
   Vec6 velocity_after_impulses() const;
-  /// The same of each part; of a vessel with parts always just after the velocity step.
+  /// The same for each part; in a vessel with parts always just after the velocity step.
   std::vector<Vec6> part_velocities_after_impulses() const;
-  /// The parts where the vessel is, and their joint loads in the last step.
+  /// The parts in their present state, with their joint loads in the last step.
   const std::vector<PartState>& parts() const;
-  /// Of the last step of a vessel with parts or rods.
+  /// Account of the last step of a vessel with parts or rods.
   const JointAccount& joint_account() const;
-  /// Moves a free vessel by a pseudo twist (v; w) over h: position stabilisation. Keeps the velocity and, when
-  /// gyroscopic, the angular momentum. No effect on carriage or fixed.
+  /// Moves a free vessel by a pseudo twist (v; w) over h, for position stabilisation. Keeps the velocity and, when
+  /// gyroscopic, the angular momentum. Has no effect on a carriage or a fixed vessel.
   void displace(const Vec6& pseudo_twist, double h);
-  const CarriageLoads& carriage_loads() const;  ///< of the last step
+  const CarriageLoads& carriage_loads() const;  ///< loads of the last step
   /// Energy stored in the cells [J].
   double spring_energy() const;
   /// All coordinates and speeds, for the state hash.
   VecX coordinates() const;
 
-  /// Takes over, between two steps, a motion that another integrator found; its next own step is undefined.
+  /// Adopts a motion that another integrator found, between two steps. The next own step is undefined.
   void follow(double t, const VesselState& hull, std::vector<PartState> parts);
 
-  /// Between two steps only.
+  /// Saves the state; only between two steps.
   void save(StateWriter out) const;
-  /// Goes on as the system of the same model that was saved. Throws InputError when the state is one of another.
+  /// Continues as the saved system of the same model. Throws InputError when the state belongs to another model.
   void restore(const StateReader& in);
 
  private:

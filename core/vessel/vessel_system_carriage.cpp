@@ -25,7 +25,7 @@ std::vector<int> coordinate_axes(const CarriageModel& carriage) {
   return free_axes(carriage);
 }
 
-/// The carriage before it moves: the scene's vessel pose belongs to it.
+/// The carriage before it moves, to which the scene's vessel pose refers.
 CarriageMotion::State at_rest(const CarriageMotion& motion) { return motion.at(std::numeric_limits<double>::lowest()); }
 
 Quat turned(double yaw) { return Quat(Eigen::AngleAxisd(yaw, Vec3::UnitZ())); }
@@ -57,7 +57,7 @@ TreeJoint carriage_joint(const VesselModel& model) {
   const CarriageModel& carriage = *model.carriage;
   const CarriageMotion::State rest = at_rest(carriage.motion);
   const Quat q_GV = model.pose_V.q.normalized();
-  // The joint is where carriage and vessel point coincide at the start.
+  // Vessel and carriage must agree on the joint's place at the start.
   constexpr double k_place_tolerance = 1e-9;
   const Vec3 start = model.pose_V.p + q_GV * carriage.joint_V;
   NILAS_DEMAND((start - rest.p).norm() <= k_place_tolerance * (1 + start.norm()));
@@ -164,8 +164,9 @@ void CarriedVessel::read_loads(const Vec6& reaction, const Vec3& com, const Carr
   if (cells_) loads_.cells = cell_readings(*cells_, loads_.about_joint, carriage.yaw);
 }
 
-/// The momenta know the reaction as a mean over the step. Simbody knows it at an instant: so it is asked halfway, with
-/// the mean of the speeds, their realised change as the acceleration, and contact impulses spread over the step.
+/// The momenta give the reaction as a mean over the step; Simbody gives it at one instant. Simbody therefore evaluates
+/// it halfway, with the mean of the speeds, their actual change as the acceleration, and contact impulses spread over
+/// the step.
 void CarriedVessel::ask_simbody(const StepEnd& start, const StepEnd& end, const Vec6& given) {
   CarriageMotion::State halfway, acceleration;
   halfway.p = 0.5 * (start.carriage.p + end.carriage.p);
@@ -195,12 +196,12 @@ class EulerCarriedVessel : public CarriedVessel {
  private:
   void keep_free_momentum(const Vec6& given_momentum);
 
-  CarriageMotion::State next_;  ///< of the carriage at the end of the step under way
+  CarriageMotion::State next_;  ///< carriage at the end of the present step
 };
 
 VesselBlock EulerCarriedVessel::begin_step() {
   next_ = motion_.at(time_ + h_);
-  // the mean acceleration over the step, so that kinks of the motion keep the momenta exact
+  // The mean acceleration over the step keeps the momenta exact at kinks of the motion.
   CarriageMotion::State acceleration;
   acceleration.v = (next_.v - now_.v) / h_;
   acceleration.yaw_rate = (next_.yaw_rate - now_.yaw_rate) / h_;
@@ -227,16 +228,16 @@ void EulerCarriedVessel::finish_step(const Wrench& contact) {
   now_ = next_;
   place(now_, u_);
 
-  // what the momenta lack is what the carriage gave
+  // The change of the momenta that no other load explains is the carriage's impulse.
   keep_free_momentum(before + given);
   read_loads((momentum() - before - given) / h_, state_.pose.p, now_);
   ask_simbody(start, {q_, u_, now_}, given / h_);
   place(now_, u_);
 }
 
-/// Chooses the speeds of the free coordinates so that at the new pose the reaction has no part along them. Where the
-/// axes turn with the vessel this differs from the speeds that moved it by O(h^2), and never adds energy: a pendulum
-/// about the joint loses the share h omega^2 of its energy per second.
+/// Chooses the speeds of the free coordinates so that the reaction at the new pose has no component along them. Where
+/// the axes turn with the vessel, this differs from the speeds that moved it by O(h^2). It never adds energy: a
+/// pendulum about the joint loses the share h omega^2 of its energy per second.
 void EulerCarriedVessel::keep_free_momentum(const Vec6& given_momentum) {
   if (free_coordinates_.empty()) return;
   const MatX mass = tree_.mass_matrix()(free_coordinates_, free_coordinates_);

@@ -7,7 +7,8 @@ namespace nilas {
 
 namespace {
 
-/// (1 - theta) h before the impulses, theta h after them; the carriage is where its motion says at every instant.
+/// The vessel on a carriage in the theta scheme: (1 - theta) h before the impulses, theta h after them. The carriage
+/// follows its own motion at every instant.
 class MoreauCarriedVessel : public CarriedVessel {
  public:
   MoreauCarriedVessel(const VesselModel& model, double t0) : CarriedVessel(model, t0), theta_(*model.theta) {}
@@ -27,9 +28,9 @@ class MoreauCarriedVessel : public CarriedVessel {
   double theta_;
   StepEnd start_;
   Vec6 momentum_start_ = Vec6::Zero();
-  CarriageMotion::State end_;  ///< of the carriage at the end of the step under way
-  VecX of_cells_;              ///< their force before the impulses
-  MatX free_mass_;             ///< of the free coordinates at the middle pose
+  CarriageMotion::State end_;  ///< carriage at the end of the present step
+  VecX of_cells_;              ///< force of the cells before the impulses
+  MatX free_mass_;             ///< mass matrix of the free coordinates at the middle pose
 };
 
 void MoreauCarriedVessel::move_before_step(double h) {
@@ -54,7 +55,7 @@ VecX MoreauCarriedVessel::speeds_under(const VecX& force) const {
 
 VesselBlock MoreauCarriedVessel::begin_step() {
   end_ = motion_.at(time_ + h_);
-  // the mean acceleration over the step, so that kinks of the motion keep the momenta exact
+  // The mean acceleration over the step keeps the momenta exact at kinks of the motion.
   CarriageMotion::State acceleration;
   acceleration.v = (end_.v - start_.carriage.v) / h_;
   acceleration.yaw_rate = (end_.yaw_rate - start_.carriage.yaw_rate) / h_;
@@ -63,7 +64,7 @@ VesselBlock MoreauCarriedVessel::begin_step() {
   free_mass_ = mass(free_coordinates_, free_coordinates_);
   step_ = stiff_block(mass, stiffness_, damping_time_, free_coordinates_, h_);
   of_cells_ = tree_.cell_force();
-  // Coriolis terms with the mean of the speeds at both ends: with those before alone they would be of first order
+  // Coriolis terms use the mean of the speeds at both ends; the speeds before alone would make them first-order.
   const VecX predicted = speeds_under(tree_.force(free_, acceleration));
   tree_.set_speeds(0.5 * (u_ + predicted));
   u_without_contact_ = speeds_under(tree_.force(free_, acceleration));
@@ -83,7 +84,7 @@ void MoreauCarriedVessel::finish_step(const Wrench& contact) {
   u_ = u_without_contact_ + step_.response * (jacobian_.transpose() * impulse);
   keep_free_momentum(q_middle, momentum_start_ + given);
 
-  // what the momenta lack is what the carriage gave
+  // The change of the momenta that no other load explains is the carriage's impulse.
   const Vec6 reaction = (momentum_at_end(q_middle) - momentum_start_ - given) / h_;
   place_halfway(q_);
   read_loads(reaction, tree_.pose().p, motion_.at(time_ + 0.5 * h_));
@@ -92,7 +93,7 @@ void MoreauCarriedVessel::finish_step(const Wrench& contact) {
   place(now_, u_);
 }
 
-/// Moves the vessel to the step's end with the speeds u_.
+/// Moves the vessel to the step's end with the speeds u_. Returns its momentum there.
 Vec6 MoreauCarriedVessel::momentum_at_end(const VecX& q_middle) {
   q_ = q_middle + theta_ * h_ * u_;
   demand_regular(time_ + h_);
@@ -100,18 +101,18 @@ Vec6 MoreauCarriedVessel::momentum_at_end(const VecX& q_middle) {
   return momentum();
 }
 
-/// The tree between the step's ends, where the reaction is read; the state stays at the end.
+/// Moves the tree to the middle of the step, where the reaction is read; the state stays at the end.
 void MoreauCarriedVessel::place_halfway(const VecX& q_end) {
   tree_.set_coordinates(0.5 * (start_.q + q_end));
   tree_.set_carriage(motion_.at(time_ + 0.5 * h_));
 }
 
-/// Chooses the speeds of the free coordinates, and with them the pose at the step's end, so that halfway between its
-/// ends the reaction has no part along these coordinates. Forward and backward in time this is the same condition.
+/// Chooses the speeds of the free coordinates, and with them the pose at the step's end, so that the reaction halfway
+/// through the step has no component along these coordinates. The condition is symmetric in time.
 void MoreauCarriedVessel::keep_free_momentum(const VecX& q_middle, const Vec6& given_momentum) {
   if (free_coordinates_.empty()) return;
   const Eigen::LLT<MatX> mass(free_mass_);
-  // Each pass gains a factor of about h times the rate at which the axes turn, until rounding is left.
+  // Each pass reduces the error by a factor of about h times the rate at which the axes turn, until rounding remains.
   constexpr int k_most_passes = 50;
   double last_move = std::numeric_limits<double>::infinity();
   for (int pass = 0; pass < k_most_passes; ++pass) {

@@ -15,7 +15,7 @@ Quat rotation(const Vec3& turn) {
   return angle > 0 ? Quat(Eigen::AngleAxisd(angle, turn / angle)) : Quat::Identity();
 }
 
-/// Six speeds (w; v), whose block of the contact problem is the body's own mass.
+/// A free vessel with six speeds (w; v). Its block of the contact problem is the body's own mass matrix.
 class FreeVessel : public VesselMotion {
  public:
   FreeVessel(const VesselModel& model, double t0)
@@ -40,7 +40,7 @@ class FreeVessel : public VesselMotion {
     coordinates << q.w(), q.vec(), state_.pose.p;
     speeds << state_.w, state_.v;
     tree_.set_coordinates(coordinates);
-    // At rest, so that the force is free of the gyroscopic term: that acts while the attitude turns.
+    // At rest the force has no gyroscopic term, which acts while the attitude turns.
     tree_.set_speeds(VecX::Zero(6));
     VesselBlock block;
     block.mass = tree_.mass_matrix();
@@ -65,9 +65,9 @@ class FreeVessel : public VesselMotion {
   Vec6 after_;
 };
 
-/// With the gyroscopic term the angular momentum of the velocity step is kept to the last digit while the attitude
-/// turns about the mean of the angular velocities at both ends; without it the angular velocity is kept, and the
-/// angular momentum is not conserved.
+/// A free vessel with semi-implicit Euler. With the gyroscopic term, the angular momentum of the velocity step is kept
+/// to the last digit while the attitude turns about the mean of the angular velocities at both ends. Without it the
+/// angular velocity is kept, and the angular momentum is not conserved.
 class EulerFreeVessel : public FreeVessel {
  public:
   EulerFreeVessel(const VesselModel& model, double t0) : FreeVessel(model, t0) {
@@ -107,7 +107,8 @@ class EulerFreeVessel : public FreeVessel {
   void turn() {
     const Quat q = state_.pose.q;
     const Vec3 w = state_.w;
-    // Each pass gains a factor of about h |w|; the last ones change nothing, so that the step is reversible.
+    // Each pass reduces the error by a factor of about h |w|. The last passes change nothing, so that the step is
+    // reversible.
     constexpr int k_most_passes = 20;
     for (int pass = 0; pass < k_most_passes; ++pass) {
       const Vec3 w_end = state_.w;
@@ -117,10 +118,11 @@ class EulerFreeVessel : public FreeVessel {
     }
   }
 
-  Vec3 angular_momentum_;  ///< the conserved state of the rotation when gyroscopic, so that no rounding gathers in it
+  Vec3 angular_momentum_;  ///< conserved quantity of the rotation when gyroscopic, so that rounding does not accumulate
 };
 
-/// (1 - theta) h before the impulses, theta h after them, turning as the floes do.
+/// A free vessel in the theta scheme: (1 - theta) h before the impulses, theta h after them, with the same rotation as
+/// the floes.
 class MoreauFreeVessel : public FreeVessel {
  public:
   MoreauFreeVessel(const VesselModel& model, double t0)
@@ -158,7 +160,7 @@ class MoreauFreeVessel : public FreeVessel {
 
   double theta_;
   Mat3 inertia_inverse_;
-  VesselState start_;  ///< of the step under way
+  VesselState start_;  ///< state at the start of the present step
 };
 
 }  // namespace

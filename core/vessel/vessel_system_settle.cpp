@@ -1,4 +1,4 @@
-/// The vessel at rest on its carriage: where cells, weight and buoyancy balance, and what the carriage carries there.
+/// Searches the vessel's rest on its carriage, where cells, weight and buoyancy balance, and the carriage's load there.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr int k_roll = 0, k_pitch = 1, k_heave = 5;
 constexpr int k_first_translation = 3;
-/// Share of the weight along an axis that is left free above which the vessel falls or swings rather than rests.
+/// Share of the weight along a free axis above which the vessel falls or swings instead of resting.
 constexpr double k_unbalanced = 0.01;
 
 }  // namespace
@@ -41,7 +41,7 @@ VecX CarriedVessel::equilibrium(const RestModel& rest) {
   const std::vector<int> settling = settling_coordinates(rest.afloat);
   const auto n = static_cast<Eigen::Index>(settling.size());
   if (n == 0) return q_;
-  // one of each is a large force and a large move: of what cells hold, the deflection under the weight
+  // Scales: one unit is a large force and a large displacement; for held coordinates the deflection under the weight.
   VecX force(n), move(n);
   for (Eigen::Index k = 0; k < n; ++k) {
     const int i = settling[static_cast<std::size_t>(k)];
@@ -59,7 +59,7 @@ VecX CarriedVessel::equilibrium(const RestModel& rest) {
     f = static_force(rest, at(x))(settling).cwiseQuotient(force);
   };
   NonlinearSolution found = solve_nonlinear(balance, VecX::Zero(n));
-  if (!found.converged && rest.heave != 0) {  // above the water, nothing tells which way it is
+  if (!found.converged && rest.heave != 0) {  // above the water, the forces do not show the direction
     VecX start = VecX::Zero(n);
     for (Eigen::Index k = 0; k < n; ++k)
       if (axes_[static_cast<std::size_t>(settling[static_cast<std::size_t>(k)])] == k_heave)
@@ -82,7 +82,7 @@ VesselRest CarriedVessel::settle(const RestModel& rest, bool start_there) {
     const double lever = axes_[static_cast<std::size_t>(i)] < k_first_translation ? rest.length : 1;
     rests = rests && std::abs(left[i]) <= k_unbalanced * rest.weight * lever;
   }
-  // the tree stands at q: the carriage holds against all that acts there
+  // The tree is at q: the carriage balances all loads there.
   const Pose pose = tree_.pose();
   const Wrench load = rest.loads({pose}).front();
   Vec6 reaction = Vec6::Zero();

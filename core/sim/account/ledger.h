@@ -16,7 +16,7 @@ struct StepLoads {
   std::vector<const std::vector<Wrench>*> working;  ///< one entry per work of the ledger, without the carriage
 };
 
-/// What the accounts need of a vessel on a carriage or with parts. A vessel with parts is booked like the free bodies,
+/// Data for the accounts of a vessel on a carriage or with parts. A vessel with parts is booked like the free bodies,
 /// from velocity step to velocity step.
 struct VesselAccount {
   int index = -1;

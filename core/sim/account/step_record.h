@@ -31,8 +31,7 @@ struct Ledger {
 /// The loads on a part of the vessel over the step, frame G. The joint's fields are those of PartState.
 struct PartRecord {
   Wrench joint;
-  Wrench contact;  ///< load of all contacts about the part's centre of mass, contacts with other bodies of the vessel
-                   ///< included
+  Wrench contact;  ///< contact load about the part's centre of mass, other bodies of the vessel included
   VecX coordinates, rates;
   double unbalanced_force = 0, unbalanced_torque = 0;
 };
@@ -79,7 +78,7 @@ struct ContactEvent {
 
 struct StepRecord {
   long step = 0;  ///< number of the step; the first is 1
-  double t = 0;   ///< at the step's end [s]
+  double t = 0;   ///< time at the step's end [s]
   double h = 0;   ///< [s]
   int parts = 0;  ///< number of substeps; counts below are the largest of any substep, iterations the sum
   int floes = 0, contacts = 0, islands = 0, iterations = 0;
@@ -89,7 +88,7 @@ struct StepRecord {
   bool positions_corrected = true;  ///< true if the position correction reached its tolerance
   DetectorCounts detection;  ///< how pairs were settled, summed over the substeps; not filled by integrator "reference"
   Residuals residuals;
-  double penetration_max = 0, penetration_mean = 0;  ///< of contact points with gap < 0 at the step's start [m]
+  double penetration_max = 0, penetration_mean = 0;  ///< largest and mean, of gaps < 0 at the step's start [m]
   Ledger ledger;
   double momentum_imbalance = 0, momentum_scale = 0;                  ///< [N s]
   double angular_momentum_imbalance = 0, angular_momentum_scale = 0;  ///< [N m s]
@@ -135,10 +134,9 @@ struct RunInfo {
   double ice_thickness = 0;  ///< [m]
   double vessel_length = 0;  ///< extent along x of V [m]
   CourseKind course = CourseKind::heading;
-  Vec2 drift_course =
-      Vec2::UnitX();  ///< direction against the drift of ice or water, where a vessel or structure is fixed
-  std::optional<double> ramp_end;  ///< time at which the carriage's ramp ends, if it has one [s]
-  bool rigid_contacts = true;      ///< true if some ice meets the hull as a rigid body
+  Vec2 drift_course = Vec2::UnitX();  ///< direction against the drift around something fixed
+  std::optional<double> ramp_end;     ///< time at which the carriage's ramp ends, if it has one [s]
+  bool rigid_contacts = true;         ///< true if some ice meets the hull as a rigid body
   std::vector<StructureInfo> structures;
   std::vector<PartInfo> parts;                      ///< the vessel's parts
   std::vector<std::string> rods;                    ///< names of the rods that hold the vessel

@@ -18,7 +18,7 @@ enum class PositionStep { none, split_impulse, projection };
 struct ContactModel {
   AssemblySettings assembly;
   CorrectionSettings correction;
-  std::unique_ptr<ContactSolver> solver;          ///< with on_failure="retry", solver "auto" runs after it
+  std::unique_ptr<ContactSolver> solver;          ///< solver "auto" runs after it with on_failure="retry"
   std::optional<StaticFriction> static_friction;  ///< if some pair's static coefficient exceeds its kinetic one
   PositionStep position_step = PositionStep::none;
   double theta = 1;           ///< share of the step's motion that follows the impulses

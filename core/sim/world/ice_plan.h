@@ -11,7 +11,7 @@
 namespace nilas {
 
 struct PlannedFloe {
-  FieldFloe floe;    ///< with thickness and density; strengths only where drawn or read
+  FieldFloe floe;    ///< thickness and density are set; strengths only where drawn or read
   std::string name;  ///< name of the body
   bool fixed = false;
   bool breakable = false;

@@ -7,9 +7,9 @@
 
 namespace nilas {
 
-/// Natural cubic spline through (x, y, yaw), all relative to the first row. SimTK's (SplineFitter with smoothing 0) is
-/// the same curve within 1e-11 m, but it takes four rows at least where a straight path has two, misses 20000 uneven
-/// rows by up to 6e-11 m, and takes 12 to 19 times as long (tests/bench/library_twins.cpp).
+/// Natural cubic spline through (x, y, yaw), relative to the first row. The spline of SimTK (SplineFitter with
+/// smoothing 0) agrees within 1e-11 m, but is not used. It needs at least four rows where a straight path has two,
+/// misses 20000 uneven rows by up to 6e-11 m, and takes 12 to 19 times as long (tests/bench/library_twins.cpp).
 struct CarriageMotion::Knots {
   std::vector<double> t;
   std::vector<Vec3> value;
@@ -18,9 +18,9 @@ struct CarriageMotion::Knots {
   /// Second derivatives from the tridiagonal system of continuous slopes, zero at both ends.
   void fit();
   struct Curve {
-    Vec3 value, rate, bend;  ///< and its first and second derivative
+    Vec3 value, rate, bend;  ///< value, first and second derivative
   };
-  /// The cubic between the two knots around `within`, which is within the knots.
+  /// The cubic between the two knots around `within`, an instant of the path, evaluated at `time`.
   Curve at(double time, double within) const;
 };
 
@@ -33,7 +33,7 @@ void CarriageMotion::Knots::fit() {
     const double before = t[i] - t[i - 1];
     const double elimination = i > 1 ? before / pivot[i - 1] : 0;
     pivot[i] = 2 * (t[i + 1] - t[i - 1]) - elimination * before;
-    constexpr double k_weight = 6;  // of the slope change in the spline's continuity condition
+    constexpr double k_weight = 6;  // factor of the slope change in the spline's continuity condition
     second[i] = k_weight * (slope(i) - slope(i - 1)) - elimination * second[i - 1];
   }
   for (std::size_t i = n - 2; i > 0; --i) second[i] = (second[i] - (t[i + 1] - t[i]) * second[i + 1]) / pivot[i];
@@ -121,7 +121,7 @@ CarriageMotion::Moment CarriageMotion::moment(double t, double within) const {
   const bool ramping = within - t0_ < ramp_;
   if (ramping && shape_ == RampShape::smooth) {
     const double s = run / ramp_;
-    constexpr double k_slope = 6;  // of s^2 (3 - 2 s): 6 s (1 - s)
+    constexpr double k_slope = 6;  // factor in the derivative of s^2 (3 - 2 s), which is 6 s (1 - s)
     state.p += speed_ * ramp_ * s * s * s * (1 - 0.5 * s) * along;
     state.v = speed_ * s * s * (3 - 2 * s) * along;
     moment.acceleration.v = k_slope * speed_ / ramp_ * s * (1 - s) * along;

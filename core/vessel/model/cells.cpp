@@ -13,7 +13,7 @@ std::array<LoadCell, 6> default_cells(double arm) {
   cells[0] = {Vec3::Zero(), Vec3::UnitX()};
   cells[1] = {{arm, 0, 0}, Vec3::UnitY()};
   cells[2] = {{-arm, 0, 0}, Vec3::UnitY()};
-  // The vertical cells' centre is the joint, so that the stiffness does not couple the axes.
+  // The joint is the centre of the vertical cells, so that the stiffness does not couple the axes.
   cells[3] = {{arm, 0, 0}, Vec3::UnitZ()};
   cells[4] = {{-0.5 * arm, 0.5 * arm, 0}, Vec3::UnitZ()};
   cells[5] = {{-0.5 * arm, -0.5 * arm, 0}, Vec3::UnitZ()};
@@ -74,7 +74,7 @@ Mat6 cell_shortenings(const Mat6& cell_wrenches, const std::vector<int>& free) {
     if (std::find(free.begin(), free.end(), i) == free.end()) held.push_back(i);
   Mat6 B = Mat6::Zero();
   if (held.empty()) return B;
-  // the platform gives way by least squares: the sum of squared tensions is the energy
+  // The platform yields so that the sum of squared tensions, which is the energy, is smallest.
   const Mat6 rigid = cell_wrenches.transpose();
   MatX left = rigid(Eigen::all, held);
   if (!free.empty()) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Bodies that hang on a vessel's hull by joints: azimuth pods, rudders, hinged barges, turrets; and rods that hold
+/// Parts that joints connect to a vessel's hull (azimuth pods, rudders, hinged barges, turrets), and rods that connect
 /// hull and parts to fixed points.
 #include <array>
 #include <optional>
@@ -11,29 +11,29 @@
 
 namespace nilas {
 
-/// A body and the joint that holds it to the hull or to a part before it. V: the frame of the vessel.
+/// A body and the joint that connects it to the hull or to an earlier part. V: the frame of the vessel.
 struct PartModel {
   double mass = 0;                    ///< [kg]
-  Mat3 inertia_B = Mat3::Identity();  ///< about the centre of mass, along the part's own axes [kg m^2]
-  Pose in_V;                          ///< of its axes and centre of mass while all joint coordinates are zero
-  int to = -1;                        ///< the part that it hangs on, lower than its own index; -1: the hull
+  Mat3 inertia_B = Mat3::Identity();  ///< about the centre of mass, in the part's own axes [kg m^2]
+  Pose in_V;                          ///< pose of its axes and centre of mass at zero joint coordinates
+  int to = -1;                        ///< index of its parent part, lower than its own; -1: the hull
   JointKind joint = JointKind::hinge;
-  Vec3 point_V = Vec3::Zero();  ///< of the joint while all joint coordinates are zero [m]
-  Vec3 axis_V = Vec3::UnitZ();  ///< unit, of a hinge or slider, then too
+  Vec3 point_V = Vec3::Zero();  ///< joint point at zero joint coordinates [m]
+  Vec3 axis_V = Vec3::UnitZ();  ///< unit axis of a hinge or slider at zero joint coordinates
   double stiffness = 0;         ///< hinge, ball [N m/rad], slider [N/m]
   double damping = 0;           ///< hinge, ball [N m s/rad], slider [N s/m]
-  double rest = 0;              ///< coordinate of a hinge [rad] or slider [m] at which its spring is slack
-  double coordinate = 0;        ///< of a hinge or slider at the start [rad, m]
-  double rate = 0;              ///< its rate then [rad/s, m/s]
+  double rest = 0;              ///< coordinate of a hinge [rad] or slider [m] without spring force
+  double coordinate = 0;        ///< initial coordinate of a hinge [rad] or slider [m]
+  double rate = 0;              ///< initial rate [rad/s, m/s]
 };
 
 /// A rigid link without mass, with ball ends, between the vessel and a fixed point.
 struct RodModel {
   std::string name;
-  int on = -1;                   ///< the part that it holds; -1: the hull
-  Vec3 at_V = Vec3::Zero();      ///< its end on the vessel, of a part while all joint coordinates are zero [m]
+  int on = -1;                   ///< the part that it connects; -1: the hull
+  Vec3 at_V = Vec3::Zero();      ///< its end on the vessel, for a part at zero joint coordinates [m]
   Vec3 to_G = Vec3::Zero();      ///< its fixed end in G [m]
-  std::optional<double> length;  ///< [m]; none: the distance of its ends at the start
+  std::optional<double> length;  ///< [m]; empty: the initial distance of its ends
 };
 
 }  // namespace nilas

@@ -1,17 +1,17 @@
 #pragma once
-/// Speeds of a carriage that stops, or takes others at once.
+/// Changes of a carriage's speeds at one instant.
 #include "core/vessel/model/vessel_model.h"
 
 namespace nilas {
 
-/// Where it is, without its speeds.
+/// The carriage at the same place with zero speeds.
 inline CarriageMotion::State stopped(CarriageMotion::State carriage) {
   carriage.v.setZero();
   carriage.yaw_rate = 0;
   return carriage;
 }
 
-/// With the mean of both speeds.
+/// The carriage at the place of `before`, with the mean of both speeds.
 inline CarriageMotion::State between(const CarriageMotion::State& before, const CarriageMotion::State& after) {
   CarriageMotion::State carriage = before;
   carriage.v = 0.5 * (before.v + after.v);
@@ -19,7 +19,7 @@ inline CarriageMotion::State between(const CarriageMotion::State& before, const 
   return carriage;
 }
 
-/// What turns the one's speeds into the other's, as an acceleration over one second.
+/// The change from the speeds of `before` to those of `after`, as an acceleration over one second.
 inline CarriageMotion::State change_between(const CarriageMotion::State& before, const CarriageMotion::State& after) {
   CarriageMotion::State change;
   change.v = after.v - before.v;

@@ -8,9 +8,9 @@ namespace nilas {
 
 namespace {
 
-/// Simbody's own springs between two points and its bushing would follow the vessel's swings; the balance's law is
-/// linear in the joint's coordinates, since its deflections are small, and cells may lean on each other where the joint
-/// is free. So the element is ours, and its force acts along these coordinates.
+/// One load cell as a custom force element. Simbody's own point-to-point springs and its bushing would follow the
+/// rotations of the vessel. The balance's law is linear in the joint's coordinates instead, because its deflections are
+/// small. Cells may also be coupled where the joint is free.
 class CellForce : public SimTK::Force::Custom::Implementation {
  public:
   CellForce(SimTK::MobilizedBody vessel, TreeCell cell) : vessel_(std::move(vessel)), cell_(std::move(cell)) {}

@@ -9,13 +9,13 @@ namespace nilas {
 
 class CellForces {
  public:
-  /// Before the tree stands: one element per cell, which acts along the coordinates of the joint of `vessel` to its
-  /// carriage.
+  /// Adds one element per cell, which acts along the coordinates of the joint between `vessel` and its carriage. Call
+  /// before the tree is complete.
   void add(SimTK::GeneralForceSubsystem& forces, const SimTK::MobilizedBody& vessel,
            const std::vector<TreeCell>& cells);
-  /// What all of them do along all speeds of the tree. The state must be realised to Velocity.
+  /// Generalised force of all cells along all speeds of the tree. The state must be realised to Velocity.
   VecX along_speeds(const SimTK::State& state) const;
-  double energy(const SimTK::State& state) const;  ///< of the springs [J]; realised to Position
+  double energy(const SimTK::State& state) const;  ///< energy of the springs [J]; state realised to Position
 
  private:
   std::vector<SimTK::Force::Custom> cells_;

@@ -13,7 +13,7 @@ namespace {
 double mean_decay(double z) { return -std::expm1(-z) / z; }
 
 ExponentialMode oscillating(double a, double ratio) {
-  // |1 - exp(-z)|^2 as a sum of squares: nothing cancels, however small a is.
+  // |1 - exp(-z)|^2 as a sum of squares: no cancellation, however small a is.
   const double fall = std::exp(-ratio * a);
   const double turn = std::sin(0.5 * a * std::sqrt((1 - ratio) * (1 + ratio)));
   const double across = std::expm1(-ratio * a) / a, along = 2 * turn / a;

@@ -24,15 +24,15 @@ namespace nilas {
 /// An exact difference scheme in the sense of Mickens, "Nonstandard Finite Difference Models of Differential Equations"
 /// (1994).
 struct ExponentialMode {
-  double decay = 1;     ///< in [0, 1]
-  double response = 1;  ///< in (0, 1]: displacement over the step / h per impulse and mass
+  double decay = 1;     ///< range [0, 1]
+  double response = 1;  ///< range (0, 1]: displacement over the step / h, per impulse and mass
 };
 
-/// omega: undamped angular frequency [rad/s], >= 0. damping_time: of a damping proportional to the stiffness,
-/// 2 zeta omega = damping_time omega^2 [s], >= 0. h: step [s], > 0.
+/// The step coefficients of a mode. `omega`: undamped angular frequency [rad/s], >= 0. `damping_time`: that of a
+/// damping proportional to the stiffness, 2 zeta omega = damping_time omega^2 [s], >= 0. `h`: step [s], > 0.
 ExponentialMode exponential_mode(double omega, double damping_time, double h);
 
-/// The damping ratio below which a mode with omega h = a is not let: 0 up to pi/2, 1 from pi on.
+/// Smallest permitted damping ratio of a mode with omega h = a: 0 up to pi/2, 1 from pi on.
 double least_damping_ratio(double a);
 
 }  // namespace nilas

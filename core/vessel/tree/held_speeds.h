@@ -1,5 +1,5 @@
 #pragma once
-/// Which speeds of a vessel of several bodies something holds, and how stiffly.
+/// Speeds of a vessel of several bodies that springs or cells hold, and the stiffness along them.
 #include <optional>
 #include <vector>
 
@@ -7,14 +7,14 @@
 
 namespace nilas {
 
-/// The cells of the carriage as the step needs them.
+/// The carriage's cells in the form that the step needs.
 struct HullCells {
   Eigen::PartialPivLU<Mat6> layout;
   MatX stiffness;           ///< n x n; the hull's speeds come first
   double damping_time = 0;  ///< [s]
-  std::vector<int> free;    ///< speeds that no cell holds: of the parts, and of the hull's free axes
+  std::vector<int> free;    ///< speeds that no cell holds: those of the parts, and of the hull's free axes
 };
-/// `speeds`: n of the tree.
+/// The cells of `carriage`. `speeds`: number n of the tree's speeds.
 HullCells hull_cells(const CarriageModel& carriage, int speeds);
 
 /// Speeds that neither a joint's spring nor a cell holds, in rising order.

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double k_sixth = 1.0 / 6.0;
 
-/// (P; L) of all bodies, L about `point`.
+/// Linear and angular momentum (P; L) of all bodies, L about `point`.
 Vec6 total_momentum(const JointedTree& tree, const Vec3& point) {
   Vec6 total = Vec6::Zero();
   for (int b = 0; b < tree.num_bodies(); ++b) {
@@ -19,11 +19,11 @@ Vec6 total_momentum(const JointedTree& tree, const Vec3& point) {
   return total;
 }
 
-/// From a twist of all bodies as one rigid body, (v; w) at `point`, to its momentum about it.
+/// Matrix from the twist (v; w) at `point` of all bodies as one rigid body to their momentum (P; L) about it.
 Mat6 locked_inertia(const JointedTree& tree, const Vec3& point) {
   Mat6 inertia = Mat6::Zero();
   for (int b = 0; b < tree.num_bodies(); ++b) {
-    Mat6 motion = Mat6::Identity();  // to (v; w) of the body
+    Mat6 motion = Mat6::Identity();  // maps the twist at `point` to that of the body
     motion.topRightCorner<3, 3>() = -skew(tree.pose(b).p - point);
     Mat6 mass = Mat6::Zero();
     mass.topLeftCorner<3, 3>() = tree.mass(b) * Mat3::Identity();
@@ -33,11 +33,12 @@ Mat6 locked_inertia(const JointedTree& tree, const Vec3& point) {
   return inertia;
 }
 
-/// A free hull's speeds (w; v) come first, those of its joints stay.
+/// Gives all bodies the momentum `wanted` by a rigid motion: changes a free hull's speeds (w; v), which come first, and
+/// keeps those of its joints.
 void give_momentum(JointedTree& tree, const Vec6& wanted, const Vec3& about) {
   const Vec3 hull = tree.pose(0).p;
   Vec6 lack = wanted - total_momentum(tree, about);
-  lack.tail<3>() -= (hull - about).cross(lack.head<3>());  // about the hull
+  lack.tail<3>() -= (hull - about).cross(lack.head<3>());  // now about the hull's centre of mass
   const Vec6 twist = locked_inertia(tree, hull).ldlt().solve(lack);
   VecX u = tree.speeds();
   u.head<3>() += twist.tail<3>();
@@ -47,7 +48,7 @@ void give_momentum(JointedTree& tree, const Vec6& wanted, const Vec3& about) {
 
 struct Rates {
   VecX q, u;
-  VecX tensions;  ///< of the rods
+  VecX tensions;  ///< tensions of the rods
 };
 
 Rates rates_of(const JointedTree& tree) {
@@ -60,7 +61,7 @@ Rates rates_of(const JointedTree& tree) {
   return rates;
 }
 
-/// What rods did in a time to all bodies, as a momentum (P; L), L about `point`.
+/// Impulse of the rods on all bodies over `time`, as a momentum (P; L), L about `point`.
 Vec6 given_by_rods(const JointedTree& tree, double time, const VecX& tensions, const Vec3& point) {
   Vec6 given = Vec6::Zero();
   const std::vector<Wrench> loads = tree.rod_loads(tensions);

@@ -1,25 +1,24 @@
 #pragma once
-/// The motion of a hull and its parts between impulses: nothing acts but joints and rods, and the carriage goes on as
-/// it does.
+/// The motion of a hull and its parts between impulses: only joints and rods act, and the carriage keeps its speeds.
 #include <functional>
 
 #include "core/vessel/tree/jointed_tree.h"
 
 namespace nilas {
 
-/// Called at the stages of the scheme for the tree's state there: `carriage`, the time that it stands for [s], the
-/// accelerations of the n speeds and the tensions of the rods. Sums over these times are integrals of the scheme's own
-/// order.
+/// Function that is called at the stages of the scheme, with the tree in the stage's state. Arguments: the carriage,
+/// the time that the stage represents [s], the accelerations of the n speeds and the tensions of the rods. Sums
+/// weighted with these times are integrals of the scheme's own order.
 using DriftSample = std::function<void(const CarriageMotion::State& carriage, double time, const VecX& accelerations,
                                        const VecX& tensions)>;
 
-/// Moves the tree over `time` [s] by the classical Runge-Kutta scheme, and the carriage, `carriage` being where it is,
-/// with its present speeds. What the scheme lacks in the momenta of a free hull with its parts is given back to all of
-/// them as one rigid body, so that linear and angular momentum are kept to rounding. At the end the lengths of rods and
-/// their rates are put right to rounding; returns the impulses of tension that did it [N s], beyond the sampled ones.
+/// Moves the tree over `time` [s] by the classical Runge-Kutta scheme. The carriage moves from `carriage` with its
+/// present speeds. The scheme's error in the momenta of a free hull with parts is corrected by a rigid motion of all
+/// bodies, so that linear and angular momentum are kept to rounding. At the end, lengths of rods and their rates are
+/// corrected to rounding. Returns the impulses of tension for this correction [N s], which the samples do not contain.
 VecX drift(JointedTree& tree, CarriageMotion::State& carriage, double time, const DriftSample& sample);
 
-/// Of the n speeds where nothing but the loads acts, springs and dampers left out. The carriage does not accelerate.
+/// Accelerations of the n speeds under the loads alone, without springs and dampers. The carriage does not accelerate.
 VecX accelerations_under(const JointedTree& tree, const std::vector<Wrench>& loads);
 
 }  // namespace nilas

@@ -17,19 +17,20 @@ namespace {
 
 constexpr int k_roll = 0, k_pitch = 1, k_heave = 5;
 constexpr int k_first_translation = 3;
-/// Share of the weight along a coordinate that nothing holds above which the vessel moves rather than rests.
+/// Share of the weight along a free coordinate above which the vessel moves instead of resting.
 constexpr double k_unbalanced = 0.01;
-/// Share of weight times lever per radian, or weight per length, below which nothing brings a part back.
+/// Restoring stiffness of a part below which it counts as zero [share of weight times lever per radian, or weight per
+/// length].
 constexpr double k_restoring = 1e-6;
 
-/// A speed of the tree: whose it is and what is large along it.
+/// A speed of the tree: its body, and the scales along it.
 struct Along {
   int body = 0;
-  bool held = false;      ///< by cells or a spring
-  bool settles = false;   ///< held, or water balances it
-  bool left_out = false;  ///< of a part that no joint holds
-  double force = 0;       ///< [N, N m]
-  double move = 1;        ///< [m, rad]
+  bool held = false;      ///< true if cells or a spring hold it
+  bool settles = false;   ///< true if held, or balanced by water
+  bool left_out = false;  ///< true for a part that no joint holds
+  double force = 0;       ///< scale of the force [N, N m]
+  double move = 1;        ///< scale of the displacement [m, rad]
 };
 
 double lever_of(const PartModel& part) {
@@ -57,11 +58,11 @@ class RestSearch {
   CarriageMotion::State carriage_;
   VecX placed_;
   std::vector<Along> speeds_;
-  std::vector<bool> left_out_;  ///< per body
+  std::vector<bool> left_out_;  ///< one entry per body
   double hull_mass_;
-  std::optional<int> heave_;    ///< the hull's speed of that motion
-  std::optional<int> started_;  ///< a body that the scene starts with a rate
-  MatX directions_;  ///< columns: combinations of speeds, in units of their moves, along which the balance is sought
+  std::optional<int> heave_;    ///< index of the hull's heave speed
+  std::optional<int> started_;  ///< index of a body with an initial rate
+  MatX directions_;  ///< columns: combinations of speeds, in units of their scales, along which the balance is sought
 };
 
 RestSearch::RestSearch(JointedTree& tree, const VesselModel& model, const RestModel& rest,
@@ -129,13 +130,13 @@ std::vector<Pose> RestSearch::poses() const {
   return poses;
 }
 
-/// Along the speeds, where the vessel is moved along them from where it was placed.
+/// Generalised force along the speeds, with the vessel displaced by `along` from its initial place.
 VecX RestSearch::force_at(const VecX& along) {
   tree_.set_coordinates(tree_.moved(placed_, along));
   return tree_.force(rest_.loads(poses()), {}) + tree_.cell_force() - tree_.stiffness().cwiseProduct(tree_.stretch());
 }
 
-/// What weight and water bring back of coordinates without a spring: columns in units of their moves.
+/// Combinations of coordinates without a spring that weight and water restore: columns in units of their scales.
 MatX RestSearch::restored(const std::vector<int>& loose) {
   const auto n = static_cast<Eigen::Index>(loose.size());
   constexpr double k_probe = 1e-5;
@@ -171,12 +172,12 @@ void RestSearch::choose_directions() {
   if (back.cols() > 0) directions_(loose, Eigen::seqN(n, back.cols())) = back;
 }
 
-/// Returns how far the vessel moves along its speeds.
+/// Searches the balance from `start`. Returns the displacement along the speeds.
 VecX RestSearch::balance(const VecX& start, NonlinearSolution& found) {
   VecX force(tree_.num_speeds()), move(tree_.num_speeds());
   for (int i = 0; i < tree_.num_speeds(); ++i) {
     const Along& along = speeds_[static_cast<std::size_t>(i)];
-    force[i] = along.force > 0 ? along.force : 1;  // what has no scale takes no part
+    force[i] = along.force > 0 ? along.force : 1;  // a coordinate without scale does not take part
     move[i] = along.move;
   }
   const auto at = [&](const VecX& x) { return VecX(move.cwiseProduct(directions_ * x)); };
@@ -187,7 +188,7 @@ VecX RestSearch::balance(const VecX& start, NonlinearSolution& found) {
   return at(found.x);
 }
 
-/// Where the vessel has found its balance; nothing where all of it rests.
+/// The body that moves although the balance was found; empty where everything rests.
 std::optional<int> RestSearch::who_moves(const VecX& along) {
   if (started_) return started_;
   const VecX force = force_at(along);
@@ -224,7 +225,7 @@ JointedRest RestSearch::find() {
   if (directions_.cols() > 0) {
     NonlinearSolution found;
     along = balance(along, found);
-    if (!found.converged && heave_ && rest_.heave != 0) {  // above the water, nothing tells which way it is
+    if (!found.converged && heave_ && rest_.heave != 0) {  // above the water, the forces do not show the direction
       VecX start = VecX::Zero(tree_.num_speeds());
       start[*heave_] = rest_.heave;
       along = balance(start, found);

@@ -1,5 +1,5 @@
 #pragma once
-/// Where a towed vessel with parts is at rest: weight, buoyancy, cells and the springs of its joints balance.
+/// The rest of a towed vessel with parts: weight, buoyancy, cells and the springs of its joints are in balance.
 #include <optional>
 
 #include "core/vessel/tree/jointed_tree.h"
@@ -7,17 +7,17 @@
 namespace nilas {
 
 struct JointedRest {
-  VecX coordinates;           ///< of the tree
-  std::optional<int> moving;  ///< nothing where it rests; else the body that moves: 0 the hull, k + 1 part k
-  Wrench carried;             ///< what the carriage carries there, about its own point in G
+  VecX coordinates;           ///< coordinates of the tree
+  std::optional<int> moving;  ///< empty at rest; else the body that moves: 0 the hull, k + 1 part k
+  Wrench carried;             ///< the carriage's load there, about its own point, frame G
 };
 
-/// `tree`: of `model`, which has a carriage; it stands at `carriage` with its coordinates as placed, and is left
-/// anywhere. Along these the balance is found: what cells and springs hold, heave, roll and pitch of a hull that are
-/// free where it is afloat, and what weight and water bring back of parts without a spring. Other coordinates stay as
-/// placed. More than 1 % of the weight along one of these is no rest, and no rest is a part that hangs on a spring too
-/// weak to hold it there, or one that starts with a rate. Parts that no joint holds are left out. Throws InputError
-/// when no balance is found.
+/// Searches the rest. `tree` belongs to `model`, which has a carriage. It stands at `carriage` with its coordinates as
+/// placed; its coordinates afterwards are undefined. The balance is sought along coordinates that cells and springs
+/// hold, along free heave, roll and pitch of a hull that is afloat, and along coordinates of parts without a spring
+/// that weight and water restore. Other coordinates stay as placed. There is no rest where one of these carries more
+/// than 1 % of the weight, where a spring is too weak to hold its part there, or where a part starts with a rate. Parts
+/// that no joint holds are left out. Throws InputError when no balance is found.
 JointedRest jointed_rest(JointedTree& tree, const VesselModel& model, const RestModel& rest,
                          const CarriageMotion::State& carriage);
 

@@ -12,14 +12,14 @@ namespace {
 
 bool has_one_coordinate(JointKind kind) { return kind == JointKind::hinge || kind == JointKind::slider; }
 
-/// Of the shorter way to the attitude q.
+/// Rotation vector of the shorter rotation to the attitude q.
 Vec3 rotation_vector(const SimTK::Vec4& q) {
   const Quat unit(q[0] < 0 ? -q[0] : q[0], q[0] < 0 ? -q[1] : q[1], q[0] < 0 ? -q[2] : q[2], q[0] < 0 ? -q[3] : q[3]);
   const double sine = unit.vec().norm();
   return sine > 0 ? Vec3(2 * std::atan2(sine, unit.w()) / sine * unit.vec()) : Vec3(Vec3::Zero());
 }
 
-/// Bodies whose coordinates hold a quaternion, which comes first among them.
+/// Whether the coordinates of such a joint begin with a quaternion.
 bool has_quaternion(JointKind kind) { return kind == JointKind::ball || kind == JointKind::free; }
 
 void demand_body(double mass, const Mat3& inertia, const std::string& where) {
@@ -39,8 +39,8 @@ struct JointedTree::Implementation {
     Mat3 inertia = Mat3::Identity();
     Pose in_V;
     int parent = -1;
-    PartModel part;                ///< of a part
-    int first_q = 0, first_u = 0;  ///< among all of the tree
+    PartModel part;                ///< only for a part
+    int first_q = 0, first_u = 0;  ///< indices among all coordinates and speeds of the tree
   };
 
   const SimTK::State& at(const SimTK::Stage& stage) const {
@@ -61,7 +61,7 @@ struct JointedTree::Implementation {
   SimTK::MobilizedBody::Planar carriage;
   std::vector<Body> bodies;
   SimTK::State state;
-  int carried = 0;  ///< speeds of the carriage, which come first
+  int carried = 0;  ///< number of the carriage's speeds, which come first
   bool free_hull = false;
   int speeds = 0;
   VecX stiffness, damping;

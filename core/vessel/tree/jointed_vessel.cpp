@@ -19,10 +19,10 @@ namespace {
 
 /// Impulses of joints and rods in one step, in G [N s, N m s].
 struct JointImpulses {
-  std::vector<Wrench> joint;    ///< per body, hull first: on it, about its joint point
-  std::vector<Wrench> net;      ///< of all joints, rods and the carriage, about its centre of mass
-  Wrench carriage_about_point;  ///< the hull's own, about the point of the carriage
-  VecX rods;                    ///< of their tensions
+  std::vector<Wrench> joint;    ///< per body, hull first: impulse on it, about its joint point
+  std::vector<Wrench> net;      ///< per body: sum over all joints, rods and the carriage, about its centre of mass
+  Wrench carriage_about_point;  ///< impulse on the hull, about the point of the carriage
+  VecX rods;                    ///< impulses of the rods' tensions
   JointImpulses(std::size_t bodies, int num_rods) : joint(bodies), net(bodies), rods(VecX::Zero(num_rods)) {}
 };
 
@@ -32,12 +32,12 @@ void add(double share, const std::vector<Wrench>& part, std::vector<Wrench>& sum
 
 Wrench over(const Wrench& impulse, double h) { return {impulse.force / h, impulse.torque / h}; }
 
-/// The step is a velocity step where the contacts are found, in which weight, water, contact, springs and dampers act
-/// and nothing moves, between motions in which only the joints act: none and h with semi-implicit Euler, (1 - theta) h
-/// and theta h with theta. Rods hold in both. In a motion the carriage has the mean of its speeds over it, and the
-/// vessel bears the changes between these speeds as impulses. Speeds that a spring or a cell holds do not take part in
-/// these: along them the velocity step has the whole of the carriage's acceleration, so that it does not shake the
-/// springs.
+/// A vessel of several bodies. A step consists of a velocity step at the pose where the contacts are found, and motions
+/// before and after it. In the velocity step, weight, water, contact, springs and dampers act and nothing moves. In the
+/// motions only the joints act: they last 0 and h with semi-implicit Euler, (1 - theta) h and theta h with theta. Rods
+/// act in both. In a motion the carriage has its mean speeds over it; the changes between these speeds are impulses on
+/// the vessel. Speeds that a spring or a cell holds do not take part in these impulses. Along them the velocity step
+/// contains the whole acceleration of the carriage, so that it does not shake the springs.
 class JointedVessel : public VesselMotion {
  public:
   JointedVessel(const VesselModel& model, double t0);
@@ -64,8 +64,8 @@ class JointedVessel : public VesselMotion {
   void begin_account();
   CarriageMotion::State with_mean_speed(double from, double to) const;
   struct SpeedChange {
-    VecX jump;      ///< of the speeds
-    VecX borne;     ///< what springs and cells do not feel of it, as an impulse along the speeds that they hold
+    VecX jump;      ///< change of the speeds
+    VecX borne;     ///< impulse along the speeds that springs and cells hold, which keeps the change from them
     VecX tensions;  ///< impulses of the rods
   };
   SpeedChange jump_with(const CarriageMotion::State& change) const;
@@ -90,17 +90,17 @@ class JointedVessel : public VesselMotion {
   JointedTree tree_;
   std::vector<RodModel> rods_;
   std::vector<int> loose_;            ///< speeds that neither a spring nor a cell holds
-  double theta_;                      ///< share of the motion after the velocity step
-  double damper_share_;               ///< of the speeds after it in what dampers see
-  CarriageMotion::State now_, next_;  ///< of the carriage: in the tree; after the velocity step under way
-  VecX q_start_, u_start_;            ///< of the step under way
-  CarriageMotion::State start_;       ///< of the carriage then
-  VecX u_before_;                     ///< of the velocity step under way
-  VesselBlock block_;                 ///< in all speeds, those that rods hold too
-  MatX rod_jacobian_;                 ///< of the velocity step under way
-  VecX rod_rates_;                    ///< that the carriage imposes in it
+  double theta_;                      ///< share of the motion that follows the velocity step
+  double damper_share_;               ///< weight of the speeds after the step in those that dampers use
+  CarriageMotion::State now_, next_;  ///< carriage in the tree, and after the present velocity step
+  VecX q_start_, u_start_;            ///< state at the start of the present step
+  CarriageMotion::State start_;       ///< carriage at the start of the present step
+  VecX u_before_;                     ///< speeds before the present velocity step
+  VesselBlock block_;                 ///< block in all speeds, including those that rods hold
+  MatX rod_jacobian_;                 ///< value in the present velocity step
+  VecX rod_rates_;                    ///< rates that the carriage prescribes in it
   std::vector<Vec6> after_;
-  std::vector<Vec6> momenta_;  ///< at the step's start
+  std::vector<Vec6> momenta_;  ///< momenta at the step's start
   JointImpulses impulses_;
 };
 
@@ -176,7 +176,7 @@ void JointedVessel::begin_account() {
   for (int b = 0; b < tree_.num_bodies(); ++b) momenta_.push_back(tree_.momentum(b));
 }
 
-/// The carriage where it is, with the mean of its speeds between two instants; at one instant, with those.
+/// The carriage at its present place, with its mean speeds between two instants; for equal instants, the speeds there.
 CarriageMotion::State JointedVessel::with_mean_speed(double from, double to) const {
   CarriageMotion::State carriage = now_;
   if (!motion_) return carriage;
@@ -186,7 +186,7 @@ CarriageMotion::State JointedVessel::with_mean_speed(double from, double to) con
   return carriage;
 }
 
-/// Adds joint impulses at the present pose; `work`: what the carriage does to the hull with them.
+/// Adds joint impulses at the present pose, and the carriage's work on the hull in them to `work`.
 void JointedVessel::add_impulses(const CarriageMotion::State& carriage, double share, const std::vector<Wrench>& joints,
                                  double& work) {
   add(share, joints, impulses_.joint);
@@ -211,8 +211,8 @@ void JointedVessel::demand_rods(double t) const {
                           "' is at a dead point: what it holds can move along it no more");
 }
 
-/// Of a tree at rest, where the carriage changes its speeds at once. Rods that the loose speeds alone cannot obey move
-/// the others too.
+/// Change of the speeds of a tree at rest when the carriage changes its speeds at one instant. Speeds other than the
+/// loose ones move only if the rods require it.
 JointedVessel::SpeedChange JointedVessel::jump_with(const CarriageMotion::State& change) const {
   VecX impulse = tree_.force(std::vector<Wrench>(size()), change);
   const MatX mass = tree_.mass_matrix(), rods = has_rods() ? tree_.rod_jacobian() : MatX();
@@ -238,7 +238,7 @@ JointedVessel::SpeedChange JointedVessel::jump_with(const CarriageMotion::State&
   return {jump, borne, tensions};
 }
 
-/// The carriage takes the speeds of `next` at once, and the vessel bears the impulse.
+/// Gives the carriage the speeds of `next` at one instant; the impulse acts on the vessel.
 void JointedVessel::change_speeds(const CarriageMotion::State& next, JointAccount::Motion& work) {
   const CarriageMotion::State change = change_between(now_, next);
   if (change.v.isZero(0) && change.yaw_rate == 0) return;
@@ -258,7 +258,7 @@ void JointedVessel::change_speeds(const CarriageMotion::State& next, JointAccoun
   tree_.set_speeds(u + jump);
 }
 
-/// From one instant to another, with the carriage's mean speeds.
+/// Moves the vessel between two instants, with the carriage's mean speeds.
 void JointedVessel::move(double from, double to, JointAccount::Motion& work) {
   if (!(to > from)) return;
   change_speeds(with_mean_speed(from, to), work);
@@ -306,7 +306,7 @@ std::vector<Wrench> JointedVessel::contact_impulses(const Wrench& on_hull) const
   return impulses;
 }
 
-/// Of the carriage in the velocity step.
+/// Acceleration of the carriage in the velocity step.
 CarriageMotion::State JointedVessel::mean_acceleration() const {
   CarriageMotion::State acceleration = change_between(now_, next_);
   acceleration.v /= h_;
@@ -314,7 +314,7 @@ CarriageMotion::State JointedVessel::mean_acceleration() const {
   return acceleration;
 }
 
-/// What the carriage's speeds change over the step under way beside the velocity step, which takes them from now_ to
+/// Change of the carriage's speeds over the present step outside of the velocity step, which takes them from now_ to
 /// next_.
 CarriageMotion::State JointedVessel::change_outside_step() const {
   CarriageMotion::State change = change_between(start_, motion_->at(time_ + h_));
@@ -324,9 +324,9 @@ CarriageMotion::State JointedVessel::change_outside_step() const {
   return change;
 }
 
-/// Springs act at the mean of three poses, this one and those before and after it, dampers at the speeds after the step
-/// or at the mean of both: no stiffness and no damping asks for a shorter step. Cells take the exact step of
-/// stiff_block.h, in which the parts' speeds are free.
+/// Springs act at the mean of three poses: the present one and those before and after it. Dampers act at the speeds
+/// after the step or at the mean of both. Therefore no stiffness or damping requires a shorter step. Cells take the
+/// exact step of stiff_block.h, in which the parts' speeds are free.
 VesselBlock JointedVessel::begin_step() {
   const double start = time_ + (1 - theta_) * h_;
   if (start == time_) begin_account();
@@ -334,7 +334,7 @@ VesselBlock JointedVessel::begin_step() {
   const CarriageMotion::State acceleration = mean_acceleration();
   u_before_ = tree_.speeds();
   const VecX of_cells = tree_.cell_force();
-  // at rest, so that the force is free of Coriolis terms: those act while the vessel moves
+  // The force is taken at rest, without Coriolis terms: those act while the vessel moves.
   const VecX still = VecX::Zero(u_before_.size());
   tree_.set_speeds(still);
   tree_.set_carriage(stopped(now_));
@@ -367,7 +367,7 @@ void JointedVessel::finish_step(const Wrench& contact) {
   std::vector<Wrench> given = free_loads();
   add(1 / h_, impulses, given);
 
-  // the velocity step
+  // The velocity step.
   VecX momentum = block_.f;
   for (std::size_t b = 0; b < size(); ++b) {
     Vec6 r;
@@ -402,7 +402,7 @@ void JointedVessel::finish_step(const Wrench& contact) {
   tree_.set_speeds(u);
   for (int b = 0; b < tree_.num_bodies(); ++b) after_[static_cast<std::size_t>(b)] = tree_.twist(b);
 
-  // the motion after it
+  // The motion after it.
   const double start = time_ + (1 - theta_) * h_, end = time_ + h_;
   move(start, end, joint_account_.after);
   change_speeds(with_mean_speed(end, end), joint_account_.after);
@@ -425,7 +425,7 @@ void JointedVessel::read_states() {
   }
 }
 
-/// What a body's momenta lack against all loads on it, as a mean over the step.
+/// Change of a body's momenta minus the impulses of all loads on it, as a mean over the step.
 Wrench JointedVessel::unbalanced(std::size_t b, const Wrench& given) const {
   const Vec6 gained = (tree_.momentum(static_cast<int>(b)) - momenta_[b]) / h_;
   const Wrench net = over(impulses_.net[b], h_);
@@ -438,7 +438,8 @@ void JointedVessel::read_carriage(const Wrench& about_point) {
   if (cells_) loads_.cells = cell_readings(cells_->layout, about_point, now_.yaw);
 }
 
-/// Means over the step, and what the momenta say beside them. `given`: those of the velocity step's rods included.
+/// Writes the means over the step, and the residuals of the momenta. `given` includes the rods' loads in the velocity
+/// step.
 void JointedVessel::read_loads(const std::vector<Wrench>& given) {
   joint_account_.rods = impulses_.rods / h_;
   for (std::size_t k = 0; k < parts_.size(); ++k) {

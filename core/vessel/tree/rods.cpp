@@ -8,18 +8,19 @@ namespace nilas {
 
 namespace {
 
-/// Ends that are closer have no direction between them [m].
+/// Distance of two ends below which their direction is undefined [m].
 constexpr double k_shortest = 1e-6;
-/// A given length may be off that of the placed ends by as much: the start is moved onto it [m].
+/// Largest difference between a given length and the distance of the placed ends; the start is moved onto the length
+/// [m].
 constexpr double k_length_tolerance = 5e-3;
-/// A start speed along a rod may be this share of the end's speed: what rounded numbers of a scene leave.
+/// Largest initial speed along a rod as a share of its end's speed, to admit rounded numbers in a scene.
 constexpr double k_rate_tolerance = 1e-3;
-/// Below this share of what a free body would give way, a rod holds nothing: sine^2 of 3e-5 rad from a dead point.
+/// Share of a free body's compliance below which a rod holds nothing. It is sine^2 of 3e-5 rad from a dead point.
 constexpr double k_idle = 1e-9;
 
 MatX response(const MatX& mass, const MatX& jacobian) { return mass.llt().solve(jacobian.transpose()); }
 
-/// The first rod whose length is off by more than a share of it and of 1 m, or none.
+/// The first rod whose length error exceeds `share` of (its length + 1 m); empty if none.
 std::optional<int> rod_off(const JointedTree& tree, const VecX& errors, double share) {
   for (int k = 0; k < errors.size(); ++k)
     if (!(std::abs(errors[k]) <= share * (1 + tree.rod_distance(k)))) return k;
@@ -46,7 +47,8 @@ std::optional<RodFault> length_fault(const VesselModel& model, const JointedTree
   return std::nullopt;
 }
 
-/// Start speeds that a scene gives must be ones that the rods allow; those on a carriage follow from its own.
+/// The fault of initial speeds that the rods do not allow. Only for given speeds: those on a carriage follow from its
+/// own.
 std::optional<RodFault> start_fault(const VesselModel& model, const JointedTree& tree) {
   if (model.carriage) return std::nullopt;
   const VecX rates = tree.rod_rates();
@@ -76,7 +78,7 @@ HeldByRods held_by_rods(const MatX& mass, const MatX& jacobian, const VecX& impo
 }
 
 bool obey_with(const MatX& jacobian, const std::vector<int>& some) {
-  constexpr double k_idle = 1e-6;  // of what the rod that they move most is moved by
+  constexpr double k_idle = 1e-6;  // share of the motion of the rod that they move most
   if (static_cast<Eigen::Index>(some.size()) < jacobian.rows()) return false;
   Eigen::ColPivHouseholderQR<MatX> factors;
   factors.setThreshold(k_idle);
@@ -107,7 +109,7 @@ VesselBlock block_on_rods(const VesselBlock& block, const MatX& jacobian, const 
 
 void return_to_lengths(JointedTree& tree) {
   constexpr double k_rounding = 4e-16;
-  constexpr int k_most = 8;  // Newton: the error of a step squared is at rounding after two
+  constexpr int k_most = 8;  // Newton: quadratic convergence reaches rounding in two steps
   for (int k = 0; k < k_most; ++k) {
     const VecX errors = tree.rod_errors();
     if (!rod_off(tree, errors, k_rounding)) return;
@@ -134,7 +136,7 @@ std::optional<int> idle_rod(const JointedTree& tree, const std::vector<RodModel>
   const MatX jacobian = tree.rod_jacobian();
   if (jacobian.cols() == 0) return jacobian.rows() > 0 ? std::optional<int>(0) : std::nullopt;
   const MatX compliance = jacobian * response(tree.mass_matrix(), jacobian);
-  // Cholesky's method row by row; a pivot over its diagonal is what the rods before leave of it
+  // Cholesky factorisation row by row. A pivot relative to its diagonal is the share that the earlier rods leave free.
   MatX factor = MatX::Zero(compliance.rows(), compliance.cols());
   for (int i = 0; i < compliance.rows(); ++i) {
     const double whole = compliance(i, i);

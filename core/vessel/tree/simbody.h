@@ -1,11 +1,12 @@
 #pragma once
-/// Simbody 3.7 as Debian builds it, in C++20 and in every build type. Include this in place of <Simbody.h>, in sources
-/// only.
+/// Includes Simbody 3.7 as Debian builds it, in C++20 and in every build type. Include this in place of <Simbody.h>, in
+/// sources only.
 ///
-/// 1. Its index types convert both ways to int, so the rewritten operator== candidates of C++20 are ambiguous. An exact
-///    match declared before its headers settles them.
-/// 2. Its State has more members without NDEBUG, and Debian's library is built without: a program that sees the other
-///    layout crashes in realizeTopology(). So its headers are read without NDEBUG (simbody/simbody pull request 738).
+/// 1. Its index types convert to and from int, so the rewritten operator== candidates of C++20 are ambiguous. An exact
+/// match declared before its headers resolves this.
+/// 2. Its State has more members without NDEBUG, and Debian's library is built without NDEBUG. A program compiled with
+/// the other layout crashes in realizeTopology(). Its headers are therefore read without NDEBUG (simbody/simbody pull
+/// request 738).
 #include <concepts>
 #include <type_traits>
 

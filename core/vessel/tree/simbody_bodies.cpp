@@ -41,7 +41,7 @@ SimTK::MobilizedBody add_carried(SimTK::MobilizedBody& carriage, const SimTK::Bo
                                              static_cast<int>(joint.axes.size()), along, coordinates);
 }
 
-/// Simbody's hinges turn about z, its sliders move along x.
+/// Rotation from Simbody's joint axes to those of the part: its hinges turn about z, its sliders move along x.
 static Quat joint_axes(const PartModel& part) {
   const Vec3 along = part.joint == JointKind::slider ? Vec3::UnitX() : Vec3::UnitZ();
   return Quat::FromTwoVectors(along, part.axis_V);

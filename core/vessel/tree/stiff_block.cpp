@@ -29,8 +29,9 @@ struct Modes {
   VecX omega;  ///< n [rad/s]
 };
 
-/// The free coordinates span the modes without frequency; the held ones are let carry the free ones along, which makes
-/// them mass-orthogonal to these, so that no rounding of large stiffnesses reaches the free modes.
+/// The modes of a system. The free coordinates span the modes with zero frequency. The held coordinates carry the free
+/// ones along, which makes them mass-orthogonal to these. Rounding of large stiffnesses therefore does not reach the
+/// free modes.
 Modes find_modes(const MatX& mass, const MatX& stiffness, const std::vector<int>& free) {
   const auto n = mass.rows();
   const auto n_free = static_cast<Eigen::Index>(free.size()), n_held = n - n_free;
@@ -54,7 +55,7 @@ Modes find_modes(const MatX& mass, const MatX& stiffness, const std::vector<int>
   return modes;
 }
 
-/// X diag(weight) X^T, symmetric to the last bit.
+/// X diag(weight) X^T, bitwise symmetric.
 MatX weighted_square(const MatX& x, const VecX& weight) {
   MatX square = MatX::Zero(x.rows(), x.rows());
   square.selfadjointView<Eigen::Lower>().rankUpdate(x * weight.cwiseSqrt().asDiagonal());

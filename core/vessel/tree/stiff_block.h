@@ -22,20 +22,20 @@ namespace nilas {
 struct StiffBlock {
   MatX mass;      ///< n x n, response^-1, symmetric positive definite: M itself for coordinates without spring
   MatX response;  ///< n x n, symmetric positive definite
-  MatX kept;      ///< n x n: of the speeds before
+  MatX kept;      ///< n x n: factor of the speeds before the step
 };
 
-/// An entry a_ij of M or K below this share of sqrt(a_ii a_jj) is rounding and counts as zero. Their entries are sums
-/// of a few products, each of which rounds by half an eps or less of that root.
+/// Entries a_ij of M or K below this share of sqrt(a_ii a_jj) are rounding and count as zero. Entries are sums of a few
+/// products, and each product rounds by at most half an eps of that root.
 constexpr double k_coupling_floor = 32 * std::numeric_limits<double>::epsilon();
 
-/// Sets of coordinates that M and K couple, directly or through others: each set in rising order, and the sets by their
-/// first coordinate. M and K as below.
+/// Sets of coordinates that M and K couple, directly or through others. Each set is in rising order, and the sets are
+/// ordered by their first coordinate. M and K as below.
 std::vector<std::vector<int>> coupled_sets(const MatX& mass, const MatX& stiffness);
 
-/// mass: M, n x n, symmetric positive definite. stiffness: K, n x n, symmetric, its rows and columns of the coordinates
-/// `free` exactly zero, positive definite on the others. damping_time [s]. h: step [s].
-/// Throws SimulationError when M or K is not positive definite.
+/// The coefficients of the step. `mass`: M, n x n, symmetric positive definite. `stiffness`: K, n x n, symmetric; its
+/// rows and columns of the coordinates `free` are exactly zero, and it is positive definite on the others.
+/// `damping_time` [s]. `h`: step [s]. Throws SimulationError when M or K is not positive definite.
 StiffBlock stiff_block(const MatX& mass, const MatX& stiffness, double damping_time, const std::vector<int>& free,
                        double h);
 

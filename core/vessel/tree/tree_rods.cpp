@@ -7,7 +7,7 @@ namespace nilas {
 
 void TreeRods::add(SimTK::SimbodyMatterSubsystem& matter, SimTK::MobilizedBody& mobilized, int body, const Vec3& at_B,
                    const Vec3& to_G) {
-  // its length is known when the tree stands; Simbody wants one above zero
+  // The length is set once the tree is complete; Simbody requires one above zero.
   constexpr double k_any_length = 1;
   rods_.push_back(
       {SimTK::Constraint::Rod(mobilized, to_simbody(at_B), matter.updGround(), to_simbody(to_G), k_any_length),

@@ -8,22 +8,22 @@ namespace nilas {
 
 class TreeRods {
  public:
-  /// Before the tree stands, to `body`, the place of its loads among those of loads(). `at_B`: in the frame of the
-  /// body; `to_G`: the fixed end [m].
+  /// Adds a rod before the tree is complete. `body`: index of the rod's body in the result of loads(). `at_B`: end in
+  /// the body's frame; `to_G`: fixed end [m].
   void add(SimTK::SimbodyMatterSubsystem& matter, SimTK::MobilizedBody& mobilized, int body, const Vec3& at_B,
            const Vec3& to_G);
   int size() const { return static_cast<int>(rods_.size()); }
-  double distance(int rod, const SimTK::State& state) const;  ///< between its ends [m]; realised to Position
+  double distance(int rod, const SimTK::State& state) const;  ///< distance of its ends [m]; state realised to Position
   void set_length(int rod, double length, SimTK::State& state) const;
 
-  /// Distances less lengths [m]; realised to Position.
+  /// Distances minus lengths [m]; state realised to Position.
   VecX errors(const SimTK::State& state) const;
-  /// Of the distances by all speeds of the tree, one row per rod; realised to Position.
+  /// Derivatives of the distances with respect to all speeds of the tree, one row per rod; state realised to Position.
   MatX jacobian(const SimTK::SimbodyMatterSubsystem& matter, const SimTK::State& state) const;
-  VecX rates(const SimTK::State& state) const;  ///< of the distances [m/s]; realised to Velocity
-  /// Second rates of the distances where no speed changes [m/s^2]; realised to Velocity.
+  VecX rates(const SimTK::State& state) const;  ///< rates of the distances [m/s]; state realised to Velocity
+  /// Second rates of the distances at constant speeds [m/s^2]; state realised to Velocity.
   VecX bias(const SimTK::SimbodyMatterSubsystem& matter, const SimTK::State& state) const;
-  /// What tensions do to each of `bodies`, in G about its origin; realised to Position.
+  /// Loads of the tensions on each of `bodies`, in G about its origin; state realised to Position.
   std::vector<Wrench> loads(const VecX& tensions, std::size_t bodies, const SimTK::State& state) const;
 
  private:

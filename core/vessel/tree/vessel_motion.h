@@ -1,5 +1,5 @@
 #pragma once
-/// What moves the vessel: one class per way of holding it, each with the step of vessel_system.h.
+/// The integrator of the vessel: one class per kind of support, each with the step of vessel_system.h.
 #include <memory>
 
 #include "core/base/state.h"
@@ -20,7 +20,7 @@ class VesselMotion {
   virtual Vec6 velocity_after_impulses() const = 0;
   virtual void displace(const Vec6& pseudo_twist, double h) = 0;
   virtual double spring_energy() const { return 0; }
-  /// As VesselSystem::settle(); nothing without a carriage.
+  /// The counterpart of VesselSystem::settle(); does nothing without a carriage.
   virtual VesselRest settle(const RestModel&, bool /*start_there*/) { return {}; }
   virtual VecX coordinates() const = 0;
   virtual bool can_move() const { return true; }
@@ -38,37 +38,38 @@ class VesselMotion {
   void restore(const StateReader& in);
 
  protected:
-  virtual void move_before_step(double /*h*/) {}  ///< of length h [s]; nothing with semi-implicit Euler
-  virtual void abandon_motion() {}                ///< back to where the step began
+  virtual void move_before_step(double /*h*/) {
+  }                                 ///< motion over a step of length h [s]; nothing with semi-implicit Euler
+  virtual void abandon_motion() {}  ///< returns to the start of the step
   virtual VesselBlock begin_step() = 0;
   virtual void finish_step(const Wrench& contact_impulse) = 0;
-  /// What the next step depends on beyond state and time.
+  /// Saves everything beyond state and time that the next step depends on.
   virtual void save_motion(StateWriter& out) const = 0;
   virtual void restore_motion(const StateReader& in) = 0;
 
-  Mat3 inertia_G() const;                            ///< R I R^T of the present pose
-  Vec3 turning(const Vec3& angular_momentum) const;  ///< the angular velocity with it at the present pose
+  Mat3 inertia_G() const;                            ///< R I R^T at the present pose
+  Vec3 turning(const Vec3& angular_momentum) const;  ///< angular velocity for this angular momentum at the present pose
 
-  MassProperties mass_;  ///< about the centre of mass, axes of V
+  MassProperties mass_;  ///< inertia about the centre of mass, axes of V
   Eigen::LLT<Mat3> inertia_factor_;
   VesselState state_;
   CarriageLoads loads_;
   std::vector<PartState> parts_;
   JointAccount joint_account_;
-  double time_;                                           ///< of the last step's end
-  Wrench free_;                                           ///< of the step under way
-  std::vector<Wrench> free_on_parts_, contact_on_parts_;  ///< of the step under way
-  double h_ = 0;                                          ///< of the step under way, 0 between steps
+  double time_;                                           ///< end of the last step [s]
+  Wrench free_;                                           ///< loads of the present step
+  std::vector<Wrench> free_on_parts_, contact_on_parts_;  ///< loads of the present step
+  double h_ = 0;                                          ///< length of the present step [s]; 0 between steps
 
  private:
-  double moved_for_ = 0;  ///< length of the step whose first motion is done, 0 between steps
+  double moved_for_ = 0;  ///< length of a step whose first motion is done [s]; 0 between steps
   bool moves_before_;
 };
 
 std::unique_ptr<VesselMotion> make_free_vessel(const VesselModel& model, double t0);
 /// Throws InputError when the force balance cannot hold the vessel.
 std::unique_ptr<VesselMotion> make_carried_vessel(const VesselModel& model, double t0);
-/// A hull with parts or rods, however it is held. Throws InputError for a part, rod or carriage that cannot be.
+/// A hull with parts or rods, for every kind of support. Throws InputError for an impossible part, rod or carriage.
 std::unique_ptr<VesselMotion> make_jointed_vessel(const VesselModel& model, double t0);
 
 }  // namespace nilas

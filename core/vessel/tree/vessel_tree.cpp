@@ -7,7 +7,7 @@
 namespace nilas {
 
 struct VesselTree::Implementation {
-  /// The state is filled once the tree stands; `carriage_speeds` come first among all speeds.
+  /// Completes the tree and fills the state. `carriage_speeds`: number of the carriage's speeds, which come first.
   void complete(int carriage_speeds) {
     carriage = carriage_speeds;
     state = system.realizeTopology();
@@ -26,8 +26,8 @@ struct VesselTree::Implementation {
   SimTK::SimbodyMatterSubsystem matter{system};
   SimTK::GeneralForceSubsystem forces{system};
   /// Loads that are known before a step. Weight, water and contact act once per step and are evaluated for all bodies
-  /// at once, so Simbody is given their sums: a force element that sums up the drag of wetted triangles itself would do
-  /// so anew for each of the states at which a step asks the tree (docs/theory/vessel.md).
+  /// at once, so Simbody receives their sums. A force element that summed the drag of wetted triangles itself would do
+  /// so for each state of the tree in a step (docs/theory/vessel.md).
   SimTK::Force::DiscreteForces applied{forces, matter};
   CellForces cells;
   SimTK::MobilizedBody::Planar planar;  ///< the carriage
@@ -134,7 +134,7 @@ MatX VesselTree::jacobian() const {
 
 VecX VesselTree::force(const Wrench& load, const CarriageMotion::State& acceleration) const {
   const Implementation& tree = *implementation_;
-  // What is missing where the vessel's speeds stay is what drives it.
+  // The force that drives the vessel is the negative of the force that is missing to keep its speeds constant.
   const SimTK::Vector missing = tree.missing_forces(tree.on_vessel(load), VecX::Zero(tree.speeds), acceleration);
   VecX force(tree.speeds);
   for (int i = 0; i < tree.speeds; ++i) force[i] = -missing[tree.carriage + i];

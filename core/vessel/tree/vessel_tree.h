@@ -1,6 +1,6 @@
 #pragma once
-/// The Simbody tree of the vessel behind plain matrices: Ground -> vessel, or Ground -> carriage -> vessel.
-/// Frame B: axes of V, origin at the centre of mass. Twists and wrenches in G at the centre of mass.
+/// The Simbody tree of the vessel, with plain matrices as interface: Ground -> vessel, or Ground -> carriage -> vessel.
+/// Frame B: axes of V, origin at the centre of mass. Twists and wrenches are in G at the centre of mass.
 #include <memory>
 #include <vector>
 
@@ -10,19 +10,19 @@
 
 namespace nilas {
 
-/// How the vessel hangs on the carriage. The carriage's frame C has its origin at the joint point and turns with its
+/// The joint between vessel and carriage. The carriage's frame C has its origin at the joint point and turns with its
 /// yaw.
 struct TreeJoint {
-  Pose in_B;          ///< of the joint's outboard frame J, which coincides with C when all coordinates are zero
+  Pose in_B;          ///< pose of the joint's outboard frame J, which coincides with C at zero coordinates
   double height = 0;  ///< Z of C's origin in G [m]
   std::vector<int>
-      axes;  ///< the coordinates in rising order: 0..2 body-fixed X-Y-Z angles of J in C, 3..5 position of J in C
+      axes;  ///< coordinates in rising order: 0..2 body-fixed X-Y-Z angles of J in C, 3..5 position of J in C
 };
 
-/// A load cell between vessel and carriage: its tension is -stiffness s - damping s', s = shortening . coordinates, and
-/// acts along the coordinates with the weights of `shortening`.
+/// A load cell between vessel and carriage. Its tension is -stiffness s - damping s' with s = shortening . coordinates.
+/// It acts along the coordinates with the weights of `shortening`.
 struct TreeCell {
-  VecX shortening;       ///< per coordinate, n
+  VecX shortening;       ///< n entries, one per coordinate
   double stiffness = 0;  ///< [N/m]
   double damping = 0;    ///< [N s/m]
 };
@@ -31,8 +31,8 @@ class VesselTree {
  public:
   /// Free vessel. Coordinates: quaternion (w, x, y, z) and position of B; speeds: angular velocity and velocity in G.
   explicit VesselTree(const MassProperties& mass);
-  /// On a carriage, whose yaw and position are prescribed. Speeds are the rates of the coordinates.
-  /// Each of the cells is a force element of Simbody.
+  /// Vessel on a carriage with prescribed yaw and position. Speeds are the rates of the coordinates. Each of the cells
+  /// is a force element of Simbody.
   VesselTree(const MassProperties& mass, const TreeJoint& joint, const std::vector<TreeCell>& cells = {});
   ~VesselTree();
   VesselTree(VesselTree&&) noexcept;
@@ -46,17 +46,17 @@ class VesselTree {
   Pose pose() const;
   Vec6 twist() const;        ///< (v; w), the carriage's motion included
   MatX mass_matrix() const;  ///< n x n
-  MatX jacobian() const;     ///< 6 x n: twist = jacobian * speeds + what the carriage imposes
-  /// Generalised force of `load`, less Coriolis and centrifugal terms and the inertia forces of the carriage's
-  /// acceleration; in `acceleration` only v [m/s^2] and yaw_rate [rad/s^2] count, as accelerations. For a free vessel:
-  /// the load alone and its gyroscopic term.
+  MatX jacobian() const;     ///< 6 x n: twist = jacobian * speeds + prescribed twist of the carriage
+  /// Generalised force of `load`, minus Coriolis and centrifugal terms, and minus the inertia forces of the carriage's
+  /// acceleration. Of `acceleration` only v [m/s^2] and yaw_rate [rad/s^2] are used. For a free vessel: the load and
+  /// its gyroscopic term.
   VecX force(const Wrench& load, const CarriageMotion::State& acceleration) const;
-  /// What all cells do along the speeds, as Simbody evaluates them at these coordinates and speeds. n entries.
+  /// Generalised force of all cells by Simbody at the present coordinates and speeds. n entries.
   VecX cell_force() const;
-  double cell_energy() const;  ///< of their springs [J]
-  /// Simbody's reaction of the vessel's joint to its carriage, on the vessel about its centre of mass in G: under
-  /// `load`, with these accelerations of the speeds (n) and, as above, of the carriage. What acts along the joint's
-  /// coordinates is in it: the cells, and what is missing beside them for these accelerations.
+  double cell_energy() const;  ///< energy of the cells' springs [J]
+  /// Simbody's reaction of the vessel's joint to its carriage, on the vessel about its centre of mass, frame G. It
+  /// belongs to `load`, these accelerations of the speeds (n) and, as above, the carriage's. It includes loads along
+  /// the joint's coordinates: the cells, and whatever else these accelerations require.
   Wrench reaction(const Wrench& load, const VecX& accelerations, const CarriageMotion::State& acceleration);
 
  private:
