@@ -69,8 +69,8 @@ TEST(Twins, TheConsoleSaysWhatTheForceIsWorthAndWhenTwinsPart) {
   const auto result = run_nilas("run " + k_presawn + "--until 2.5 --out run --twins 1", folder.path());
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(mentions(result.out, "ice load ")) << result.out;
-  EXPECT_TRUE(mentions(result.out, "What the time step adds")) << result.out;
-  EXPECT_TRUE(mentions(result.out, "twins                 1, predictable to the end")) << result.out;
+  EXPECT_TRUE(mentions(result.out, "The effect of the time step")) << result.out;
+  EXPECT_TRUE(mentions(result.out, "perturbed runs        1, predictable to the end")) << result.out;
 }
 
 TEST(Twins, WrongUseIsRefusedPlainly) {

@@ -7,7 +7,7 @@ namespace nilas {
 
 namespace {
 
-/// The longest fixed-point double has 309 digits before the point.
+/// Buffer for one number: the longest fixed-point double has 309 digits before the point.
 using NumberText = std::array<char, 400>;
 
 std::string_view view(const NumberText& text, const char* end) {

@@ -9,18 +9,18 @@ namespace nilas {
 
 class CsvRow {
  public:
-  /// Fixed-point with k_decimals digits after the point; what rounds to zero is written without a sign.
+  /// Writes fixed-point with k_decimals digits after the point. A value that rounds to zero has no sign.
   CsvRow& fixed(double x);
-  /// Fewest digits that read back to the same bits.
+  /// Writes the fewest digits that read back to the same bits.
   CsvRow& shortest(double x);
-  /// 17 significant digits, which read back to the same bits.
+  /// Writes 17 significant digits, which read back to the same bits.
   CsvRow& full(double x);
   CsvRow& integer(std::int64_t n);
-  /// 16 hexadecimal digits.
+  /// Writes 16 hexadecimal digits.
   CsvRow& hexadecimal(std::uint64_t n);
-  /// Quoted when it holds a comma, a quote or a line break (RFC 4180).
+  /// Writes a text, quoted when it contains a comma, a quote or a line break (RFC 4180).
   CsvRow& text(std::string_view word);
-  /// The row with its line end; the next value starts a new row after clear().
+  /// Returns the row with its line end. After clear(), the next value starts a new row.
   std::string_view line();
   void clear() { line_.clear(); }
 

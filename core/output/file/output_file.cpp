@@ -14,7 +14,7 @@ namespace nilas {
 
 namespace {
 
-constexpr mode_t k_file_mode = 0666;  // cut by the user's umask
+constexpr mode_t k_file_mode = 0666;  // reduced by the user's umask
 
 }  // namespace
 
@@ -60,8 +60,8 @@ bool OutputFile::write_at(off_t offset, std::string_view text) {
 }
 
 void OutputFile::cut_back() {
-  // The old tail's blocks still belong to the file, so writing it again needs no new space. Best effort: the fault that
-  // led here is what the user is told.
+  // The blocks of the old tail still belong to the file, so writing it again needs no new space. Errors are ignored
+  // here: the user sees the one that led here.
   if (body_end_ > 0) write_at(body_end_, tail_);
   const off_t end = body_end_ > 0 ? body_end_ + static_cast<off_t>(tail_.size()) : 0;
   if (::ftruncate(descriptor_, end) != 0) return;

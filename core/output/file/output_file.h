@@ -1,5 +1,5 @@
 #pragma once
-/// Files that stay complete while they grow: whatever ends the run, a reader finds whole rows only.
+/// Files that stay complete while they grow: however the run ends, a reader finds whole rows only.
 #include <sys/types.h>
 
 #include <cstdint>
@@ -14,9 +14,9 @@ namespace nilas {
 /// killed process. An optional tail (closing tags) follows the newest piece and is overwritten by the next one.
 class OutputFile {
  public:
-  /// Creates the file or empties it; `keep`: goes on after so many bytes of the file that is there, which holds
-  /// complete pieces up to there, of whole lines. Throws FileError, and InputError where it holds less or ends no line
-  /// there; it is then left as it was.
+  /// Creates the file or empties it. `keep`: keeps that many bytes of an existing file, which must be complete pieces
+  /// of whole lines, and continues after them. Throws FileError; throws InputError and leaves the file unchanged where
+  /// it is shorter or has no line end there.
   explicit OutputFile(std::filesystem::path path, std::string tail = "", std::optional<std::int64_t> keep = {});
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
@@ -25,7 +25,7 @@ class OutputFile {
   /// Appends a piece. When it does not fit (full disk) the file is cut back to its last complete piece. Throws
   /// FileError.
   void append(std::string_view piece);
-  /// Of complete pieces.
+  /// Number of bytes of complete pieces.
   std::int64_t bytes() const { return body_end_; }
   /// Returns when all pieces are on the disk. Throws FileError.
   void sync() const;
@@ -45,8 +45,8 @@ class OutputFile {
   off_t body_end_ = 0;  ///< bytes of complete pieces
 };
 
-/// Writes a whole file through a temporary neighbour and a rename: readers see the old text or the new. Throws
-/// FileError.
+/// Writes a whole file to a temporary file in the same folder and renames it: readers see the old or the new text.
+/// Throws FileError.
 void write_whole(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace nilas

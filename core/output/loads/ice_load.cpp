@@ -6,7 +6,7 @@ namespace nilas {
 
 bool IceLoad::impacts_dominate() const {
   constexpr double k_third = 1.0 / 3.0;
-  constexpr std::size_t k_least_steps = 100;  // 1 % of fewer steps is less than one
+  constexpr std::size_t k_least_steps = 100;  // with fewer steps, 1 % is less than one step
   return rigid && touched && window.steps() >= k_least_steps && in_largest > k_third;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-/// The load of the ice on a vessel or a structure over the window of a run: its mean, scatter and peaks along and
-/// across the course, and beside it the force of the towing carriage. docs/theory/load-error.md
+/// The ice load on a vessel or a structure over the window of a run: mean, scatter and peaks along and across the
+/// course. Also the force of the towing carriage. docs/theory/load-error.md
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,47 +16,49 @@ namespace nilas {
 struct ComponentLoad {
   LoadStatistics statistics;
   Peak peak;
-  std::optional<double> half_width;  ///< of the mean, for about 95 % of runs; nothing: not known [N]
+  std::optional<double> half_width;  ///< half width of the mean's error for about 95 % of runs; empty: not known [N]
 };
 
-/// The mean force of the carriage along the course, positive forward, and what takes it: tow = ice + others +
-/// water + inertia. With rods their pull is within `inertia`, and outputs say so.
+/// The mean force of the carriage along the course, positive forward, and its components: tow = ice + others + water +
+/// inertia. With rods, their pull is part of `inertia`, and outputs state this.
 struct TowForce {
   double mean = 0, std = 0;                ///< [N]
   double ice = 0, water = 0, inertia = 0;  ///< [N]
   bool on_rods = false;
-  double others = 0;                                            ///< contacts with walls and bodies [N]
-  double speed = 0;                                             ///< mean speed along the course over the window [m/s]
-  std::optional<double> open_water;                             ///< mean force of the same tow without ice [N]
-  std::string open_water_source;                                ///< where that comes from, in words
-  double net() const { return mean - open_water.value_or(0); }  ///< as a basin deducts it [N]
+  double others = 0;                 ///< force of contacts with walls and bodies [N]
+  double speed = 0;                  ///< mean speed along the course over the window [m/s]
+  std::optional<double> open_water;  ///< mean force of the same tow without ice [N]
+  std::string open_water_source;     ///< source of open_water, in words
+  double net() const {
+    return mean - open_water.value_or(0);
+  }  ///< without open-water force, as towing basins report it [N]
 };
 
 struct IceLoad {
   LoadWindow window;
   double filter = 0;      ///< averaging time of filtered peaks [s]
   double step = 0;        ///< [s]
-  bool touched = false;   ///< ice pressed on it at least once, of a vessel within the window
-  bool rigid = true;      ///< some ice meets the hull as a rigid body
+  bool touched = false;   ///< true if ice pressed on it at least once; for a vessel, within the window
+  bool rigid = true;      ///< true if some ice meets the hull as a rigid body
   ComponentLoad along;    ///< positive astern
   ComponentLoad across;   ///< positive to port
-  double in_largest = 0;  ///< part of the load's impulse along the course that 1 % of the steps carry
+  double in_largest = 0;  ///< share of the impulse along the course in 1 % of the steps
   std::optional<TowForce> tow;
 
-  /// Whether rigid impacts of single steps make up so much of the mean that their size should be limited by the ice.
+  /// Whether rigid impacts in single steps contribute so much to the mean that the ice's strength should limit them.
   bool impacts_dominate() const;
 };
 
-/// What one component was over a window of a run that begins at `start` in steps of `h` [s]. `ice_broke`: before the
-/// window's end, so that the load remembers long.
+/// The load of one component over a window of a run that begins at `start` with steps of `h` [s]. `ice_broke`: ice
+/// broke before the window's end, so the load has a long memory.
 ComponentLoad component_load(const std::vector<double>& series, const LoadWindow& window, double start, double h,
                              double filter, bool ice_broke = false);
 
 /// A body that the scene holds fixed.
 struct StructureLoad {
   std::string name;
-  IceLoad ice;                                               ///< without tow
-  std::vector<std::pair<std::string, ComponentLoad>> loads;  ///< by column name, without the structure's
+  IceLoad ice;                                               ///< has no tow force
+  std::vector<std::pair<std::string, ComponentLoad>> loads;  ///< loads by column name, without the structure's name
 };
 
 }  // namespace nilas

@@ -10,7 +10,7 @@ using Json = nlohmann::ordered_json;
 
 Json or_null(const std::optional<double>& x) { return x ? Json(*x) : Json(nullptr); }
 
-/// `unit`: N or Nm, at the keys' ends.
+/// One component. `unit`: N or Nm, the end of the keys.
 Json component_json(const ComponentLoad& load, const std::string& unit) {
   const Peak& peak = load.peak;
   return {{"mean_" + unit, load.statistics.mean},

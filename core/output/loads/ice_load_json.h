@@ -8,7 +8,7 @@
 namespace nilas {
 
 nlohmann::ordered_json window_json(const LoadWindow& window);
-/// `course`: how the course was found.
+/// Ice load of the vessel. `course`: how the course was determined.
 nlohmann::ordered_json ice_load_json(const IceLoad& load, CourseKind course);
 nlohmann::ordered_json tow_force_json(const TowForce& tow);
 nlohmann::ordered_json structures_json(const std::vector<StructureLoad>& structures);

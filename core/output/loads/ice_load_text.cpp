@@ -12,12 +12,12 @@ namespace {
 
 constexpr std::size_t k_label_width = 22;
 
-/// A label, and text broken at blanks behind it.
+/// A line with a label and text, wrapped behind the label.
 std::string line(const std::string& label, const std::string& text) {
   return fmt::format("{:<22}{}\n", label, wrapped(text, k_label_width));
 }
 
-/// Without an exponent, to so many significant digits.
+/// A number without exponent, with this number of significant digits.
 std::string plain(double x, int digits) {
   if (x == 0 || !std::isfinite(x)) return fmt::format("{:g}", x);
   const int decimals = std::max(0, digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(x)))));
@@ -25,7 +25,7 @@ std::string plain(double x, int digits) {
   return fmt::format("{:.{}f}", std::round(x / unit) * unit, decimals);
 }
 
-/// "16.9 N +- 2.1 N", both in the unit of the larger.
+/// A mean with its error, as "16.9 N +- 2.1 N", both in the unit of the larger.
 std::string with_error(double mean, const std::optional<double>& half_width, bool at_least = false) {
   constexpr int k_error_digits = 2;
   const ForceUnit unit = force_unit(std::max(std::abs(mean), half_width.value_or(0)));
@@ -52,8 +52,8 @@ std::string peak_lines(const IceLoad& load) {
                        raw_peak_depends_on(load)));
   if (load.impacts_dominate())
     text += line("  advice", fmt::format("1 % of the steps carry {:.0f} % of the load: single rigid impacts. Let the "
-                                         "ice crush (<fracture><crushing>, breakable ice) to limit them to what ice "
-                                         "bears.",
+                                         "ice crush (<fracture><crushing>, breakable ice) to limit them to the "
+                                         "strength of ice.",
                                          100 * load.in_largest));
   return text;
 }
@@ -63,14 +63,14 @@ std::string error_text(const LoadError& error) {
   std::string text = fmt::format("solver {}{}, contact law {}", error.solver_at_least ? "at least " : "",
                                  force_text(load.solver), force_text(load.law));
   if (load.chaos) text += fmt::format(", chance in this ice {}", force_text(*load.chaos));
-  text += load.chaos ? ". What the time step adds is not known" : ". What chance and the time step add is not known";
+  text += load.chaos ? ". The effect of the time step is not known"
+                     : ". The effects of chance and the time step are not known";
   if (error.solver_at_least)
     text += fmt::format(
-        ". In {:.2g} % of the steps the solver left more than its tolerance{}: how far that turned the course of the "
-        "ice "
-        "is not known. Solve tighter (contact/@solver, @tolerance, @max_iterations) and compare",
-        100 * error.share_short, error.ice_broke ? " or a thousandth of the speed" : "");
-  return text + ". Other ice of the same kind is not in it: run other seeds (--seed) and compare the means.";
+        ". In {:.2g} % of the steps the solver residual was above the tolerance{}; the effect on the motion of the ice "
+        "is not known. Set a stricter solver (contact/@solver, @tolerance, @max_iterations) and compare",
+        100 * error.share_short, error.ice_broke ? " or above a thousandth of the speed" : "");
+  return text + ". The +- does not cover other ice of the same kind: run other seeds (--seed) and compare the means.";
 }
 
 std::string tow_lines(const TowForce& tow) {
@@ -78,11 +78,11 @@ std::string tow_lines(const TowForce& tow) {
   const auto is_some = [&](double newton) { return std::abs(newton) > k_rounding * std::abs(tow.mean); };
   const auto part = [&](double newton) { return force_text(is_some(newton) ? newton : 0); };
   std::string text =
-      line("tow force", fmt::format("{} forward: ice takes {}, water {}, inertia{} {}{}", force_text(tow.mean),
-                                    part(tow.ice), part(tow.water), tow.on_rods ? " and rods" : "", part(tow.inertia),
+      line("tow force", fmt::format("{} forward: ice {}, water {}, inertia{} {}{}", force_text(tow.mean), part(tow.ice),
+                                    part(tow.water), tow.on_rods ? " and rods" : "", part(tow.inertia),
                                     is_some(tow.others) ? ", other contacts " + part(tow.others) : ""));
   if (tow.open_water)
-    text += line("  less open water", fmt::format("{}: {} in open water deducted ({})", force_text(tow.net()),
+    text += line("  less open water", fmt::format("{} after deduction of {} in open water ({})", force_text(tow.net()),
                                                   force_text(*tow.open_water), tow.open_water_source));
   return text;
 }
@@ -121,12 +121,12 @@ std::string ice_load_lines(const IceLoad& load, const LoadError& error) {
                 fmt::format("{} astern, {} to port{}",
                             with_error(load.along.statistics.mean, load.along.half_width, error.solver_at_least),
                             with_error(load.across.statistics.mean, load.across.half_width, error.solver_at_least),
-                            error.from_twins ? "; means over the run and its twins" : ""));
+                            error.from_twins ? "; means over the run and its perturbed runs" : ""));
     text += line("  window", window_text(load));
     text += line("  deviation", fmt::format("{} along, {} across", force_text(load.along.statistics.std),
                                             force_text(load.across.statistics.std)));
     text += peak_lines(load);
-    text += line("  the +- is of", error_text(error));
+    text += line("  sources of the +-", error_text(error));
   }
   if (load.tow) text += tow_lines(*load.tow);
   return text;

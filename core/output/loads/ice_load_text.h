@@ -1,5 +1,5 @@
 #pragma once
-/// Ice loads, tow force and loads on structures as a run tells them at its end.
+/// Ice loads, tow force and loads on structures as text, for the end of a run.
 #include <string>
 
 #include "core/output/loads/ice_load.h"
@@ -10,16 +10,16 @@ struct ForceUnit {
   const char* name;
   double size;  ///< [N]
 };
-/// N, kN or MN: that in which a force of this size has a readable number.
+/// The unit N, kN or MN that gives a force of this size a readable number.
 ForceUnit force_unit(double newton);
 /// A force in N, kN or MN with four digits.
 std::string force_text(double newton);
 
-/// What a raw peak depends on, as a whole sentence.
+/// The settings on which a raw peak depends, as a whole sentence.
 std::string raw_peak_depends_on(const IceLoad& load);
 
-/// Lines of at most 80 columns: mean, window, deviation and peaks, of a towed vessel what takes the tow force. `error`:
-/// the parts of the mean's error.
+/// Lines of at most 80 columns: mean, window, deviation and peaks; for a towed vessel also the components of the tow
+/// force. `error`: the sources of the mean's error.
 std::string ice_load_lines(const IceLoad& load, const LoadError& error);
 std::string structure_lines(const StructureLoad& structure);
 

@@ -20,7 +20,8 @@ std::array<double, k_components> components(const Wrench& w, const Vec2& along, 
           w.torque.y(), w.torque.z(), along.dot(force), across.dot(force)};
 }
 
-/// The component of the contact load that a channel is off with; nothing for loads of other origin or other arms.
+/// The component of the contact load whose residual is also the error of this channel; empty for loads of other origin
+/// or with other arms.
 std::optional<std::size_t> component_of(const std::string& channel) {
   static const std::array<std::string, 6> names{"fx_N", "fy_N", "fz_N", "mx_Nm", "my_Nm", "mz_Nm"};
   if (channel == "ice_resistance_N") return names.size();
@@ -46,7 +47,8 @@ std::optional<double> own_chaos(const std::vector<double>& contact, bool ice_bro
   return error.half_width();
 }
 
-/// Until they part all runs go one way, which their errors in common have chosen: the truth is one more draw.
+/// Half width from the scatter between runs, for one further run. Before the runs diverge they share one motion and its
+/// errors, so the true value is like a further run.
 double chaos_of_runs(const std::vector<double>& means) {
   return mean_error_of_runs(means).half_width() * std::sqrt(static_cast<double>(means.size() + 1));
 }
@@ -57,7 +59,7 @@ bool parted_in_time(const TwinStatistics& twins, double start, double end) {
 
 }  // namespace
 
-/// Mean over the window of what `value` makes of each entry.
+/// Mean over the window of value(entry) for each entry.
 template <class Value>
 static double mean_over(const std::vector<double>& series, const LoadWindow& window, const Value& value) {
   if (window.steps() == 0) return 0;
@@ -68,12 +70,12 @@ static double mean_over(const std::vector<double>& series, const LoadWindow& win
 
 void LoadResiduals::add(const StepRecord& record) {
   const VesselRecord& vessel = record.vessel.value();
-  constexpr double k_coarse = 1e-3;  // of the speed, as the default tolerance has it
+  constexpr double k_coarse = 1e-3;  // share of the speed, as in the default tolerance
   const double speed = vessel.carriage ? std::abs(vessel.state.v.head<2>().dot(vessel.course)) : 0;
   const bool coarse = speed > 0 && record.residuals.law_map_m_s > k_coarse * speed;
   short_.push_back(record.solver_short ? 1 : 0);
   coarse_.push_back(record.solver_short || coarse ? 1 : 0);
-  // absolute values of components bound those along any axis
+  // Absolute values of the components are bounds along any axis.
   const Vec2 ahead = vessel.course.cwiseAbs(), aside = to_port(vessel.course).cwiseAbs();
   const auto solver = components(vessel.solver_residual, ahead, aside);
   const auto law = components(vessel.law_residual, vessel.course, to_port(vessel.course));
@@ -129,7 +131,7 @@ std::optional<LoadError> load_error(const LoadRecord& run, const LoadResiduals& 
     ChannelError error;
     error.channel = run.names[c];
     error.mean = out.from_twins ? mean_of(twins->mean_loads[c]) : load_statistics(series).mean;
-    // the contact load's channels come first, in the order of the components
+    // The contact load's channels come first, in the order of the components.
     const bool of_course = *component >= k_components - k_num_course_loads;
     if (!out.chaos_from_twins)
       error.chaos = own_chaos(of_course ? series : run.window.of(run.series[*component]), out.ice_broke);

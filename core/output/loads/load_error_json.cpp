@@ -23,12 +23,12 @@ Json channel_json(const ChannelError& error) {
 
 const char* chaos_method(const LoadError& error) {
   if (error.chaos_from_twins)
-    return "Student's t (95 %) times the standard deviation over the run and its twins, for one more draw";
+    return "Student's t (95 %) times the standard deviation over the run and its perturbed runs, for one further run";
   if (error.from_twins)
-    return error.ice_broke ? "the larger of the run's own (8 batches about a straight line) and that of the twins, "
-                             "which parted too late, if at all"
+    return error.ice_broke ? "the larger of the run's own (8 batches about a straight line) and that of the "
+                             "perturbed runs, which diverged too late or not at all"
                            : "the larger of the run's own (second differences of 16 to 64 batches) and that of the "
-                             "twins, which parted too late, if at all";
+                             "perturbed runs, which diverged too late or not at all";
   if (error.ice_broke)
     return "Student's t (95 %) times the standard error of the run's own mean, by 8 batches about a straight line: ice "
            "broke";
@@ -38,9 +38,9 @@ const char* chaos_method(const LoadError& error) {
 Json methods_json(const LoadError& error) {
   return {
       {"solver",
-       "mean over the steps of the sum of |residual of the law asked| over the hull's contacts, and where "
-       "the solver stopped short over all contacts of the ice in touch with it"},
-      {"law", "|mean| + 2 standard errors of the sum of Coulomb residual less law residual over the hull's contacts"},
+       "mean over the steps of the sum of |residual of the chosen law| over the hull's contacts, and where "
+       "the solver missed its tolerance over all contacts of the ice in touch with it"},
+      {"law", "|mean| + 2 standard errors of the sum of Coulomb residual minus law residual over the hull's contacts"},
       {"chaos", chaos_method(error)},
       {"step", "not known from one run: run again with half the step"},
       {"estimate", "root of chaos squared and (solver + law) squared"}};

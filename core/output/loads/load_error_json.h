@@ -1,5 +1,5 @@
 #pragma once
-/// load_error and twins of summary.json. Keys: docs/reference/outputs.md.
+/// The objects "load_error" and "twins" (perturbed runs) of summary.json. Keys: docs/reference/outputs.md.
 #include <nlohmann/json.hpp>
 
 #include "core/output/loads/load_error.h"

@@ -11,7 +11,7 @@ struct LoadStatistics {
   double p99 = 0;  ///< 99th percentile of the absolute values, linear between neighbours
 };
 
-/// All zero for an empty series.
+/// Statistics of a series; all zero for an empty one.
 LoadStatistics load_statistics(const std::vector<double>& series);
 
 }  // namespace nilas

@@ -9,10 +9,10 @@ namespace nilas {
 
 namespace {
 
-/// Sums of many steps end a rounding error beside the times that a user names.
-constexpr double k_rounding = 1e-6;  // of a step
+/// Tolerance for the rounding of sums of many steps against times that a user names.
+constexpr double k_rounding = 1e-6;  // share of a step
 
-/// Steps that end by `t`.
+/// Number of steps that end at or before `t`.
 std::size_t steps_until(const LoadCourse& course, double t) {
   const double count = std::floor((t - course.start) / course.h + k_rounding);
   return static_cast<std::size_t>(std::clamp(count, 0.0, static_cast<double>(course.steps)));

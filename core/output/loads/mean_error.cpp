@@ -10,7 +10,7 @@ namespace nilas {
 
 namespace {
 
-/// Means of `count` batches, as equal in length as they can be, less the first value: what is constant stays exact.
+/// Means of `count` batches of nearly equal length, minus the first value, so that constants stay exact.
 std::vector<double> batch_means(const std::vector<double>& series, std::size_t count) {
   std::vector<double> means;
   for (std::size_t b = 0; b < count; ++b) {
@@ -22,8 +22,9 @@ std::vector<double> batch_means(const std::vector<double>& series, std::size_t c
   return means;
 }
 
-/// From second differences between neighbours, which a steady change leaves out. Of independent batches with variance
-/// s^2 they have the mean square 6 s^2 and correlations -2/3, 1/6: (b - 2) / (1 + 2 (4/9 + 1/36)) degrees of freedom.
+/// Standard error from second differences between neighbours, which exclude a steady change. For independent batches
+/// with variance s^2 they have the mean square 6 s^2 and correlations -2/3, 1/6. This gives (b - 2) / (1 + 2 (4/9 +
+/// 1/36)) degrees of freedom.
 MeanError second_differences(const std::vector<double>& means) {
   const auto n = static_cast<double>(means.size());
   double squares = 0;

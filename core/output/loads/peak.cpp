@@ -9,7 +9,7 @@ namespace nilas {
 
 namespace {
 
-/// Time integral of a load that is constant within steps, from the series' begin.
+/// Time integral, from the series' begin, of a load that is constant within steps.
 class Impulse {
  public:
   Impulse(const std::vector<double>& series, double h) : h_(h), sums_{0} {
@@ -26,7 +26,7 @@ class Impulse {
   std::vector<double> sums_;
 };
 
-/// The mean over an interval is largest where the interval begins or ends with a step.
+/// Finds the largest mean over the filter time. It occurs for an interval that begins or ends with a step.
 void find_filtered(const std::vector<double>& series, double t0, double h, Peak& peak) {
   const Impulse impulse(series, h);
   const double duration = static_cast<double>(series.size()) * h;

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t k_label_width = 22;
 constexpr double k_negligible = 1e-6, k_standard_gravity = 9.80665;
 
-/// The largest so far, and when; a value that is not a number counts as largest.
+/// Keeps the largest value and its time; a NaN counts as largest.
 void keep_largest(double value, double t, double& largest, double& time) {
   if (std::isnan(largest) || value <= largest) return;
   largest = value;
@@ -65,7 +65,7 @@ std::vector<JointBalance> ReactionBalance::joints() const {
   return joints;
 }
 
-/// Largest difference, a torque as a force at the vessel's length [N].
+/// Largest difference, with a torque converted to a force at the vessel's length [N].
 double ReactionBalance::apart(const JointBalance& joint) const { return std::max(joint.force, joint.torque / length_); }
 
 double ReactionBalance::relative(const JointBalance& joint) const {
@@ -79,8 +79,8 @@ std::string ReactionBalance::doubt() const {
       std::max_element(all.begin(), all.end(), [&](const auto& a, const auto& b) { return relative(a) < relative(b); });
   if (worst == all.end() || relative(*worst) <= k_limit || apart(*worst) <= negligible_) return {};
   return fmt::format(
-      "The vessel turns or swings too fast for the time step: the load in the joint of {} is known to {:.1g} of its "
-      "largest value only.",
+      "The vessel turns or swings too fast for the time step: the load in the joint of {} is uncertain by {:.1g} of "
+      "its largest value.",
       told(*worst), relative(*worst));
 }
 
@@ -115,7 +115,7 @@ std::string reaction_lines(const ReactionBalance& balance) {
   for (const JointBalance& joint : balance.joints()) {
     const double relative = balance.relative(joint);
     if (joint.name.empty()) {
-      line("carriage's reaction", fmt::format("{:.2g} N, {:.2g} N m between Simbody and the momenta, {:.2g} of the "
+      line("carriage's reaction", fmt::format("Simbody and the momenta differ by {:.2g} N, {:.2g} N m: {:.2g} of the "
                                               "largest load",
                                               joint.force, joint.torque, relative));
     } else if (of.empty() || relative > worst) {
@@ -124,8 +124,8 @@ std::string reaction_lines(const ReactionBalance& balance) {
     }
   }
   if (!of.empty())
-    line("loads in joints", fmt::format("{:.2g} of the largest load between Simbody and the momenta, at most, in part "
-                                        "'{}'",
+    line("loads in joints", fmt::format("Simbody and the momenta differ by at most {:.2g} of the largest load, in "
+                                        "part '{}'",
                                         worst, of));
   if (const std::string doubt = balance.doubt(); !doubt.empty()) line("joint loads doubtful", doubt);
   return text;

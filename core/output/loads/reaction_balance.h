@@ -1,5 +1,5 @@
 #pragma once
-/// How far Simbody's joint reactions and the balance of momenta are apart over a run.
+/// The difference between Simbody's joint reactions and the balance of momenta over a run.
 #include <string>
 #include <vector>
 
@@ -10,32 +10,32 @@ namespace nilas {
 
 /// The joint of the carriage, or of a part.
 struct JointBalance {
-  std::string name;                              ///< of the part; empty: the carriage
+  std::string name;                              ///< name of the part; empty: the carriage
   double force = 0, torque = 0;                  ///< largest differences in any step [N, N m]
-  double force_time = 0, torque_time = 0;        ///< when [s]
-  double largest_force = 0, largest_torque = 0;  ///< that the joint carried in any step [N, N m]
+  double force_time = 0, torque_time = 0;        ///< times of these [s]
+  double largest_force = 0, largest_torque = 0;  ///< largest loads of the joint in any step [N, N m]
 };
 
 class ReactionBalance {
  public:
-  /// Above this share of the largest load a run says so, unless the difference is below a millionth of the vessel's
+  /// Share of the largest load above which a run warns, unless the difference is below a millionth of the vessel's
   /// weight.
   static constexpr double k_limit = 1e-3;
 
-  /// `info`: of a run with a vessel, or not.
+  /// Prepares the balance of a run. `info` may be that of a run without a vessel.
   explicit ReactionBalance(const RunInfo& info);
-  /// Steps that know only one of both loads count for nothing.
+  /// Adds a step. Joints for which only one of both loads is known are ignored.
   void add(const StepRecord& record);
 
-  /// The carriage first, then the parts; joints of which no step knew both loads are left out.
+  /// The carriage first, then the parts. Joints for which no step knew both loads are left out.
   std::vector<JointBalance> joints() const;
-  /// Largest difference over the largest load, a torque counted as a force at the vessel's length.
+  /// Largest difference over the largest load, with torques converted to forces at the vessel's length.
   double relative(const JointBalance& joint) const;
-  /// One sentence about the joint that is farthest beyond the limit, or nothing.
+  /// One sentence about the joint with the largest relative difference beyond the limit; else empty.
   std::string doubt() const;
 
   void save(StateWriter out) const;
-  /// Throws InputError when the state is one of a run with other joints.
+  /// Restores a state. Throws InputError when it belongs to a run with other joints.
   void restore(const StateReader& in);
 
  private:
@@ -46,13 +46,13 @@ class ReactionBalance {
   double apart(const JointBalance& joint) const;
   static void note(Seen& seen, double t, double force, double torque, const Wrench& load);
 
-  std::vector<Seen> seen_;  ///< of the carriage, if there is one, and the parts
+  std::vector<Seen> seen_;  ///< one entry for the carriage, if there is one, and one per part
   bool has_carriage_ = false;
-  double length_ = 1;      ///< of the vessel [m]
-  double negligible_ = 0;  ///< difference [N]
+  double length_ = 1;      ///< length of the vessel [m]
+  double negligible_ = 0;  ///< largest difference that is ignored [N]
 };
 
-/// Lines of the closing account, at most 80 columns; nothing without joints.
+/// Lines of the closing account, at most 80 columns; empty without joints.
 std::string reaction_lines(const ReactionBalance& balance);
 
 }  // namespace nilas

@@ -11,7 +11,7 @@ namespace nilas {
 
 namespace {
 
-/// 0 / 0 is a balance that holds exactly.
+/// Ratio in which 0 / 0 is 0: a balance that holds exactly.
 double ratio(double part, double scale) { return part == 0 ? 0 : part / scale; }
 
 }  // namespace
@@ -91,7 +91,7 @@ void RunStatistics::add_structures(const StepRecord& record) {
 
 void RunStatistics::note(std::size_t column, double value, double t) {
   Worst& worst = worst_[column];
-  // The negated comparison lets a value that is not a number in, and then keeps the first of them.
+  // A NaN replaces any number, and the first NaN stays.
   if (std::isnan(worst.value) || std::abs(value) <= std::abs(worst.value)) return;
   worst.value = value;
   worst.time = t;
@@ -113,7 +113,7 @@ void RunStatistics::save(StateWriter out) const {
   out.add("speed", speed_);
   out.add("first_ice", first_ice_);
   out.add("first_break", first_break_);
-  std::vector<double> structures;  // in one piece: a pier of hundreds of piles has thousands of series
+  std::vector<double> structures;  // in one array: a pier of hundreds of piles has thousands of series
   for (const auto& series : structure_series_) structures.insert(structures.end(), series.begin(), series.end());
   out.add("structures", structures);
   out.add("structures_first_ice", structure_first_ice_);
@@ -242,7 +242,7 @@ std::optional<IceLoad> RunStatistics::ice_load(const TwinStatistics* twins) cons
     force.ice = load_statistics(load.window.of(series_of("ice_resistance_N"))).mean;
     force.water = load_statistics(load.window.of(water_)).mean;
     force.others = load_statistics(load.window.of(others_)).mean;
-    force.inertia = force.mean - force.ice - force.others - force.water;  // by Newton's law along the course
+    force.inertia = force.mean - force.ice - force.others - force.water;  // Newton's law along the course
     force.on_rods = !info_.rods.empty();
     force.speed = load_statistics(load.window.of(speed_)).mean;
   }

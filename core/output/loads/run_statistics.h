@@ -1,5 +1,6 @@
 #pragma once
-/// What a run amounts to: worst values, load series, time per phase. Source of summary.json and of the closing account.
+/// The statistics of a run: worst values, load series, time per phase. Source of summary.json and of the closing
+/// account.
 #include <array>
 #include <string>
 #include <vector>
@@ -14,68 +15,67 @@
 
 namespace nilas {
 
-/// The largest absolute value that a column of steps.csv took, and when; a value that is not a number counts as
-/// largest.
+/// The largest absolute value of a column of steps.csv, and its time. A NaN counts as largest.
 struct Worst {
   std::string name;
   double value = 0;
   double time = 0;  ///< [s]
 };
 
-/// How often something that a run relies on fell short; each is 0 in a healthy run.
+/// Counts of steps in which a numerical method missed its goal; all are 0 in a healthy run.
 struct Shortfalls {
   long unconverged_steps = 0;  ///< the solver ended above its tolerance
-  long uncorrected_steps = 0;  ///< the split impulse ended above its tolerance
+  long uncorrected_steps = 0;  ///< the position correction ended above its tolerance
 };
 
 class RunStatistics {
  public:
   explicit RunStatistics(const RunInfo& info);
 
-  /// The state before the first step.
+  /// Notes the state before the first step.
   void start(double t, const Ledger& ledger);
-  /// `vessel_values`: as read from the channels, empty without a vessel.
+  /// Adds a step. `vessel_values`: as read from the channels, empty without a vessel.
   void add(const StepRecord& record, const std::vector<double>& vessel_values);
 
   double start_time() const { return t_start_; }  ///< [s]
   double end_time() const { return t_end_; }      ///< [s]
   long steps() const { return steps_; }
-  /// Each residual, penetration_max_m, penetration_mean_m, imbalance_J, momentum_imbalance_Ns,
+  /// The worst values of each residual, penetration_max_m, penetration_mean_m, imbalance_J, momentum_imbalance_Ns,
   /// angular_momentum_imbalance_Nms and both momentum imbalances relative to their scales.
   const std::vector<Worst>& worst() const { return worst_; }
   const Worst& worst(const std::string& name) const;
   /// Kinetic energy at the start plus the absolute works of all steps: the scale of imbalance_J [J].
   double energy_put_in() const { return energy_put_in_; }
-  /// Largest |imbalance_J| over energy_put_in(); 0 when nothing was put in and nothing is missing.
+  /// Largest |imbalance_J| over energy_put_in(); 0 when both are 0.
   double relative_imbalance() const;
   const std::array<double, k_num_phases>& total_ms() const { return total_ms_; }
   double mean_ms(Phase phase) const;
   const Shortfalls& shortfalls() const { return shortfalls_; }
-  /// Of all steps.
+  /// Counts of contact detection over all steps.
   const DetectorCounts& detection() const { return detection_; }
-  /// Of carriage and parts, over all steps.
+  /// Balance of joint reactions of carriage and parts, over all steps.
   const ReactionBalance& reactions() const { return reactions_; }
 
   const std::vector<std::string>& load_names() const { return load_names_; }
   const std::vector<double>& load_series(std::size_t channel) const { return load_series_[channel]; }
-  /// The part of the run that the vessel's loads are summed up over.
+  /// The window over which the vessel's loads are averaged.
   LoadWindow window() const;
   /// Averaging time of the vessel's filtered peaks [s].
   double peak_filter() const;
-  /// Over the window; nothing without a vessel. `twins`: of the run, or none.
+  /// Errors of the mean loads over the window; empty without a vessel. `twins`: the perturbed runs, or null.
   std::optional<LoadError> load_error(const TwinStatistics* twins) const;
-  /// Over the window; nothing without a vessel.
+  /// Ice load over the window; empty without a vessel. `twins`: as above.
   std::optional<IceLoad> ice_load(const TwinStatistics* twins) const;
-  /// Each over its own window.
+  /// Loads on the structures, each over its own window.
   std::vector<StructureLoad> structure_loads() const;
-  /// Mean of the carriage's force along the course over a window; nothing without a carriage that moves [N].
+  /// Mean of the carriage's force along the course over a window [N]; empty without a moving carriage.
   std::optional<double> mean_tow(const LoadWindow& window) const;
-  /// Why the last steps took longer than the first with ice, in sentences; or empty.
+  /// Whole sentences why the last steps took longer than the first with ice; or empty.
   std::string slowdown() const;
   double step() const { return h_; }  ///< [s]
 
   void save(StateWriter out) const;
-  /// Throws InputError when the state is one of a run with other columns.
+  /// Restores a state. Throws InputError when it belongs to a run with other columns.
   void restore(const StateReader& in);
 
  private:
@@ -90,15 +90,16 @@ class RunStatistics {
   std::vector<std::string> load_names_;
   std::vector<std::vector<double>> load_series_;
   LoadResiduals load_residuals_;
-  std::vector<double> tow_, water_, others_, speed_;  ///< along the course, of a vessel on a carriage [N, m/s]
+  std::vector<double> tow_, water_, others_,
+      speed_;                     ///< loads and speed along the course, for a vessel on a carriage [N, m/s]
   double first_ice_ = k_never;    ///< start of the first step in which ice pressed on the vessel [s]
   double first_break_ = k_never;  ///< end of the first step in which a floe broke [s]
-  std::vector<std::vector<double>> structure_series_;  ///< per structure and load
-  std::vector<double> structure_first_ice_;            ///< per structure [s]
+  std::vector<std::vector<double>> structure_series_;  ///< one series per structure and load
+  std::vector<double> structure_first_ice_;            ///< start of the first step with ice, one per structure [s]
   StepCosts costs_;
   double h_ = 0;  ///< [s]
   static constexpr double k_never = 1e300;
-  std::vector<double> works_;  ///< of the step before [J]
+  std::vector<double> works_;  ///< works after the previous step [J]
   double energy_put_in_ = 0;
   double t_start_ = 0, t_end_ = 0;
   long steps_ = 0;

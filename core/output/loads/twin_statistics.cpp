@@ -23,7 +23,7 @@ double mean_diameter(const Bodies& bodies) {
   return count > 0 ? sum / count : 0;
 }
 
-/// Infinite where the two do not have the same bodies.
+/// Largest distance between the same bodies of two runs; infinite where they do not have the same bodies.
 double largest_distance(const Bodies& one, const Bodies& other) {
   if (one.id != other.id) return std::numeric_limits<double>::infinity();
   double largest = 0;

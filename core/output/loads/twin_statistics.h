@@ -1,5 +1,5 @@
 #pragma once
-/// What a run and its twins, which start next to nothing aside, tell together.
+/// Statistics over a run and its perturbed runs (twins), whose bodies start up to 1e-12 m away.
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace nilas {
 
-/// A twin whose numerics failed: it counts for nothing from there on.
+/// A perturbed run whose numerics failed. It does not count from that time on.
 struct FailedTwin {
   std::uint64_t twin = 0;
   double time = 0;  ///< [s]
@@ -16,31 +16,31 @@ struct FailedTwin {
 };
 
 struct TwinStatistics {
-  int count = 0;  ///< twins asked for
+  int count = 0;  ///< number of perturbed runs requested
   std::vector<std::string> load_names;
-  /// Per load channel the mean over the run itself and over each twin that did not fail.
+  /// Mean over the run itself and over each perturbed run that did not fail, per load channel.
   std::vector<std::vector<double>> mean_loads;
-  double threshold = 0;             ///< of the horizon [m]
-  std::optional<double> horizon;    ///< nothing: never reached [s]
+  double threshold = 0;             ///< distance that defines the horizon [m]
+  std::optional<double> horizon;    ///< time of the horizon; empty: never reached [s]
   std::optional<double> e_folding;  ///< [s]
   std::vector<FailedTwin> failed;
 
   std::size_t runs() const { return mean_loads.empty() ? 0 : mean_loads.front().size(); }
 };
 
-/// Follows how far the same body is apart in any two runs. The horizon is the first time when that exceeds 1e-4 of the
-/// mean diameter (of the bounding sphere) of the bodies that move freely, or when the runs do not have the same bodies
-/// any more. The e-folding time is that of the exponential fitted to all distances between ten times the first offset
-/// and the threshold.
+/// Follows the largest distance of the same body between any two runs. The horizon is the first time when it exceeds
+/// 1e-4 of the mean diameter (of the bounding sphere) of the freely moving bodies, or when the runs no longer have the
+/// same bodies. The e-folding time is that of the exponential fitted to all distances between ten times the first
+/// offset and the threshold.
 class TwinHorizon {
  public:
   explicit TwinHorizon(const Bodies& start);
 
-  /// Once per step, at time t [s].
+  /// Compares the runs at time t [s]. Call once per step.
   void compare(double t, const std::vector<const Bodies*>& runs);
   double threshold() const { return threshold_; }
   std::optional<double> horizon() const { return horizon_; }
-  /// Nothing before the horizon, or where fewer than ten steps lie on the way.
+  /// The e-folding time [s]; empty before the horizon, or where fewer than ten steps lie in the fitted range.
   std::optional<double> e_folding() const;
 
  private:

@@ -23,11 +23,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Files that are replaced as a whole are left so where a run was killed while writing.
+/// Ending of a file that is being replaced; such files remain where a run was killed while writing.
 constexpr const char* k_half_written = ".part";
 constexpr const char* k_log = "nilas.log";
 
-/// Everything that a run writes beside its folders.
+/// All files that a run writes directly into its folder.
 const std::vector<std::string>& own_files() {
   static const std::vector<std::string> names{
       "scene.xml",   "vessel.csv",  "structures.csv", "steps.csv",  "contacts.h5", "trajectory.pvd", "events.csv",
@@ -35,7 +35,7 @@ const std::vector<std::string>& own_files() {
   return names;
 }
 
-/// Step of a trajectory frame, or of one half written; 0 for what is written at the start alone; nothing for other
+/// Step of a trajectory frame, also of a half-written one; 0 for files written only at the start; empty for other
 /// files.
 std::optional<long> step_of_frame(const std::string& name) {
   static const std::regex pattern(R"(step-(\d{6,18})(-(ice|vessel|bodies|forces))?\.vtp(\.part)?)"),
@@ -57,7 +57,7 @@ void remove_file(const fs::path& path) {
   if (error) fail(path, "remove the file of an earlier run", error.message());
 }
 
-/// Removes the files in `folder` whose names are chosen.
+/// Removes the files in `folder` whose names are `chosen`.
 void remove_where(const fs::path& folder, const std::function<bool(const std::string&)>& chosen) {
   std::error_code error;
   if (!fs::is_directory(fs::symlink_status(folder, error))) return;
@@ -71,7 +71,7 @@ void remove_frames_after(const fs::path& folder, long step) {
   remove_where(folder, [&](const std::string& name) { return step_of_frame(name).value_or(step) > step; });
 }
 
-/// worst.hdf5 is left where `worst` is a step.
+/// Whether a file holds a contact problem of a later step than `step`. worst.hdf5 counts unless `worst` is a step.
 bool is_problem_after(const std::string& name, long step, long worst) {
   static const std::regex pattern(R"((last|worst|worst-\d{8,18}|step-(\d{8,18}))\.hdf5(\.part)?)");
   std::smatch match;
@@ -90,11 +90,11 @@ void remove_problems_after(const fs::path& folder, long step, long worst) {
     if (error) fail(kept, "rename it to worst.hdf5", error.message());
   }
   remove_where(folder, [&](const std::string& name) { return is_problem_after(name, step, worst); });
-  fs::remove(folder, error);  // fails, as it should, when the folder holds anything
+  fs::remove(folder, error);  // fails on purpose when the folder is not empty
 }
 
-/// What a run that was stopped before its first step leaves: its log, copies of its input files, and files half
-/// written.
+/// Whether a folder holds no more than a run leaves that stopped before its first step: its log, copies of its input
+/// files, and half-written files.
 bool holds_no_outputs(const fs::path& folder, std::error_code& error) {
   const auto left_over = [&](const std::string& name) {
     const auto& own = own_files();

@@ -19,7 +19,7 @@ std::string phase_line(const std::string& name, double ms, long steps, double to
                      total_ms > 0 ? k_percent * ms / total_ms : 0);
 }
 
-/// `other` is what no step accounts for: building the scene, drawing progress.
+/// Wall time per phase. `other` is the time outside of the steps: building the scene, drawing progress.
 std::string phase_table(const RunStatistics& statistics, double wall_s) {
   const auto& ms = statistics.total_ms();
   const double in_steps = std::accumulate(ms.begin(), ms.end(), 0.0), total = std::max(wall_s * k_ms_per_s, in_steps);
@@ -35,34 +35,35 @@ std::string worst_line(const char* label, const RunStatistics& statistics, const
   return fmt::format("{:<22}{:.3g} {} at {:g} s\n", label, worst.value, unit, worst.time);
 }
 
-/// Who settled the pairs of convex parts; nothing where no pair came near.
+/// The shares of the methods that settled pairs of convex pieces; empty where no pair came near.
 std::string detection_lines(const DetectorCounts& counts) {
   if (counts.candidate_pairs == 0) return {};
   const long kept = counts.cached_separations + counts.kept_axes;
-  const long others = counts.candidate_pairs - kept - counts.by_fcl - counts.corrected;  // also where ice crushes
+  const long others =
+      counts.candidate_pairs - kept - counts.by_fcl - counts.corrected;  // includes pairs of crushing ice
   const auto share = [&](long count) {
     return k_percent * static_cast<double>(count) / static_cast<double>(counts.candidate_pairs);
   };
   return fmt::format(
-      "{:<22}{} in all: {:.3g} % by a kept axis, {:.3g} % by FCL,\n{:<22}{:.3g} % corrected after FCL, {:.3g} % by "
+      "{:<22}{} in all: {:.3g} % by a stored axis, {:.3g} % by FCL,\n{:<22}{:.3g} % corrected after FCL, {:.3g} % by "
       "other searches\n",
-      "pairs of parts", counts.candidate_pairs, share(kept), share(counts.by_fcl), "", share(counts.corrected),
+      "pairs of pieces", counts.candidate_pairs, share(kept), share(counts.by_fcl), "", share(counts.corrected),
       share(others));
 }
 
-/// One line for each thing that fell short, none in a healthy run.
+/// One line for each method that missed its goal; empty in a healthy run.
 std::string shortfall_lines(const Shortfalls& shortfalls, const DetectorCounts& detection, long steps) {
   std::string text;
   const auto line = [&](long count, const char* label, const std::string& rest) {
     if (count > 0) text += fmt::format("{:<22}{} {}\n", label, count, rest);
   };
-  line(shortfalls.unconverged_steps, "solver short", fmt::format("of {} steps above its tolerance", steps));
-  line(shortfalls.uncorrected_steps, "correction short", fmt::format("of {} steps above its tolerance", steps));
+  line(shortfalls.unconverged_steps, "solver not converged", fmt::format("of {} steps above its tolerance", steps));
+  line(shortfalls.uncorrected_steps, "position correction", fmt::format("of {} steps above its tolerance", steps));
   line(detection.fallbacks, "collision library", "queries without a usable answer; the exact search decided");
   return text;
 }
 
-/// Rigid contacts, and where ice crushes what of it still stands inside the hull.
+/// Penetration of rigid contacts and, where ice crushes, of crushed ice inside the hull.
 std::string penetration_lines(const RunStatistics& statistics, bool crushes) {
   if (!crushes) return worst_line("worst penetration", statistics, "penetration_max_m", "m");
   const Worst &rigid = statistics.worst("penetration_max_m"), &crushed = statistics.worst("crushed_overlap_max_m");
@@ -70,7 +71,7 @@ std::string penetration_lines(const RunStatistics& statistics, bool crushes) {
                      "worst penetration", rigid.value, rigid.time, "crushed ice, at most", crushed.value, crushed.time);
 }
 
-/// The first so many, those that ice touched before the others; all are in the summary.
+/// The first structures, those that ice touched before the others. All are in the summary.
 std::vector<StructureLoad> told_structures(const RunStatistics& statistics) {
   constexpr std::size_t k_most = 8;
   std::vector<StructureLoad> told = statistics.structure_loads();
@@ -81,11 +82,12 @@ std::vector<StructureLoad> told_structures(const RunStatistics& statistics) {
 
 std::string twin_lines(const TwinStatistics& twins) {
   std::string text =
-      fmt::format("{:<22}{}, {}", "twins", twins.count,
+      fmt::format("{:<22}{}, {}", "perturbed runs", twins.count,
                   twins.horizon ? fmt::format("predictable until {:g} s", *twins.horizon) : "predictable to the end");
-  if (twins.e_folding) text += fmt::format(", apart e-fold in {:.2g} s", *twins.e_folding);
+  if (twins.e_folding) text += fmt::format(", e-folding time {:.2g} s", *twins.e_folding);
   text += "\n";
-  for (const FailedTwin& f : twins.failed) text += fmt::format("{:<22}{} failed at {:g} s\n", "twin", f.twin, f.time);
+  for (const FailedTwin& f : twins.failed)
+    text += fmt::format("{:<22}{} failed at {:g} s\n", "perturbed run", f.twin, f.time);
   return text;
 }
 

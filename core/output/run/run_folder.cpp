@@ -15,7 +15,7 @@
 
 namespace nilas {
 
-/// Where a file of a run that goes on is to be cut; nothing for a new run.
+/// The length to which a file of a continued run is cut; empty for a new run.
 static std::optional<std::int64_t> kept_bytes(const StateReader* from, const std::string& file) {
   if (from == nullptr) return std::nullopt;
   std::int64_t bytes = 0;
@@ -51,13 +51,13 @@ struct RunFolder::Outputs {
     if (from != nullptr) restore(*from);
   }
 
-  /// By the number of bodies at the start, before any broke.
+  /// Opens bodies.csv. The default depends on the number of bodies at the start, before any broke.
   void open_bodies(const std::filesystem::path& folder, const StateReader* from) {
     if (snapshot_every > 0 && bodies_asked.value_or(info.bodies <= k_bodies_csv_default_limit))
       bodies.emplace(folder / "bodies.csv", kept_bytes(from, "bodies.csv"));
   }
 
-  /// Calls for every file that grows.
+  /// Calls `call` for every file that grows.
   template <class Call>
   void for_each_file(const Call& call) const {
     call("steps.csv", steps.file());
@@ -86,7 +86,7 @@ struct RunFolder::Outputs {
     problems.restore(in.group("problems"));
   }
 
-  /// Contacts of a step that trajectory frames show: those that contacts.h5 holds.
+  /// Contacts of a step for the trajectory frames: those in contacts.h5.
   std::vector<ContactRow> shown_contacts(const std::vector<SolvedProblem>& parts, const Bodies& now) const {
     std::vector<ContactRow> rows;
     if (!contacts || !trajectory) return rows;
@@ -98,7 +98,7 @@ struct RunFolder::Outputs {
     return rows;
   }
 
-  /// Snapshots fall on the step nearest to each multiple of the interval.
+  /// Whether a snapshot is due. Snapshots are taken at the step nearest to each multiple of the interval.
   bool snapshot_due(double t, double h) const {
     return snapshot_every > 0 && t - t_start >= static_cast<double>(snapshots) * snapshot_every - 0.5 * h;
   }
@@ -116,7 +116,7 @@ struct RunFolder::Outputs {
   std::optional<EventsCsv> events;
   std::optional<ContactsH5> contacts;
   ProblemFiles problems;
-  double snapshot_every;  ///< [s]; 0: none
+  double snapshot_every;  ///< interval of snapshots [s]; 0: none
   std::optional<bool> bodies_asked;
   bool contacts_of_all;
   double t_start = 0;
@@ -132,7 +132,7 @@ RunFolder::~RunFolder() = default;
 void RunFolder::abandon() const {
   std::error_code ignored;
   std::filesystem::remove(log_file(), ignored);
-  std::filesystem::remove(path_, ignored);  // fails, as it should, when the folder holds anything
+  std::filesystem::remove(path_, ignored);  // fails on purpose when the folder is not empty
 }
 
 void RunFolder::open(const Scene& scene, const RunInfo& info, WarningCounts& warnings) {

@@ -19,15 +19,15 @@
 
 namespace nilas {
 
-/// Life: constructed, open() and start(), or resume(), record() per step, finish(). Every complete step is readable at
-/// any moment.
+/// The outputs of one run. Order of calls: constructor, open() and start(), or resume(); record() per step; finish().
+/// Every complete step is readable at any time.
 class RunFolder {
  public:
-  /// Creates the folder. One that holds anything is refused (InputError) unless `force`, which removes what an earlier
-  /// run of Nilas wrote there and nothing else, copies that are among `inputs` excepted. Throws FileError when the
-  /// folder cannot be made or written, or another program writes into it.
+  /// Creates the folder. Throws InputError when it is not empty, unless `force`: then the files that an earlier run of
+  /// Nilas wrote there are removed, except for copies among `inputs`. Throws FileError when the folder cannot be
+  /// created or written, or another program writes into it.
   RunFolder(const std::filesystem::path& path, bool force, const std::vector<InputFile>& inputs = {});
-  /// The folder of a run that goes on.
+  /// Opens the folder of a run that continues.
   RunFolder(std::filesystem::path path, RunLock lock);
   ~RunFolder();
 
@@ -36,33 +36,34 @@ class RunFolder {
   std::filesystem::path scene_file() const { return scene_file(path_); }
   std::filesystem::path summary_file() const { return summary_file(path_); }
   std::filesystem::path checkpoint_file() const { return checkpoint_file(path_); }
-  /// The same of a folder that is not held.
+  /// The same files of a folder that is not claimed.
   static std::filesystem::path scene_file(const std::filesystem::path& folder) { return folder / "scene.xml"; }
   static std::filesystem::path summary_file(const std::filesystem::path& folder) { return folder / "summary.json"; }
   static std::filesystem::path checkpoint_file(const std::filesystem::path& folder) { return folder / "checkpoint.h5"; }
 
-  /// For a run that could not begin: removes the log, and the folder when nothing else is in it.
+  /// Removes the log, and the folder if it is then empty, after a run that could not begin.
   void abandon() const;
 
   /// Copies the scene's input files, writes scene.xml and opens the outputs that the scene asks for. `warnings` must
   /// outlive the folder. Throws FileError, and InputError where an input file has changed since the scene was read.
   void open(const Scene& scene, const RunInfo& info, WarningCounts& warnings);
-  /// The state at time t [s] before the first step. Throws FileError.
+  /// Writes the state at time t [s] before the first step. Throws FileError.
   void start(double t, const Ledger& ledger, const Bodies& bodies);
-  /// In place of open() and start(): goes on with the outputs as they were when `in` was written to checkpoint.h5; rows
-  /// and frames of later steps are removed. Throws FileError, and InputError where an output holds less.
+  /// Replaces open() and start() for a continued run. Continues the outputs from the time when `in` was written to
+  /// checkpoint.h5; rows and frames of later steps are removed. Throws FileError, and InputError where an output is too
+  /// short.
   void resume(const Scene& scene, const RunInfo& info, WarningCounts& warnings, const StateReader& in);
-  /// One step, its contact problem; `bodies` at its end, `damage` of the floes among them. Time spent here is counted
-  /// to Phase::output. Throws FileError.
+  /// Writes one step. `parts`: its contact problems; `bodies`: at its end; `damage`: that of the floes. The time spent
+  /// here counts as Phase::output. Throws FileError.
   void record(StepRecord record, const std::vector<SolvedProblem>& parts, const Bodies& bodies,
               const FloeDamage& damage = {});
-  /// The step's contact problem, where the scene asks for it. Throws FileError.
+  /// Stores the step's contact problem, where the scene asks for it. Throws FileError.
   void store(const StepRecord& record, const SolvedProblem& solved);
-  /// The problem at which the numerics failed. Throws FileError.
+  /// Stores the problem at which the numerics failed. Throws FileError.
   void store_last(const SolvedProblem& solved);
-  /// Writes checkpoint.h5: `state` and where the outputs stand. Throws FileError.
+  /// Writes checkpoint.h5: `state` and the lengths of the outputs. Throws FileError.
   void write_checkpoint(const CheckpointOrigin& origin, State state);
-  /// Closes the outputs and writes summary.json, with the mass of ice that `bodies` still hold. Throws FileError.
+  /// Closes the outputs and writes summary.json, including the mass of the free ice in `bodies`. Throws FileError.
   nlohmann::ordered_json finish(SummaryInput input, const Bodies& bodies);
   const RunStatistics& statistics() const;
 
@@ -75,7 +76,7 @@ class RunFolder {
   std::unique_ptr<Outputs> outputs_;
 };
 
-/// Free floes' mass [kg].
+/// Mass of the free floes [kg].
 double free_ice_mass(const Bodies& bodies);
 
 }  // namespace nilas

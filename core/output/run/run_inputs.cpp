@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Of a file that is replaced as a whole, where a run was killed while writing it.
+/// Ending of a file that is being replaced; such files remain where a run was killed while writing.
 constexpr const char* k_half_written = ".part";
 
 fs::path input_folder(const fs::path& folder) { return folder / k_input_folder; }
@@ -27,7 +27,7 @@ bool is_real_folder(const fs::path& path) {
   return fs::is_directory(fs::symlink_status(path, ignored));
 }
 
-/// Paths below inputs/ that the list names, and that are reached through no link to elsewhere.
+/// Paths below inputs/ that the list names, without those that links lead elsewhere.
 std::set<fs::path> listed(const fs::path& folder) {
   constexpr std::size_t k_digits = 64, k_blanks = 2;
   std::set<fs::path> files;
@@ -39,7 +39,7 @@ std::set<fs::path> listed(const fs::path& folder) {
     if (line.size() <= k_digits + k_blanks) continue;
     const fs::path file = line.substr(k_digits + k_blanks);
     const fs::path above = file.parent_path();
-    // a copy is a file in inputs/ or in a folder there
+    // Copies are files in inputs/ or in a direct subfolder.
     if (file.is_absolute() || file.filename() == ".." || above.has_parent_path() || above == "..") continue;
     if (is_real_folder(input_folder(folder) / above)) files.insert(file);
   }
@@ -65,7 +65,7 @@ void remove_file(const fs::path& path) {
   if (error) throw FileError(path.string() + ": cannot remove the file of an earlier run: " + error.message());
 }
 
-/// Fails, as it should, when the folder holds anything.
+/// Removes an empty folder; on purpose fails silently when it is not empty.
 void remove_empty(const fs::path& folder) {
   std::error_code ignored;
   if (is_real_folder(folder)) fs::remove(folder, ignored);
@@ -153,7 +153,7 @@ void copy_inputs(const fs::path& folder, const std::vector<InputFile>& inputs) {
   if (error) throw FileError(input_folder(folder).string() + ": cannot create the folder: " + error.message());
   std::set<fs::path> copies;
   try {
-    write_whole(list_file(folder), list);  // first, so that what a killed run leaves is known for its own
+    write_whole(list_file(folder), list);  // first, so that files left by a killed run are recognised as its copies
     for (const InputFile* input : missing) {
       copies.insert(below(*input));
       copy_one(folder, *input);

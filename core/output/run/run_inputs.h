@@ -1,5 +1,5 @@
 #pragma once
-/// inputs/ in a run folder: copies of the files that the run reads, so that the folder runs again wherever it stands.
+/// The folder inputs/ of a run folder: copies of the files that the run reads, so that it can run again anywhere.
 #include <filesystem>
 #include <vector>
 
@@ -8,18 +8,18 @@
 namespace nilas {
 
 /// Throws InputError where a copy of one of `inputs` would replace another of them, or a file in `folder` that no run
-/// copied there. Touches nothing.
+/// copied there. Changes nothing.
 void demand_room_for_inputs(const std::filesystem::path& folder, const std::vector<InputFile>& inputs);
 
-/// Removes the copies that an earlier run made in `folder`, and what one that was killed left half written. All other
-/// files stay, and so do those of `kept`. Throws FileError.
+/// Removes the copies that an earlier run made in `folder`, and half-written ones. All other files and those of `kept`
+/// stay. Throws FileError.
 void remove_inputs(const std::filesystem::path& folder, const std::vector<InputFile>& kept);
 
-/// Whether `folder`/inputs, where there is one, holds copies that a run made and nothing else.
+/// Whether `folder`/inputs, if it exists, holds only copies that a run made.
 bool holds_copies_only(const std::filesystem::path& folder);
 
-/// Copies what is not there already, and lists all in inputs/nilas-inputs.sha256. Without inputs it makes no folder.
-/// Throws FileError, and InputError where a file has changed since the scene was read; what it copied is then removed.
+/// Copies missing files and lists all in inputs/nilas-inputs.sha256. Without inputs, no folder is made. Throws
+/// FileError. Throws InputError where a file has changed since the scene was read, after removing its copies.
 void copy_inputs(const std::filesystem::path& folder, const std::vector<InputFile>& inputs);
 
 }  // namespace nilas

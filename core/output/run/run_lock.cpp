@@ -12,9 +12,9 @@
 namespace nilas {
 
 RunLock::RunLock(const std::filesystem::path& folder) {
-  constexpr mode_t k_file_mode = 0666;  // cut by the user's umask
+  constexpr mode_t k_file_mode = 0666;  // reduced by the user's umask
   const std::filesystem::path log = folder / "nilas.log";
-  // For writing: NFS gives exclusive locks on such descriptors only.
+  // Opened for writing, because NFS gives exclusive locks on such descriptors only.
   descriptor_ = ::open(log.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, k_file_mode);
   if (descriptor_ < 0) throw FileError(log.string() + ": cannot write the log: " + std::strerror(errno));
   if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;

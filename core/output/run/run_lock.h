@@ -1,12 +1,12 @@
 #pragma once
-/// Keeps two programs from writing into one run folder.
+/// A lock that keeps two programs from writing into one run folder.
 #include <filesystem>
 #include <utility>
 
 namespace nilas {
 
-/// An advisory lock (flock) on a folder's nilas.log, which is made where it is not there; the system frees it when the
-/// program ends, however it does. On file systems that know no locks it holds nobody back.
+/// An advisory lock (flock) on a folder's nilas.log, which is created if missing. The system releases it when the
+/// program ends in any way. It has no effect on file systems without locks.
 class RunLock {
  public:
   /// Throws FileError when another program holds the lock, or when the log cannot be opened.

@@ -12,14 +12,14 @@ using Json = nlohmann::ordered_json;
 
 Json::json_pointer place(const std::string& path) { return Json::json_pointer(path); }
 
-/// A user's name as part of a path (RFC 6901).
+/// A user's name, escaped for a JSON pointer (RFC 6901).
 std::string in_path(const std::string& name) {
   std::string out;
   for (const char c : name) out += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
   return out;
 }
 
-/// Visits every figure that stands at a fixed place: `visit(path, figure)`. Reader and writer share the places.
+/// Calls `visit(path, figure)` for every figure with a fixed path. Reading and writing share these paths.
 template <class Summary, class Visit>
 void visit_figures(Summary& s, const Visit& visit) {
   visit("/scene", s.scene);
@@ -142,7 +142,7 @@ RunSummary run_summary_from(const Json& json) {
   const Reader read(json);
   visit_figures(summary, read);
   for (double& ms : summary.phase_ms)
-    if (std::isnan(ms)) ms = 0;  // a module that is not built takes no time
+    if (std::isnan(ms)) ms = 0;  // a module that was not built takes no time
   if (json.contains("window")) visit_window(summary.window.emplace(), read);
   for (const auto& name : read.names("/loads"))
     visit_load(name, summary.loads.emplace_back(name, LoadStatistics{}).second, read);

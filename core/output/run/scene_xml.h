@@ -1,5 +1,5 @@
 #pragma once
-/// scene.xml: the scene as run, every default and override written out. Running it again gives the same bits.
+/// Writes scene.xml: the scene as run, with every default and override. Running it again gives the same bits.
 #include <filesystem>
 
 #include "core/scene/scene.h"

@@ -52,7 +52,7 @@ Json joint_balance_json(const JointBalance& joint, double relative) {
           {"limit", ReactionBalance::k_limit}};
 }
 
-/// carriage_balance and joint_balance, where there is a carriage and where there are parts.
+/// Adds carriage_balance and joint_balance, where there are a carriage and parts.
 void add_reactions(const ReactionBalance& reactions, Json& summary) {
   Json parts = Json::object();
   for (const JointBalance& joint : reactions.joints()) {
@@ -78,7 +78,7 @@ Json loads_json(const RunStatistics& statistics) {
   return loads;
 }
 
-/// Under the names that the readings have in vessel.csv.
+/// The tare, with the names of the readings in vessel.csv.
 Json tare_json(const CarriageLoads& tare, bool has_cells) {
   const Wrench& joint = tare.about_joint;
   Json json{{"carriage_fx_N", joint.force.x()},   {"carriage_fy_N", joint.force.y()},
@@ -99,7 +99,7 @@ Json modules_json(const RunInfo& info, const RunStatistics& statistics) {
 
 }  // namespace
 
-/// With their elements but without file and line: the folder's own scene.xml has other lines.
+/// The warnings, with their elements but without file and line: scene.xml of the folder has other lines.
 static Json warnings_json(const RunInfo& info) {
   Json warnings = Json::array();
   for (const Fault& warning : info.warnings) warnings.push_back(warning.where + ": " + warning.message);

@@ -10,28 +10,29 @@
 
 namespace nilas {
 
-/// What only the program that ran the scene knows.
+/// Facts about a run that only the calling program knows.
 struct SummaryInput {
   std::string status = "done";  ///< done, failed, interrupted ...
-  std::string ended_early;      ///< why a run that is done did not reach its end time, or empty
+  std::string ended_early;      ///< reason why a completed run did not reach its end time, or empty
   int exit_code = 0;
-  double wall_s = 0;  ///< of the whole run [s]
+  double wall_s = 0;  ///< wall time of the whole run [s]
   std::uint64_t seed = 0;
   int threads = 1;
   std::string machine;
-  std::map<std::string, std::string> versions;  ///< library or tool: version
-  double ice_mass_end = 0;                      ///< of free floes [kg]
+  std::map<std::string, std::string> versions;  ///< version by library or tool
+  double ice_mass_end = 0;                      ///< mass of the free floes [kg]
   long floes_end = 0;
-  double crushed_mass = 0;   ///< of ice that the hull and bodies took the place of [kg]
-  double brash_mass = 0;     ///< of ice that broke too small to follow [kg]
-  double extruded_mass = 0;  ///< of crushed ice that was cut out of its floes [kg]
+  double crushed_mass = 0;   ///< mass of ice that hull and bodies crushed [kg]
+  double brash_mass = 0;     ///< mass of pieces too small to follow [kg]
+  double extruded_mass = 0;  ///< mass of crushed ice that was cut out of its floes [kg]
   std::optional<TwinStatistics> twins;
-  std::optional<IceLoad> ice_load;  ///< of a vessel
+  std::optional<IceLoad> ice_load;  ///< present with a vessel
 };
 
 nlohmann::ordered_json summary_json(const RunInfo& info, const RunStatistics& statistics, const SummaryInput& input);
 
-/// Writes it through a rename, so a reader never finds half of it. Throws FileError.
+/// Writes the summary through a temporary file and a rename, so that readers never see an incomplete file. Throws
+/// FileError.
 void write_summary_json(const std::filesystem::path& path, const nlohmann::ordered_json& summary);
 
 }  // namespace nilas

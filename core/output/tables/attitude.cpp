@@ -6,7 +6,8 @@ namespace nilas {
 
 namespace {
 
-/// From the rotation matrix; sqrt(R00^2 + R10^2) keeps full precision near 90 degrees, where asin and acos lose half.
+/// |cos pitch| of a rotation matrix. sqrt(R00^2 + R10^2) keeps full precision near 90 degrees, where asin and acos lose
+/// half of the digits.
 double cosine_of_pitch(const Mat3& R) { return std::hypot(R(0, 0), R(1, 0)); }
 
 }  // namespace

@@ -1,13 +1,14 @@
 #pragma once
-/// Yaw, pitch and roll as sailors read them, from quaternions and angular velocities.
+/// Yaw, pitch and roll in the nautical convention, from quaternions and angular velocities.
 #include "core/base/math.h"
 
 namespace nilas {
 
-/// R_GB = Rz(yaw) Ry(pitch) Rx(roll) [rad]; yaw and roll in (-pi, pi], pitch in [-pi/2, pi/2].
+/// Angles of R_GB = Rz(yaw) Ry(pitch) Rx(roll) [rad]; yaw and roll in (-pi, pi], pitch in [-pi/2, pi/2].
 struct EulerAngles {
   double yaw = 0, pitch = 0, roll = 0;
-  /// |cos pitch| < k_gimbal_lock: only yaw and roll together are defined; roll is 0 and yaw takes the whole turn.
+  /// True if |cos pitch| < k_gimbal_lock: yaw and roll are then not defined separately. Roll is 0 and yaw is the whole
+  /// rotation.
   bool gimbal_lock = false;
 };
 EulerAngles euler_angles(const Quat& q_GB);
@@ -18,7 +19,7 @@ struct EulerRates {
 };
 EulerRates euler_rates(const Quat& q_GB, const Vec3& w_GB);
 
-/// On |cos pitch|; below it the rates would exceed the angular velocity a billion times.
+/// Limit of |cos pitch| below which the rates would exceed the angular velocity a billion times.
 constexpr double k_gimbal_lock = 1e-9;
 
 }  // namespace nilas

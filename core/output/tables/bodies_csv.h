@@ -8,14 +8,14 @@
 
 namespace nilas {
 
-/// Written by default up to so many bodies.
+/// Number of bodies up to which the file is written by default.
 constexpr int k_bodies_csv_default_limit = 200;
 
 class BodiesCsv {
  public:
-  /// `keep`: as of OutputFile. Throws FileError, InputError.
+  /// Opens the file. `keep`: as in OutputFile. Throws FileError, InputError.
   explicit BodiesCsv(const std::filesystem::path& path, std::optional<std::int64_t> keep = {});
-  /// All bodies at time t [s], 17 significant digits. The rows of one instant reach the file together. Throws
+  /// Writes all bodies at time t [s] with 17 significant digits. The rows of one instant are written together. Throws
   /// FileError.
   void rows(double t, const Bodies& bodies);
   void finish() { file_.close(); }

@@ -7,12 +7,12 @@
 
 namespace nilas {
 
-/// Velocity that a unit impulse between the two gives, leverage left out [1/kg].
+/// Relative velocity per unit impulse between the two bodies, without rotation [1/kg].
 static double inverse_mass(const std::array<TouchingBody, 2>& touching) {
   return touching[0].inverse_mass + touching[1].inverse_mass;
 }
 
-/// Tangential impulse that the law leaves before the contact slips.
+/// Tangential impulse that the law still permits before the contact slips.
 static double friction_left(const ContactProblem& problem, std::size_t c, const Vec3& r) {
   if (problem.law == Law::frictionless) return 0;
   const double used =

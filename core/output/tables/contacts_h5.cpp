@@ -9,11 +9,11 @@ namespace nilas {
 
 namespace {
 
-/// Where so many rows wait they go in together; opening the file then costs little beside them.
+/// Number of rows that are written together; the cost of opening the file is then negligible.
 constexpr std::int64_t k_rows_together = 4096;
 constexpr std::chrono::seconds k_longest_wait{1};
 
-/// Friction that passes couples, which the sums of moments then hold.
+/// Whether some friction transmits couples, so that sums of moments include them.
 bool has_couples(const Scene& scene) {
   return std::any_of(scene.contact.friction.begin(), scene.contact.friction.end(),
                      [](const FrictionScene& pair) { return pair.rolling > 0 || pair.spinning > 0; });
@@ -27,7 +27,7 @@ class LayoutList {
   void integer(const std::string& name, const std::string& meaning) {
     columns_.push_back({name, "1", meaning, std::vector<std::int64_t>{}});
   }
-  /// name_x_unit, name_y_unit, name_z_unit; `tail` is the unit as names hold it.
+  /// Adds the columns name_x_unit, name_y_unit, name_z_unit. `tail` is the unit in the names.
   void vector(const std::string& name, const std::string& tail, const std::string& unit, const std::string& meaning) {
     for (const char* axis : {"x", "y", "z"}) number(name + axis + tail, unit, meaning + ", " + axis);
   }
@@ -73,7 +73,7 @@ std::optional<Hdf5Columns::Length> kept(const StateReader* from) {
 }  // namespace
 
 bool ContactsH5::asked(const Scene& scene, const RunInfo& info) {
-  if (scene.contact.integrator == Integrator::reference) return false;  // its impacts lie within a step
+  if (scene.contact.integrator == Integrator::reference) return false;  // its impacts occur within a step
   switch (scene.output.contacts) {
     case StoredContacts::all:
       return true;
@@ -96,7 +96,7 @@ ContactsH5::ContactsH5(const std::filesystem::path& path, const Scene& scene, co
 ContactsH5::~ContactsH5() {
   try {
     columns_.write();
-  } catch (const FileError&) {  // the error that ends the run is what the user is told
+  } catch (const FileError&) {  // the user sees the error that ends the run
   }
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// contacts.h5: where bodies touch and with what force, a row per contact and step. Layout: docs/reference/outputs.md.
+/// contacts.h5: place and force of contacts, one row per contact and step. Layout: docs/reference/outputs.md.
 #include <chrono>
 #include <filesystem>
 #include <optional>
@@ -11,16 +11,16 @@
 
 namespace nilas {
 
-/// Steps reach the file at the latest a second after they were made, and when many rows have come together.
+/// Writes contacts.h5. Steps are written at most a second after they were made, or when many rows are waiting.
 class ContactsH5 {
  public:
-  /// True when the scene asks for the file: contacts of the vessel and of structures where there are any, or of all
+  /// Whether the scene asks for the file: for contacts of the vessel and of structures, where there are any, or of all
   /// bodies. Never with integrator "reference".
   static bool asked(const Scene& scene, const RunInfo& info);
 
-  /// `from`: what save() wrote; the file is cut to that. Throws FileError, InputError.
+  /// Opens the file. `from`: the result of save(), to which the file is cut. Throws FileError, InputError.
   ContactsH5(const std::filesystem::path& path, const Scene& scene, const RunInfo& info, const StateReader* from);
-  /// Of a run that ends by an error: what is pending still goes in, if it can.
+  /// Writes pending rows if possible, for a run that ends with an error.
   ~ContactsH5();
   ContactsH5(const ContactsH5&) = delete;
   ContactsH5& operator=(const ContactsH5&) = delete;

@@ -1,5 +1,5 @@
 #pragma once
-/// events.csv: floes that broke, a row each. Columns: docs/reference/outputs.md.
+/// events.csv: one row per floe that broke. Columns: docs/reference/outputs.md.
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -11,9 +11,9 @@ namespace nilas {
 
 class EventsCsv {
  public:
-  /// `keep`: as of OutputFile. Throws FileError, InputError.
+  /// Opens the file. `keep`: as in OutputFile. Throws FileError, InputError.
   explicit EventsCsv(const std::filesystem::path& path, std::optional<std::int64_t> keep = {});
-  /// Those of one step. Throws FileError.
+  /// Writes the events of one step. Throws FileError.
   void rows(const std::vector<FractureEvent>& events);
   void finish() { file_.close(); }
   const OutputFile& file() const { return file_; }

@@ -11,12 +11,13 @@
 
 namespace nilas {
 
-/// time_s, then for each part its columns behind its name, as rudder_joint_fx_N, then one for each rod, as rod_tie_N.
+/// The columns: time_s, then those of each part with its name in front, as rudder_joint_fx_N, then one per rod, as
+/// rod_tie_N.
 std::vector<std::string> part_columns(const std::vector<PartInfo>& parts, const std::vector<std::string>& rods);
 
 class PartsCsv {
  public:
-  /// `keep`: as of OutputFile. Throws FileError, InputError.
+  /// Opens the file. `keep`: as in OutputFile. Throws FileError, InputError.
   PartsCsv(const std::filesystem::path& path, const RunInfo& info, std::optional<std::int64_t> keep = {});
   /// Throws FileError.
   void row(double t, const VesselRecord& vessel);

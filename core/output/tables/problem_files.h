@@ -1,5 +1,5 @@
 #pragma once
-/// Contact problems of a run in FCLIB form, with the impulses that the run used: <folder>/problems/.
+/// Contact problems of a run in FCLIB form, with the run's impulses: <folder>/problems/.
 #include <filesystem>
 #include <string>
 
@@ -9,10 +9,10 @@
 
 namespace nilas {
 
-/// Name of the problem that was the worst when the newest checkpoint was written, once a later step's is worse.
+/// Name under which the worst problem at the newest checkpoint is kept once a later problem is worse.
 std::string kept_worst_name(long step);
 
-/// Stores what the scene's <output problems> asks for: never; every step with contacts (step-00000012.hdf5); every step
+/// Stores problems by the scene's <output problems>: never; every step with contacts (step-00000012.hdf5); every step
 /// whose solver missed its tolerance (the same names); or the step with the largest law_map_m_s so far (worst.hdf5).
 class ProblemFiles {
  public:
@@ -20,14 +20,15 @@ class ProblemFiles {
 
   /// Throws FileError.
   void step(const StepRecord& record, const SolvedProblem& solved);
-  /// The problem at which the world left finite numbers, as last.hdf5, whatever the scene asks for. Throws FileError.
+  /// Stores the problem at which values ceased to be finite as last.hdf5, whatever the scene asks for. Throws
+  /// FileError.
   void last(const SolvedProblem& solved) const;
 
-  /// Which step's problem is the worst so far.
+  /// Saves which step's problem is the worst so far.
   void save(StateWriter out) const;
   void restore(const StateReader& in);
-  /// What save() told is on disk. From now on the worst problem of that state is kept, under a name of its own once a
-  /// worse one takes its place; the one kept for an older state is removed. Throws FileError.
+  /// Notes that the state of save() is on disk. From now on the worst problem of that state is kept, under its own name
+  /// once a worse one replaces it. The one kept for an older state is removed. Throws FileError.
   void saved();
   /// Step of the worst problem; -1: there is none.
   long worst_step() const { return worst_step_; }
@@ -38,8 +39,8 @@ class ProblemFiles {
 
   std::filesystem::path folder_;
   StoredProblems which_;
-  double worst_ = -1;                             ///< law_map_m_s of the stored one [m/s]
-  long worst_step_ = -1, saved_worst_step_ = -1;  ///< of worst.hdf5; of the one in the newest checkpoint
+  double worst_ = -1;                             ///< law_map_m_s of the stored problem [m/s]
+  long worst_step_ = -1, saved_worst_step_ = -1;  ///< step of worst.hdf5; that in the newest checkpoint
 };
 
 }  // namespace nilas

@@ -1,6 +1,5 @@
 #pragma once
-/// steps.csv: how each step was solved, its accounts of energy and momentum, its timing. Columns:
-/// docs/reference/outputs.md.
+/// steps.csv: solution, accounts of energy and momentum, and timing of each step. Columns: docs/reference/outputs.md.
 #include <filesystem>
 
 #include "core/output/file/csv_row.h"
@@ -11,9 +10,9 @@ namespace nilas {
 
 class StepsCsv {
  public:
-  /// `keep`: as of OutputFile. Throws FileError, InputError.
+  /// Opens the file. `keep`: as in OutputFile. Throws FileError, InputError.
   StepsCsv(const std::filesystem::path& path, const RunInfo& info, std::optional<std::int64_t> keep = {});
-  /// Numbers in the fewest digits that read back to the same bits. Throws FileError.
+  /// Writes a row, with the fewest digits that read back to the same bits. Throws FileError.
   void row(const StepRecord& record);
   void finish() { file_.close(); }
   const OutputFile& file() const { return file_; }

@@ -7,13 +7,13 @@
 
 namespace nilas {
 
-/// contact_fx_N .. contact_mz_Nm, ice_resistance_N, ice_side_N: those of each structure, without its name.
+/// Names of the loads on a structure, without its name: contact_fx_N .. contact_mz_Nm, ice_resistance_N, ice_side_N.
 const std::vector<std::string>& structure_load_names();
 
-/// Values in that order; `course`: unit vector, as of a fixed vessel.
+/// Values in that order. `course`: unit vector, as for a fixed vessel.
 std::vector<double> structure_loads(const StructureRecord& record, const Vec2& course);
 
-/// time_s, then for each structure its columns behind its name, as pier_contact_fx_N.
+/// The columns: time_s, then those of each structure with its name in front, as pier_contact_fx_N.
 std::vector<std::string> structure_columns(const RunInfo& info);
 
 }  // namespace nilas

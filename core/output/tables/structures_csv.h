@@ -11,7 +11,7 @@ namespace nilas {
 
 class StructuresCsv {
  public:
-  /// `keep`: as of OutputFile. Throws FileError, InputError.
+  /// Opens the file. `keep`: as in OutputFile. Throws FileError, InputError.
   StructuresCsv(const std::filesystem::path& path, const RunInfo& info, std::optional<std::int64_t> keep = {});
   /// Throws FileError.
   void row(const StepRecord& record);

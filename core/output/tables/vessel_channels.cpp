@@ -42,7 +42,7 @@ std::vector<Value> VesselChannels::loads_among(const std::vector<Value>& channel
   NILAS_DEMAND(channels.size() == names_.size());
   const auto at = [&](std::size_t k) { return channels.begin() + static_cast<std::ptrdiff_t>(k); };
   std::vector<Value> loads(channels.begin(), at(first_cell_));
-  // of the cells without their raw readings
+  // The tared cells, without their raw readings.
   loads.insert(loads.end(), at(first_cell_ + (has_cells_ ? k_num_cells : 0)), at(num_global_loads_));
   loads.insert(loads.end(), channels.end() - k_num_course_loads, channels.end());
   return loads;

@@ -1,5 +1,5 @@
 #pragma once
-/// What the outputs say about the vessel after each step: the one table of names and values.
+/// The channels of the vessel: the one table of names and values for all outputs.
 #include <array>
 #include <string>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace nilas {
 
-/// Along and across the course: ice_resistance_N, positive astern, and ice_side_N, positive to port of the course.
+/// Number of loads along and across the course: ice_resistance_N, positive astern, and ice_side_N, positive to port.
 constexpr std::size_t k_num_course_loads = 2;
 
 /// Channels of the modules that a scene uses: loads along the global axes, motion, then the contact load along and
@@ -21,9 +21,9 @@ class VesselChannels {
   /// Names of the channels that are loads: those along the global axes, the tared cells, then those along and across
   /// the course.
   std::vector<std::string> load_names() const;
-  /// Their values, from all values as read().
+  /// Values of the load channels, from all values as given by read().
   std::vector<double> loads(const std::vector<double>& values) const;
-  /// Values in the order of names(). Returns false at gimbal lock, where the angular rates are written as zero.
+  /// Writes the values in the order of names(). Returns false at gimbal lock, where the angular rates are zero.
   bool read(const VesselRecord& record, std::vector<double>& values) const;
 
  private:

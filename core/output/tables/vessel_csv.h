@@ -11,9 +11,9 @@ namespace nilas {
 
 class VesselCsv {
  public:
-  /// `keep`: as of OutputFile. Throws FileError, InputError.
+  /// Opens the file. `keep`: as in OutputFile. Throws FileError, InputError.
   VesselCsv(const std::filesystem::path& path, const VesselChannels& channels, std::optional<std::int64_t> keep = {});
-  /// `values` as read from the channels. Throws FileError.
+  /// Writes a row. `values`: as read from the channels. Throws FileError.
   void row(double t, const std::vector<double>& values);
   void finish() { file_.close(); }
   const OutputFile& file() const { return file_; }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double k_redraw_interval = 0.1;  // [s]
 constexpr int k_marks = 20;                // plain lines per run: one every 5 %
-/// The sum of many steps may end a rounding error short of a whole percent.
+/// Tolerance for the rounding of sums of many steps against a whole percent.
 constexpr double k_rounding = 1e-9;
 
 }  // namespace

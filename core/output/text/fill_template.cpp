@@ -33,7 +33,7 @@ bool holds(const Json& value) {
 struct Tag {
   enum class Kind { value, raw, section, inverted, end } kind = Kind::value;
   std::string name;
-  std::size_t begin = 0, end = 0;  ///< in the text
+  std::size_t begin = 0, end = 0;  ///< positions in the text
 };
 
 class Filler {
@@ -48,7 +48,7 @@ class Filler {
   }
 
  private:
-  /// The next tag from a place on; its end is the text's where there is none.
+  /// The next tag from a position on; an end tag at the end of the text if there is none.
   Tag next(std::size_t from) const {
     Tag tag;
     tag.begin = text_.find("{{", from);
@@ -69,7 +69,7 @@ class Filler {
     return tag;
   }
 
-  /// Widens a tag that stands alone in its line to the line.
+  /// Extends a tag that is alone in its line to the whole line.
   void take_line(Tag& tag) const {
     std::size_t begin = tag.begin, end = tag.end;
     while (begin > 0 && text_[begin - 1] == ' ') --begin;
@@ -80,7 +80,7 @@ class Filler {
     tag.end = end + 1;
   }
 
-  /// Fills up to the end of the section `name`; returns the place behind it.
+  /// Fills up to the end of the section `name`. Returns the position behind it.
   std::size_t fill_from(std::size_t from, const std::string& name, std::string& out) {
     for (;;) {
       const Tag tag = next(from);
@@ -114,7 +114,7 @@ class Filler {
     return end;
   }
 
-  /// The place behind a section that is left out.
+  /// The position behind a section that is left out.
   std::size_t skip(const Tag& tag) const {
     std::size_t from = tag.end;
     for (int depth = 1; depth > 0;) {

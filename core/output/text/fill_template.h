@@ -21,8 +21,8 @@ enum class Escape {
   gnuplot  ///< for gnuplot's strings in single quotes, which hold no escapes and run no commands
 };
 
-/// Throws ContractError for a name without a value and for a section that is not closed: templates are part of the
-/// program.
+/// Fills a template. Throws ContractError for a name without a value and for an unclosed section, because templates are
+/// part of the program.
 std::string fill_template(std::string_view text, const nlohmann::ordered_json& data, Escape escape);
 
 }  // namespace nilas

@@ -1,17 +1,17 @@
 #pragma once
-/// Pieces of pages that need no other file.
+/// Elements of self-contained HTML pages.
 #include <filesystem>
 #include <string>
 
 namespace nilas {
 
-/// With <, >, & and both quotes written as entities, so that it may stand in text and in attributes.
+/// The text with <, >, & and both quotes as entities, for text and attributes.
 std::string html_text(const std::string& text);
 
-/// A picture's <svg> element, to stand in a page. Throws FileError where the file cannot be read.
+/// The <svg> element of a picture file, to embed in a page. Throws FileError where the file cannot be read.
 std::string inline_svg(const std::filesystem::path& file);
 
-/// What all pages look like.
+/// The style sheet of all pages.
 extern const char* const k_page_style;
 
 }  // namespace nilas

@@ -1,5 +1,5 @@
 #pragma once
-/// What a command is at while its results are not there yet.
+/// Progress of a command while its results are not available yet.
 #include <chrono>
 #include <condition_variable>
 #include <memory>
@@ -14,16 +14,16 @@
 
 namespace nilas {
 
-/// For standard error. `json`: another program reads the results, so that only a terminal is told.
+/// The style for standard error. `json`: another program reads the results, so only a terminal gets progress.
 ConsoleStyle phase_style(bool quiet, bool json);
 
-/// Says which phase is at work and for how long, from a thread of its own, so that the phases may be single calls of a
-/// library. A terminal has one line that is erased at the end, anything else a line per phase and every ten seconds.
+/// Prints the present phase and its duration, from its own thread, so that a phase may be one call of a library. A
+/// terminal has one line that is erased at the end. Other outputs get a line per phase and every ten seconds.
 class PhaseProgress {
  public:
-  /// `out` must outlive it. `phase`: "reading the mesh".
+  /// Starts with `phase`, for example "reading the mesh". `out` must outlive this object.
   PhaseProgress(std::ostream& out, ConsoleStyle style, std::string phase, const PhaseTimes& times = {});
-  /// Ends it.
+  /// Calls end().
   ~PhaseProgress();
   PhaseProgress(const PhaseProgress&) = delete;
   PhaseProgress& operator=(const PhaseProgress&) = delete;
@@ -31,7 +31,7 @@ class PhaseProgress {
   /// Makes `logger` erase the line before its messages.
   void make_room_for(spdlog::logger& logger) const;
   void next(std::string phase);
-  /// Nothing is said from here on; a line on a terminal is erased.
+  /// Ends the output; a line on a terminal is erased.
   void end();
 
  private:

@@ -11,7 +11,7 @@ namespace nilas {
 
 namespace {
 
-/// In single quotes for the shell.
+/// The text in single quotes for the shell.
 std::string for_shell(const std::string& text) {
   std::string out = "'";
   for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -32,7 +32,7 @@ void plot(const std::filesystem::path& folder, const std::string& script) {
   std::error_code ignored;
   std::filesystem::remove(file, ignored);
   std::filesystem::remove(log, ignored);
-  constexpr int k_not_found = 127;  // of the shell
+  constexpr int k_not_found = 127;  // exit code of the shell
   if (WIFEXITED(status) && WEXITSTATUS(status) == k_not_found)
     throw PlotError("the pictures need gnuplot (Debian package gnuplot-nox), which is not there");
   if (status != 0) throw PlotError("gnuplot failed: " + (said.empty() ? "status " + std::to_string(status) : said));

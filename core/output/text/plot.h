@@ -7,7 +7,7 @@
 
 namespace nilas {
 
-/// Gnuplot is missing or failed; what it was to draw is no more than a picture of what else is written.
+/// Gnuplot is missing or failed. The pictures only repeat results that are also written otherwise.
 class PlotError : public FileError {
  public:
   using FileError::FileError;

@@ -8,9 +8,9 @@ namespace nilas {
 
 namespace {
 
-constexpr double k_told_from = 1.5;                  // times as long
-constexpr std::size_t k_quarters = 4, k_least = 20;  // steps of a quarter
-constexpr double k_shortest_told_ms = 2000;          // of all steps
+constexpr double k_told_from = 1.5;                  // ratio of step times
+constexpr std::size_t k_quarters = 4, k_least = 20;  // least number of steps in a quarter
+constexpr double k_shortest_told_ms = 2000;          // time of all steps
 
 /// Means over the first and the last quarter of a series from `first` on.
 struct Ends {
@@ -51,7 +51,7 @@ std::string StepCosts::slowdown(std::size_t first) const {
       fracture.late > 0
           ? fmt::format(", crushing and breaking {:.0f} %", k_percent * (fracture.late - fracture.early) / added)
           : "");
-  text += fmt::format("There were {:.0f} contacts a step instead of {:.0f}, and {:.0f} iterations instead of {:.0f}.",
+  text += fmt::format("There were {:.0f} contacts per step instead of {:.0f}, and {:.0f} iterations instead of {:.0f}.",
                       contacts.late, contacts.early, iterations.late, iterations.early);
   return text;
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// How the time that steps take changes over a run, and what changes with it.
+/// Changes in the time per step over a run, and their causes.
 #include <string>
 #include <vector>
 
@@ -12,8 +12,8 @@ namespace nilas {
 class StepCosts {
  public:
   void add(const StepRecord& record);
-  /// Whole sentences about why the last quarter of the steps from `first` on takes longer than the first quarter; empty
-  /// where it takes less than half as long again, or the run is short.
+  /// Whole sentences about why the last quarter of the steps from `first` on takes longer than the first quarter. Empty
+  /// where it takes less than 1.5 times as long, or the run is short.
   std::string slowdown(std::size_t first) const;
 
   void save(StateWriter out) const;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* k_erase = "\r\x1b[K";
 
-/// Comes before the sinks that write, so the line is gone when they do.
+/// Sink before the sinks that write, so that the line is erased first.
 class LineEraser : public spdlog::sinks::base_sink<std::mutex> {
  public:
   explicit LineEraser(std::shared_ptr<StatusLine> line) : line_(std::move(line)) {}

@@ -1,5 +1,5 @@
 #pragma once
-/// The line of a terminal that is drawn again and again and gives way to what else is printed.
+/// The status line of a terminal, which is redrawn and gives way to other output.
 #include <spdlog/logger.h>
 
 #include <memory>
@@ -9,14 +9,14 @@
 
 namespace nilas {
 
-/// May be used from several threads.
+/// The status line; may be used from several threads.
 class StatusLine {
  public:
   /// `out` must outlive the line.
   explicit StatusLine(std::ostream& out) : out_(out) {}
 
   void draw(const std::string& text);
-  /// Nothing where none is shown.
+  /// Erases the line if one is shown.
   void erase();
 
  private:

@@ -24,7 +24,7 @@ PolygonSurface prism_surface(const Shape& shape) {
   return surface;
 }
 
-/// Points: south pole, the rings from south to north, north pole.
+/// A sphere with the points: south pole, the rings from south to north, north pole.
 PolygonSurface sphere_surface(double radius) {
   constexpr std::int32_t k_meridians = 24, k_rings = 11;  // facets of 15 degrees
   PolygonSurface surface;

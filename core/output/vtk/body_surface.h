@@ -17,8 +17,8 @@ struct PolygonSurface {
   void add_polygon(const std::vector<std::int32_t>& loop);
 };
 
-/// Prism: bottom, top and one quadrilateral per side. Sphere: a grid of parallels and meridians. Plane: nothing.
-/// Others: the triangles of their surface.
+/// The surface of a shape. Prism: bottom, top and one quadrilateral per side. Sphere: a grid of parallels and
+/// meridians. Plane: empty. Others: their triangles.
 PolygonSurface polygon_surface(const Shape& shape);
 
 }  // namespace nilas

@@ -16,7 +16,7 @@ constexpr const char* k_list_head =
 constexpr const char* k_list_tail = "</Collection>\n</VTKFile>\n";
 constexpr const char *k_water = "water.vtp", *k_walls = "walls.vtp";
 
-/// Around everything but planes; empty where there is nothing.
+/// Horizontal box around everything but planes; empty where there is nothing.
 Eigen::AlignedBox2d plan_box(const Bodies& bodies, const std::vector<PolygonSurface>& surfaces) {
   Eigen::AlignedBox2d box;
   for (std::size_t b = 0; b < surfaces.size(); ++b)
@@ -82,11 +82,11 @@ void Trajectory::write_what_stays(const Bodies& bodies) {
   if (has_walls_) write_whole(folder_ / k_walls, surfaces_of(BodyKind::wall, bodies, {}));
 }
 
-/// Over the tank, else around the bodies where they are at the start.
+/// The water surface over the tank, else around the bodies at the start.
 std::string Trajectory::water_document(const Bodies& bodies) const {
   const double level = water_level_.value();
   if (tank_) return rectangle_document(0, -0.5 * tank_->width, tank_->length, 0.5 * tank_->width, level);
-  constexpr double k_margin = 0.1;  // of the larger side
+  constexpr double k_margin = 0.1;  // share of the larger side
   const Eigen::AlignedBox2d box = plan_box(bodies, surfaces_);
   if (box.isEmpty()) return rectangle_document(0, 0, 0, 0, level);
   const Vec2 margin = Vec2::Constant(k_margin * box.sizes().maxCoeff());

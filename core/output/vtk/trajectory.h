@@ -19,22 +19,23 @@ namespace nilas {
 /// Damage of the floe with this id.
 using FloeDamage = std::function<double(std::int64_t)>;
 
-/// What frames show of the step that ends at them beside its bodies.
+/// Data of a step that its frame shows in addition to the bodies.
 struct ShownStep {
   std::vector<ContactRow> contacts;
-  double h = 1;       ///< its length [s]
-  FloeDamage damage;  ///< empty: no floe has any
+  double h = 1;       ///< length of the step [s]
+  FloeDamage damage;  ///< empty: no floe is damaged
 };
 
-/// Parts: ice floes, vessel, bodies, contact forces, water surface, tank walls; those that the scene has, tank walls
-/// where it asks for them. Planes have no surface and are left out. The list of frames is closed after every frame.
+/// The trajectory with its parts: ice floes, vessel, bodies, contact forces, water surface, and tank walls where the
+/// scene asks for them. Planes have no surface and are left out. The list of frames is closed after every frame.
 class Trajectory {
  public:
-  /// `has_forces`: the run stores contacts. `keep`: as of OutputFile, for the list. Throws FileError, InputError.
+  /// Opens the list of frames. `has_forces`: the run stores contacts. `keep`: as in OutputFile, for the list. Throws
+  /// FileError, InputError.
   Trajectory(const std::filesystem::path& run_folder, const Scene& scene, bool has_forces,
              std::optional<std::int64_t> keep = {});
-  /// Writes the bodies at time t [s] and what is shown of the step as trajectory/step-<step>-<part>.vtp, then lists
-  /// them. What never moves is written at step 0. Throws FileError.
+  /// Writes the bodies at time t [s] and the data of the step as trajectory/step-<step>-<part>.vtp, and lists them.
+  /// Fixed things are written at step 0. Throws FileError.
   void frame(double t, long step, const Bodies& bodies, const ShownStep& shown = {});
   void finish() { list_.close(); }
   const OutputFile& list() const { return list_; }
@@ -57,7 +58,7 @@ class Trajectory {
   std::optional<double> water_level_;  ///< [m]
   std::optional<TankScene> tank_;
   OutputFile list_;
-  std::vector<std::shared_ptr<const Shape>> shapes_;  ///< of the bodies in the newest frame
+  std::vector<std::shared_ptr<const Shape>> shapes_;  ///< shapes of the bodies in the newest frame
   std::vector<PolygonSurface> surfaces_;              ///< one per shape
   VtpFrame frame_;
 };

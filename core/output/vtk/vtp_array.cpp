@@ -19,11 +19,11 @@ static_assert(std::endian::native == std::endian::little, "the files declare byt
 
 // LZ4 block format: https://github.com/lz4/lz4/blob/dev/doc/lz4_Block_format.md
 constexpr std::size_t k_smallest_match = 4;
-constexpr std::size_t k_last_literals = 5;      // a block ends with so many literals at least
-constexpr std::size_t k_last_match_start = 12;  // the last match starts so far before the end at least
+constexpr std::size_t k_last_literals = 5;      // least number of literals at a block's end
+constexpr std::size_t k_last_match_start = 12;  // least distance of the last match's start from the end
 constexpr std::size_t k_nibble = 15, k_byte = 255;
 
-/// What a token's four bits cannot hold of a length.
+/// Appends the part of a length that exceeds the four bits of a token.
 void add_length(std::size_t length, std::string& block) {
   if (length < k_nibble) return;
   length -= k_nibble;
@@ -38,13 +38,13 @@ void add_token(std::size_t literals, std::size_t match, std::string& block) {
 
 void add_base64(const void* data, std::size_t size, std::string& text) {
   const std::size_t before = text.size(), length = 4 * ((size + 2) / 3);
-  text.resize(before + length + 1);  // OpenSSL ends with a zero
+  text.resize(before + length + 1);  // OpenSSL appends a zero
   auto* out = reinterpret_cast<unsigned char*>(text.data() + before);
   EVP_EncodeBlock(out, static_cast<const unsigned char*>(data), static_cast<int>(size));
   text.pop_back();
 }
 
-/// Whole groups of four characters; the zeros that pad the last group come too.
+/// Decodes whole groups of four characters, including the zeros that pad the last group.
 std::string from_base64(std::string_view text) {
   std::string bytes(text.size() / 4 * 3, '\0');
   const auto* in = reinterpret_cast<const unsigned char*>(text.data());
@@ -54,7 +54,7 @@ std::string from_base64(std::string_view text) {
   return bytes;
 }
 
-/// An array without values has no block: count, plain size and size of a last partial block are 0.
+/// The text of an array without values: number of blocks, plain size and size of the last partial block are 0.
 std::string empty_array() {
   constexpr std::array<std::uint32_t, 3> k_header{};
   std::string text;
@@ -62,14 +62,14 @@ std::string empty_array() {
   return text;
 }
 
-/// The text of an array: a header and, if there is anything, one block.
+/// Appends the text of an array: a header and, unless it is empty, one block.
 void add_block(std::span<const std::byte> bytes, std::size_t width, std::string& text) {
   if (bytes.empty()) {
     text += empty_array();
     return;
   }
   const std::string block = compress_repeats(bytes, width);
-  // one block: its count, plain size, size of a last partial block, compressed size
+  // One block: count, plain size, size of the last partial block, compressed size.
   const std::array<std::uint32_t, 4> header{1, static_cast<std::uint32_t>(bytes.size()), 0,
                                             static_cast<std::uint32_t>(block.size())};
   add_base64(header.data(), sizeof(header), text);

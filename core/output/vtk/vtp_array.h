@@ -8,18 +8,18 @@
 
 namespace nilas {
 
-/// LZ4 block that stores repeats of a value of `width` bytes, coming one after another, as one match and all else as
-/// literals: the thousands of facets of one body carry the same velocity. Format: LZ4 block format 1.6.
+/// Compresses to an LZ4 block (format 1.6) that stores consecutive repeats of a value of `width` bytes as one match,
+/// and everything else as literals: the thousands of facets of one body have the same velocity.
 std::string compress_repeats(std::span<const std::byte> bytes, std::size_t width);
-/// What an LZ4 block of `size` plain bytes holds. Throws InputError where it is no such block.
+/// Expands an LZ4 block of `size` plain bytes. Throws InputError where it is no such block.
 std::string expand_block(std::string_view block, std::size_t size);
 
-/// Name, VTK's name of the number type, numbers per value.
+/// Name, VTK's name of the number type, and numbers per value.
 struct ArrayType {
   const char* name;
   const char* number;
   std::size_t components;
-  bool of_field = false;  ///< field data tell how many values they have
+  bool of_field = false;  ///< true for field data, which state their number of values
 };
 /// Appends a <DataArray> element to `text`. `width`: bytes of one value with all its components.
 void add_data_array(const ArrayType& type, std::span<const std::byte> bytes, std::size_t width, std::string& text);

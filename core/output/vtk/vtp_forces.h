@@ -7,7 +7,7 @@
 
 namespace nilas {
 
-/// A point per contact that carries a force; `h` is the step [s]. Arrays: docs/reference/outputs.md.
+/// A document with a point per contact that carries a force. `h`: step [s]. Arrays: docs/reference/outputs.md.
 std::string contact_forces_document(const std::vector<ContactRow>& rows, double h);
 
 }  // namespace nilas

@@ -9,16 +9,16 @@
 
 namespace nilas {
 
-/// Facets of bodies in G. Kept between frames, so that the arrays are allocated once.
+/// Facets of bodies in G. Kept between frames, so that arrays are allocated once.
 class VtpFrame {
  public:
-  /// `with_damage`: the bodies that come have `damage`.
+  /// Empties the frame. `with_damage`: bodies added next have `damage`.
   void clear(bool with_damage = false);
-  /// Adds body `b`; each of its facets carries its `id`, `kind` (0 floe, 1 vessel, 2 rigid body, 3 wall),
-  /// `thickness_m` (0 of bodies that are no plates), `speed_m_s` and `velocity_m_s` of the centre of mass. The field
-  /// data `body_id` and `body_name` list the bodies.
+  /// Adds body `b`. Each of its facets has `id`, `kind` (0 floe, 1 vessel, 2 rigid body, 3 wall), `thickness_m` (0
+  /// unless a plate), `speed_m_s` and `velocity_m_s` of the centre of mass. The field data `body_id` and `body_name`
+  /// list the bodies.
   void add(const Bodies& bodies, std::size_t b, const PolygonSurface& surface, double damage = 0);
-  /// The document; valid until the next call.
+  /// The document as text, valid until the next call.
   const std::string& document();
 
  private:

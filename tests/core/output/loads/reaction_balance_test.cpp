@@ -60,9 +60,9 @@ TEST(ReactionBalance, KeepsTheLargestDifferencesAndLoads) {
 TEST(ReactionBalance, SaysWhichJointIsBeyondTheLimit) {
   ReactionBalance balance(towed_with_rudder());
   balance.add(record_at(1, 0.2, 0, 0.001));
-  EXPECT_NE(balance.doubt().find("joint of the carriage is known to 0.002"), std::string::npos) << balance.doubt();
+  EXPECT_NE(balance.doubt().find("joint of the carriage is uncertain by 0.002"), std::string::npos) << balance.doubt();
   balance.add(record_at(2, 0, 0, 0.5));
-  EXPECT_NE(balance.doubt().find("joint of part 'rudder' is known to 0.05"), std::string::npos) << balance.doubt();
+  EXPECT_NE(balance.doubt().find("joint of part 'rudder' is uncertain by 0.05"), std::string::npos) << balance.doubt();
   balance.add(record_at(3, std::numeric_limits<double>::quiet_NaN(), 0));
   EXPECT_TRUE(std::isnan(balance.joints()[0].force));
 }

@@ -127,8 +127,8 @@ TEST(ClosingAccount, ShowsWhereTheTimeWentAndTheWorstValues) {
   twins.e_folding = 0.314;
   twins.failed = {{2, 7.5, "left finite numbers"}};
   const std::string with_twins = closing_account(statistics, 0.056, "runs/sample", {}, &twins);
-  EXPECT_NE(with_twins.find("twins                 2, predictable until 4.25 s, apart e-fold in 0.31 s\n"
-                            "twin                  2 failed at 7.5 s\n"),
+  EXPECT_NE(with_twins.find("perturbed runs        2, predictable until 4.25 s, e-folding time 0.31 s\n"
+                            "perturbed run         2 failed at 7.5 s\n"),
             std::string::npos)
       << with_twins;
 }

@@ -21,7 +21,7 @@ TEST(Slowdown, NamesWhatGrew) {
   const std::string text = costs.slowdown(0);
   EXPECT_NE(text.find("5 times as long"), std::string::npos) << text;
   EXPECT_NE(text.find("The solver took 100 % of the time added"), std::string::npos) << text;
-  EXPECT_NE(text.find("300 contacts a step instead of 10, and 600 iterations instead of 20"), std::string::npos)
+  EXPECT_NE(text.find("300 contacts per step instead of 10, and 600 iterations instead of 20"), std::string::npos)
       << text;
   EXPECT_EQ(costs.slowdown(200), "") << "from there on nothing changed";
   EXPECT_EQ(costs.slowdown(390), "") << "too few steps";
