@@ -1,10 +1,10 @@
 #pragma once
-/// Steps of a run.
+/// Number of steps of a run.
 #include "core/scene/scene.h"
 
 namespace nilas {
 
-/// Steps of equal length until one reaches the end of the run; the last may go past it.
+/// Number of equal steps until one reaches the end of the run; the last may exceed it.
 long number_of_steps(const TimeScene& time);
 
 }  // namespace nilas

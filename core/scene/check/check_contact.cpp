@@ -19,7 +19,7 @@ static std::optional<Law> law_of(const SceneElement& contact) {
   return parse_law(*name).law;
 }
 
-/// The solver takes the law, and rolling and spinning friction where there is some.
+/// The solver must support the law, and rolling and spinning friction if present.
 static void check_solver(const SceneElement& contact, std::vector<Fault>& faults) {
   const auto solver = choice_of<SolverName>(contact, "solver");
   const auto law = law_of(contact);
@@ -57,7 +57,7 @@ static void check_stored(const SceneElement& root, const SceneElement& contact, 
                                   "'; spinning friction has no place in FCLIB's form of a problem; allowed: never"));
 }
 
-/// What integrator `reference` does not follow.
+/// Refuses everything that integrator `reference` does not support.
 static void check_reference(const SceneElement& root, const SceneElement& contact, std::vector<Fault>& faults) {
   if (choice_of<Integrator>(contact, "integrator") != Integrator::reference) return;
   const auto refuse = [&](const SceneElement& element, const char* attribute, const std::string& found,

@@ -42,7 +42,7 @@ class DocumentCheck {
                                    "the attribute is missing; allowed: " + allowed_text(known)));
   }
 
-  /// Always false but for the attributes that tie an XML file to its schema.
+  /// Reports an unknown attribute. Returns true only for the attributes that tie an XML file to its schema.
   bool check_unknown(SceneElement& element, const SceneAttribute& attribute, const ElementSpec& spec) {
     const std::string& name = attribute.name;
     if (element.is_root && (name.rfind("xmlns:", 0) == 0 || name.rfind("xsi:", 0) == 0)) return true;

@@ -6,8 +6,8 @@
 
 namespace nilas {
 
-/// Reports everything that the table does not allow. Elements that are unknown, not built or one too many leave the
-/// tree, faulty attributes become invalid, so that later checks speak of what is left.
+/// Reports everything that the table does not allow. Elements that are unknown, not built or too many are removed from
+/// the tree, and faulty attributes become invalid, so that later checks only treat the rest.
 void check_document(SceneElement& root, std::vector<Fault>& faults);
 
 }  // namespace nilas

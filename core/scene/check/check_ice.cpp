@@ -34,7 +34,7 @@ static void check_source(const SceneElement& field, std::vector<Fault>& faults) 
     faults.push_back(fault_of(field, "file", "the attribute is missing; allowed: the path of a GeoJSON file"));
 }
 
-/// Where both ends and the mean matter, they must be in order.
+/// Checks the order of min, mean and max where they matter.
 static void check_size(const SceneElement& size, std::vector<Fault>& faults) {
   const auto distribution = choice_of<SizeDistribution>(size, "distribution");
   const auto mean = number_of(size, "mean"), min = number_of(size, "min"), max = number_of(size, "max");
@@ -81,7 +81,7 @@ static void check_points(const SceneElement& element, const std::string& attribu
         "found " + std::to_string(numbers->size()) + " numbers; allowed: an even number of them, x y per " + each));
 }
 
-/// Floes that are frozen together leave no gaps. Other kinds take no notice of a bond, and are told so elsewhere.
+/// Bonded floes leave no gaps. Other kinds of field ignore a bond, which is reported elsewhere.
 static void check_bond(const SceneElement& field, std::vector<Fault>& faults) {
   if (choice_of<FieldKind>(field, "kind") != FieldKind::voronoi) return;
   const auto concentration = number_of(field, "concentration");

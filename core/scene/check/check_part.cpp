@@ -7,7 +7,7 @@
 
 namespace nilas {
 
-/// A spring in a weld, an angle of a slider: what is written must act.
+/// Refuses attributes that the joint does not use, such as a spring in a weld or an angle of a slider.
 static void check_joint(const SceneElement& part, std::vector<Fault>& faults) {
   const auto joint = text_of(part, "joint");
   if (!joint) return;

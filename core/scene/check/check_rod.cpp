@@ -7,7 +7,7 @@
 
 namespace nilas {
 
-/// Why the hull itself cannot move, as what it says in the scene; empty where it can.
+/// The scene's element that prevents the hull from moving; empty where it can move.
 static std::string held_fast(const SceneElement& vessel) {
   if (child_of(vessel, "fixed")) return "<fixed>";
   const SceneElement* carriage = child_of(vessel, "carriage");

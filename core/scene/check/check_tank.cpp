@@ -6,7 +6,7 @@ namespace nilas {
 
 namespace {
 
-/// Still water between the walls.
+/// The still water between the walls.
 struct Basin {
   double length, width;
   bool holds(const std::vector<double>& region) const {
@@ -31,7 +31,7 @@ void check_tank(const SceneElement& root, const SceneElement& tank, std::vector<
   if (!length || !width || !ice) return;
   const Basin basin{*length, *width};
   for (const auto& field : ice->children) {
-    // ice that does not move may stand in walls
+    // fixed ice may overlap walls
     if (field.name != "field" || is_true(field, "fixed")) continue;
     const auto region = numbers_of(field, "region");
     if (!region || basin.holds(*region)) continue;

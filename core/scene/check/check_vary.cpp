@@ -10,7 +10,7 @@ namespace nilas {
 
 namespace {
 
-/// All <vary> of a scene: each property once, and how they are correlated.
+/// Checks all <vary> of a scene: each property at most once, and their correlations.
 class VaryCheck {
  public:
   VaryCheck(const SceneElement& ice, std::vector<Fault>& faults) : faults_(faults) {
@@ -85,7 +85,7 @@ class VaryCheck {
     last_ = &vary;
   }
 
-  /// Of all pairs together: some are possible only beside others.
+  /// Checks the matrix of all correlations: pairs that are valid alone may be impossible together.
   void check_matrix() {
     if (!last_ || Eigen::LLT<MatX>(matrix_).info() == Eigen::Success) return;
     faults_.push_back(fault_of(*last_, "correlation",
@@ -100,7 +100,7 @@ class VaryCheck {
   std::map<std::string, Eigen::Index> place_;  ///< row in the matrix
   std::set<std::pair<std::string, std::string>> pairs_;
   MatX matrix_;
-  const SceneElement* last_ = nullptr;  ///< that names a correlation
+  const SceneElement* last_ = nullptr;  ///< last element that names a correlation
 };
 
 }  // namespace

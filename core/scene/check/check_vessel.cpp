@@ -25,7 +25,7 @@ static void check_motion(const SceneElement& vessel, std::vector<Fault>& faults)
   }
 }
 
-/// Where the mass or the height follows from the water, there must be some.
+/// Requires water where the mass or the height follows from it.
 static void check_flotation(const SceneElement& root, const SceneElement& vessel, std::vector<Fault>& faults) {
   const bool water = is_named(root, "water");
   const SceneElement* mass = child_of(vessel, "mass");

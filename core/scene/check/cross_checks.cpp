@@ -24,7 +24,7 @@ static void check_gravity(const SceneElement& root, std::vector<Fault>& faults) 
     faults.push_back(fault_of(*gravity, "value", "with buoyancy or drag gravity must point along -Z; allowed: 0 0 -g"));
 }
 
-/// Names of the vessel, its parts and rods, the bodies and the floes are one set.
+/// Names of the vessel, its parts and rods, the bodies and the floes must all differ.
 static void check_names(const SceneElement& root, std::vector<Fault>& faults) {
   std::map<std::string, int> line_of_name;
   const auto check = [&](const SceneElement& element) {
@@ -66,7 +66,7 @@ static void check_statistics(const SceneElement& output, std::vector<Fault>& fau
     faults.push_back(fault_of(output, "statistics", found + "; allowed: the first time before the second"));
 }
 
-/// Ice that bends rests on water, and its pieces float.
+/// Bending needs ice that rests on water, and pieces that float.
 static void check_fracture(const SceneElement& root, const SceneElement& fracture, std::vector<Fault>& faults) {
   const SceneElement *gravity = child_of(root, "gravity"), *hydro = child_of(root, "hydro");
   const auto g = gravity ? numbers_of(*gravity, "value") : std::nullopt;

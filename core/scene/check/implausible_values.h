@@ -1,5 +1,5 @@
 #pragma once
-/// Values of a valid scene that can hardly be meant, as far as the file alone tells.
+/// Values of a valid scene that are probably not meant, as far as the file alone shows.
 #include <vector>
 
 #include "core/scene/document/document.h"

@@ -83,9 +83,9 @@ SceneElement parse_document(const std::string& text, const std::string& file) {
   }
   tinyxml2::XMLDocument document;
   const bool parsed = document.Parse(text.data(), text.size()) == tinyxml2::XML_SUCCESS;
-  // The parser lets some tags pass that close nothing.
+  // The parser accepts some tags that close nothing.
   const auto tags = tag_fault(text, file);
-  // A quote that is missing in an attribute upsets the tags behind it: the earlier place is the cause.
+  // A missing quote in an attribute also disturbs later tags: the earlier place is the cause.
   const bool in_attribute = document.ErrorID() == tinyxml2::XML_ERROR_PARSING_ATTRIBUTE;
   if (tags && !(in_attribute && document.ErrorLineNum() < tags->line)) refuse(*tags);
   const bool empty = document.ErrorID() == tinyxml2::XML_ERROR_EMPTY_DOCUMENT || (parsed && !document.RootElement());

@@ -1,5 +1,5 @@
 #pragma once
-/// Places of a scene's elements and attributes, for what shows only when the scene is built.
+/// Places of a scene's elements and attributes, for faults that only appear when the scene is built.
 #include <map>
 #include <string>
 
@@ -7,7 +7,7 @@
 
 namespace nilas {
 
-/// As of Scene::places.
+/// The places in the form of Scene::places.
 std::map<std::string, Fault> places_of(const SceneElement& root);
 
 }  // namespace nilas

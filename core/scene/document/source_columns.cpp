@@ -58,7 +58,7 @@ int SourceColumns::attribute(int line, const std::string& name) {
     if (at > 0 && !is_blank(l->text[at - 1])) continue;
     const auto equals = l->text.find_first_not_of(k_blanks, at + name.size());
     if (equals != std::string::npos && l->text[equals] != '=') continue;
-    // Go behind the value, whose text could look like an attribute.
+    // Continue after the value, whose text could look like an attribute.
     const auto quote = std::min(l->text.find_first_of("\"'", at), l->text.size());
     const auto close = quote < l->text.size() ? l->text.find(l->text[quote], quote + 1) : std::string::npos;
     l->cursor = close == std::string::npos ? at + name.size() : close + 1;

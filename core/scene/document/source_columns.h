@@ -1,5 +1,5 @@
 #pragma once
-/// The XML parser knows lines only; the columns come from the text. Ask in document order.
+/// Finds columns in the text, because the XML parser knows only lines. Call in document order.
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -17,13 +17,13 @@ class SourceColumns {
  private:
   struct Line {
     std::string text;        ///< comments blanked out
-    std::size_t cursor = 0;  ///< what lies before was asked for
+    std::size_t cursor = 0;  ///< everything before it was already requested
   };
   Line* find(int line);
   std::vector<Line> lines_;
 };
 
-/// Characters (not bytes) of UTF-8 text before `byte`, plus one.
+/// Column of the character at `byte` in UTF-8 text: the number of characters before it plus one.
 int column_of(const std::string& line, std::size_t byte);
 
 }  // namespace nilas

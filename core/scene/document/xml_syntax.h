@@ -1,5 +1,5 @@
 #pragma once
-/// Says where XML text stops being well formed, in words: the parser gives a line and a code only.
+/// Describes where XML text is not well formed; the parser gives only a line and a code.
 #include <optional>
 #include <string>
 
@@ -7,7 +7,7 @@
 
 namespace nilas {
 
-/// The first tag that is cut short, closes the wrong element or is never closed; nothing when the tags match.
+/// The first tag that is incomplete, closes the wrong element or is never closed; empty when the tags match.
 std::optional<Fault> tag_fault(const std::string& text, const std::string& file);
 
 }  // namespace nilas

@@ -27,14 +27,14 @@ struct CylinderScene {
 };
 struct MeshScene {
   std::string file;         ///< absolute path of a hull folder or an STL file
-  std::optional<Vec3> cog;  ///< of a part: centre of mass in its own frame [m]
+  std::optional<Vec3> cog;  ///< centre of mass of a part in its own frame [m]
 
   bool operator==(const MeshScene&) const = default;
 };
 struct PlaneScene {
   bool operator==(const PlaneScene&) const = default;
 };
-/// In the order of SolidShapeKind.
+/// The shapes, in the order of SolidShapeKind.
 using SolidShape = std::variant<BoxScene, SphereScene, CylinderScene, MeshScene, PlaneScene>;
 
 /// The shape and mass of a <body> or of a <part> of the vessel.

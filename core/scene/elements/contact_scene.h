@@ -22,17 +22,18 @@ struct ContactScene {
   SolverName solver = SolverName::automatic;
   double tolerance = defaults::k_tolerance;  ///< law_map_m_s; 0: always max_iterations sweeps
   int max_iterations = defaults::k_max_iterations;
-  int substeps = 0;  ///< parts that a step is cut into at impacts, at most
+  int substeps = 0;  ///< largest number of substeps into which impacts cut a step
   OnFailure on_failure = OnFailure::record;
   Integrator integrator = Integrator::moreau;
   double theta = 0.5;
   Stabilisation stabilisation = Stabilisation::projection;
   double erp = 0.2;        ///< share of the penetration removed per step
-  double slop = 0;         ///< penetration left alone [m]
-  double max_speed = 1.0;  ///< of the correction [m/s]
+  double slop = 0;         ///< penetration that is not corrected [m]
+  double max_speed = 1.0;  ///< largest speed of the correction [m/s]
   Detection detection = Detection::continuous;
   NarrowPhase narrow_phase = NarrowPhase::nilas;
-  double margin = 0;  ///< gap within which contacts enter the problem [m]; 0: what the bodies can reach in the step
+  double margin =
+      0;  ///< largest gap of contacts in the problem [m]; 0: the distance that the bodies can move in the step
   bool gyroscopic = true;
   double axes_deg = 0;  ///< turns the contact tangents about the normal
   bool warm_start = true;

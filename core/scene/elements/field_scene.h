@@ -1,5 +1,5 @@
 #pragma once
-/// Values of <field>: what a field of each kind has, and nothing else.
+/// Values of <field>, separately for each kind of field.
 #include <array>
 #include <optional>
 #include <string>
@@ -38,7 +38,7 @@ struct PowerLawSizeScene {
 struct LibrarySizeScene {
   bool operator==(const LibrarySizeScene&) const = default;
 };
-/// In the order of SizeDistribution.
+/// The distributions, in the order of SizeDistribution.
 using SizeScene =
     std::variant<FixedSizeScene, UniformSizeScene, LognormalSizeScene, PowerLawSizeScene, LibrarySizeScene>;
 
@@ -69,7 +69,7 @@ struct LibraryScene {
 
   bool operator==(const LibraryScene&) const = default;
 };
-/// In the order of FloeShape.
+/// The shapes, in the order of FloeShape.
 using FloeShapeScene =
     std::variant<PolygonScene, RectangleScene, SquareScene, ParallelogramScene, DiscScene, LibraryScene>;
 
@@ -90,7 +90,7 @@ struct VoronoiFieldScene {
   RegionScene region{0, 0, 1, 1};
   double concentration = defaults::k_concentration;
   SizeScene size = LognormalSizeScene{};
-  std::optional<double> bond;  ///< share of strength on the seams of floes that are frozen together
+  std::optional<double> bond;  ///< share of strength left on the seams of bonded floes
 
   bool operator==(const VoronoiFieldScene&) const = default;
 };
@@ -109,7 +109,7 @@ struct LevelFieldScene {
   bool operator==(const LevelFieldScene&) const = default;
 };
 struct ChannelFieldScene {
-  PackedFieldScene ice;         ///< of the whole region; its concentration is that of the channel
+  PackedFieldScene ice;         ///< values for the whole region, but the concentration of the channel
   std::optional<double> width;  ///< [m]; default: half the region's
 
   bool operator==(const ChannelFieldScene&) const = default;
@@ -119,11 +119,11 @@ struct FileFieldScene {
 
   bool operator==(const FileFieldScene&) const = default;
 };
-/// In the order of FieldKind.
+/// The kinds of field, in the order of FieldKind.
 using FieldForm = std::variant<PackedFieldScene, VoronoiFieldScene, GridFieldScene, LevelFieldScene, ChannelFieldScene,
                                FileFieldScene>;
 
-/// Where ice starts, and what may become of it.
+/// Initial state of ice, and whether it may move and break.
 struct IcePlacement {
   bool fixed = false, breakable = false;
   Vec3 velocity = Vec3::Zero();     ///< [m/s]
@@ -137,9 +137,9 @@ struct FieldScene : IcePlacement {
   FieldForm form;
 
   FieldKind kind() const { return kind_of<FieldKind>(form); }
-  /// None of a field from a file.
+  /// The region; null for a field from a file.
   const RegionScene* region() const;
-  /// None where no floes are drawn.
+  /// The size distribution; null where no floes are drawn.
   const SizeScene* size() const;
 
   bool operator==(const FieldScene&) const = default;

@@ -9,7 +9,7 @@ namespace nilas {
 
 struct CrushingScene {
   CrushingModel model = CrushingModel::explicit_area;
-  double coefficient = 1e5, exponent = -0.7;  ///< of model pressure-area [Pa m^(-2 exponent), -]
+  double coefficient = 1e5, exponent = -0.7;  ///< parameters of model pressure-area [Pa m^(-2 exponent), -]
   bool between_floes = false;
   std::optional<double> clear_volume;  ///< [m^3]
 
@@ -51,7 +51,7 @@ struct FractureScene {
   std::optional<CracksScene> cracks;
   std::optional<DamageScene> damage;
 
-  /// Whether floes can come apart.
+  /// Whether floes can break into pieces.
   bool cuts_floes() const { return bending || splitting || (crushing && crushing->clear_volume); }
 
   bool operator==(const FractureScene&) const = default;

@@ -13,7 +13,7 @@ namespace nilas {
 
 struct FloeScene : IcePlacement {
   std::string name;
-  std::vector<Vec2> outline;  ///< in G [m]
+  std::vector<Vec2> outline;  ///< frame G [m]
   int line = 0;
 
   bool operator==(const FloeScene&) const = default;
@@ -22,17 +22,18 @@ struct VaryScene {
   FloeProperty property = FloeProperty::thickness;
   SpreadKind distribution = SpreadKind::normal;
   double cov = 0;
-  double mean = 0;                                            ///< of a strength, in its unit; 0: the ice's own
-  double correlation_length = 0;                              ///< [m]; 0: one value per floe
-  std::vector<std::pair<FloeProperty, double>> correlations;  ///< with other properties, of the normal scores
+  double mean = 0;                ///< mean of a strength, in its unit; 0: that of the ice
+  double correlation_length = 0;  ///< [m]; 0: one value per floe
+  std::vector<std::pair<FloeProperty, double>>
+      correlations;  ///< correlations of the normal scores with other properties
   int line = 0;
 
   bool operator==(const VaryScene&) const = default;
 };
-/// Ground frame at the start.
+/// A weak line, in the ground frame at the start.
 struct WeakLineScene {
   std::vector<Vec2> points;  ///< [m]
-  double strength = 1;       ///< share left of flexural strength and fracture toughness
+  double strength = 1;       ///< remaining share of flexural strength and fracture toughness
 
   bool operator==(const WeakLineScene&) const = default;
 };

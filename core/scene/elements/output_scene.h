@@ -11,13 +11,13 @@ namespace nilas {
 struct OutputScene {
   std::string folder;             ///< relative to the working directory; empty: runs/<scene>-<time>
   double trajectory_every = 0.1;  ///< [s]; 0: none
-  bool tank_walls = false;        ///< in trajectory frames
+  bool tank_walls = false;        ///< true: tank walls are part of trajectory frames
   StoredContacts contacts = StoredContacts::hull;
   StoredProblems problems = StoredProblems::never;
   double checkpoint_every = 0;                      ///< [s]; 0: none
-  std::optional<bool> bodies;                       ///< default: on up to 200 bodies
+  std::optional<bool> bodies;                       ///< default: true for up to 200 bodies
   std::optional<std::array<double, 2>> statistics;  ///< from, to [s]; default: end of the ramp and first ice, end
-  std::optional<double> peak_filter;                ///< averaging time of filtered peaks [s]; default: by the length
+  std::optional<double> peak_filter;  ///< averaging time of filtered peaks [s]; default: follows from the length
 
   bool operator==(const OutputScene&) const = default;
 };

@@ -14,8 +14,8 @@ namespace nilas {
 
 struct MassScene {
   std::optional<double> value;    ///< [kg]
-  std::optional<Vec3> cog;        ///< in V [m]
-  std::optional<Vec6> inertia;    ///< about the centre of mass in V: xx yy zz xy xz yz [kg m^2]
+  std::optional<Vec3> cog;        ///< frame V [m]
+  std::optional<Vec6> inertia;    ///< inertia about the centre of mass in V: xx yy zz xy xz yz [kg m^2]
   std::optional<double> draught;  ///< mass from the displaced volume [m]
 
   bool operator==(const MassScene&) const = default;
@@ -31,8 +31,8 @@ struct CarriageScene {
   double speed = 0, ramp = 0;
   RampShape ramp_shape = RampShape::linear;
   double heading_deg = 0;      ///< direction of motion in G
-  std::optional<Vec3> joint;   ///< in V [m]; default: the centre of mass
-  std::array<bool, 6> free{};  ///< by JointAxis
+  std::optional<Vec3> joint;   ///< frame V [m]; default: the centre of mass
+  std::array<bool, 6> free{};  ///< one entry per JointAxis
   CarriageStart start = CarriageStart::equilibrium;
   std::string path;  ///< absolute path, or empty
   ForceBalanceScene balance;
@@ -42,15 +42,15 @@ struct CarriageScene {
 /// <hull generate=...>: parameters of the generated form; unnamed ones keep the generator's defaults.
 struct HullGenerateScene {
   HullKind kind = HullKind::icebreaker;
-  std::map<std::string, double> parameters;  ///< by XML name: length, beam, stem_angle_deg, triangles ...
+  std::map<std::string, double> parameters;  ///< value by XML name: length, beam, stem_angle_deg, triangles ...
 
   bool operator==(const HullGenerateScene&) const = default;
 };
 
-/// What hull and parts are made of where nothing else is said.
+/// Default material of hull and parts.
 constexpr const char* k_hull_material = "hull";
 
-/// A part's position and rotation are in V while all joints are at zero.
+/// A part of the vessel. Its position and rotation are in V at zero joint coordinates.
 struct PartScene : SolidScene {
   PartScene() { material = k_hull_material; }
 
@@ -59,8 +59,8 @@ struct PartScene : SolidScene {
   std::optional<Vec3> at;  ///< joint point in V [m]; default: the position
   Vec3 axis = Vec3::UnitZ();
   double stiffness = 0, damping = 0;
-  double rest_angle_deg = 0, angle_deg = 0, rate_deg = 0;  ///< of a hinge
-  double rest_travel = 0, travel = 0, speed = 0;           ///< of a slider [m, m/s]
+  double rest_angle_deg = 0, angle_deg = 0, rate_deg = 0;  ///< angles and rate of a hinge
+  double rest_travel = 0, travel = 0, speed = 0;           ///< travel and speed of a slider [m, m/s]
 
   bool operator==(const PartScene&) const = default;
 };
@@ -68,8 +68,8 @@ struct PartScene : SolidScene {
 struct RodScene {
   std::string name;
   std::string on;                ///< name of a part or of the vessel; empty: the hull
-  Vec3 at = Vec3::Zero();        ///< in V, of a part while all joints are at zero [m]
-  Vec3 to = Vec3::Zero();        ///< in G [m]
+  Vec3 at = Vec3::Zero();        ///< frame V, for a part at zero joint coordinates [m]
+  Vec3 to = Vec3::Zero();        ///< frame G [m]
   std::optional<double> length;  ///< [m]; default: as placed
   int line = 0;
 
@@ -79,7 +79,7 @@ struct VesselScene {
   std::string name = "ship";
   std::string hull;  ///< absolute path, or empty when generated
   std::optional<HullGenerateScene> generate;
-  Vec3 position = Vec3::Zero();  ///< of the origin of V
+  Vec3 position = Vec3::Zero();  ///< position of the origin of V
   bool position_has_z = true;    ///< two numbers given: z from floating equilibrium
   double heading_deg = 0;
   Vec3 velocity = Vec3::Zero();          ///< free vessel, in G [m/s]

@@ -45,7 +45,7 @@ static PolygonScene build_polygon(const SceneElement& element) {
   return polygon;
 }
 
-/// A library takes the place of the kind.
+/// The shape of floes; a library replaces the kind.
 static FloeShapeScene build_shape(const SceneElement& element) {
   if (const auto library = text_of(element, "library")) return LibraryScene{*library};
   const auto assign_aspect = [&](auto shape) {

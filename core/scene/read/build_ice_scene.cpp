@@ -29,7 +29,7 @@ static FloeScene build_floe(const SceneElement& element) {
   return floe;
 }
 
-/// What a strength varies about when <vary> gives no mean: that of <fracture>, or of the ice's preset.
+/// The mean of a strength when <vary> gives none: that of <fracture>, or of the ice's preset.
 static double strength_of(FloeProperty property, const IcePreset& preset, const SceneElement* fracture) {
   const auto given_or = [&](double strength) {
     if (fracture) assign(strength, *fracture, name_of(property));

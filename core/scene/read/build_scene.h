@@ -1,20 +1,21 @@
 #pragma once
-/// From a checked and resolved tree to the plain values of a Scene.
+/// Converts a checked and resolved tree to the plain values of a Scene.
 #include "core/scene/document/document.h"
 #include "core/scene/scene.h"
 
 namespace nilas {
 
-/// Everything but file, notes and as_run.
+/// Builds everything except file, notes and as_run.
 Scene build_scene(const SceneElement& root);
 
-/// What a <body> and a <part> have in common.
+/// Sets the values that <body> and <part> share.
 void assign_solid(SolidScene& solid, const SceneElement& element);
-/// What a <field> and a <floe> have in common.
+/// Sets the values that <field> and <floe> share.
 void assign_placement(IcePlacement& placement, const SceneElement& element);
 FieldScene build_field_scene(const SceneElement& field);
 VesselScene build_vessel_scene(const SceneElement& vessel);
-/// `fracture`: the scene's element, null without one; its strengths are what <vary> varies about.
+/// Builds the values of <ice>. `fracture`: the scene's element, null without one; its strengths are the means for
+/// <vary>.
 IceScene build_ice_scene(const SceneElement& ice, const SceneElement* fracture);
 
 }  // namespace nilas

@@ -82,13 +82,13 @@ static std::string lower(std::string text) {
 
 static bool is_stl(const fs::path& path) { return lower(path.extension().string()) == ".stl"; }
 
-/// What is wrong with a file that a scene names; an empty message: nothing.
+/// The fault of a file that a scene names; an empty message: no fault.
 struct FileProblem {
   std::string message;
   bool unreadable = false;
 };
 
-/// Whether it is there and can be opened.
+/// Checks whether a file exists and can be opened.
 static FileProblem readable(const fs::path& path) {
   std::error_code ignored;
   if (!fs::is_regular_file(path, ignored)) return {"file not found: " + path.string(), true};
@@ -145,10 +145,10 @@ static std::vector<fs::path> hull_files(const fs::path& path) {
 
 namespace {
 
-/// Names for copies of files and folders, each its own, also where case does not count.
+/// Unique names for copies of files and folders, also on file systems that ignore case.
 class CopyNames {
  public:
-  /// The same for the same path, with or without a slash behind it.
+  /// The name for a path; always the same for the same path, with or without a trailing slash.
   std::string of(const fs::path& written) {
     const fs::path path = written.has_filename() ? written : written.parent_path();
     const auto known = names_.find(path);
@@ -163,7 +163,7 @@ class CopyNames {
     return name;
   }
 
-  /// With a '_' for what some file system does not take.
+  /// The name with '_' for characters that some file systems refuse.
   static std::string portable(std::string name) {
     const std::string refused = "<>:\"/\\|?*";
     std::replace_if(

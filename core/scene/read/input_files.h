@@ -10,7 +10,7 @@
 
 namespace nilas {
 
-/// In a run folder: where its input files are copied to, and the list of them there, as sha256sum writes it.
+/// Subfolder of a run folder with copies of the input files, and the list in it, in the format of sha256sum.
 constexpr const char* k_input_folder = "inputs";
 constexpr const char* k_input_sums = "nilas-inputs.sha256";
 
@@ -19,12 +19,12 @@ std::string file_sha256(const std::filesystem::path& file);
 /// The same of a text.
 std::string text_sha256(std::string_view text);
 
-/// Checks on a resolved tree that every file named exists, and is still the one that an <input> element recorded.
+/// Checks on a resolved tree that every named file exists and has the hash that an <input> element recorded.
 void check_files(const SceneElement& root, std::vector<Fault>& faults);
 
-/// The files that a resolved tree without faults refers to, in its order, each once; of a hull folder those that
-/// matter. In the tree they are then named by their copies: relative paths that depend on the files' own names alone,
-/// so that a tree that is read from a run folder comes out the same.
+/// The files that a resolved tree without faults refers to, in its order, each once; for a hull folder the files that
+/// are used. Replaces their names in the tree by those of their copies: relative paths that depend on the files' names
+/// alone. A tree read from a run folder is therefore the same.
 std::vector<InputFile> name_by_copies(SceneElement& root);
 
 }  // namespace nilas

@@ -6,7 +6,7 @@
 
 namespace nilas {
 
-/// Parts between slashes; a slash inside quotes separates nothing.
+/// Splits at slashes, except for slashes inside quotes.
 static std::vector<std::string> split_path(const std::string& text) {
   std::vector<std::string> parts{""};
   char quote = 0;
@@ -23,7 +23,7 @@ static std::vector<std::string> split_path(const std::string& text) {
   return parts;
 }
 
-/// The inside of [...]: a number, @key='value' in single or double quotes, or +.
+/// Parses the inside of [...]: a number, @key='value' in single or double quotes, or +.
 static bool parse_predicate(const std::string& inside, PathStep& step) {
   step.added = inside == "+";
   if (step.added) return true;

@@ -8,9 +8,9 @@ namespace nilas {
 
 struct PathStep {
   std::string element;
-  int number = 0;          ///< 0: none given
-  bool added = false;      ///< [+]: one that is not in the file
-  std::string key, value;  ///< of [@key='value']; key empty: none given
+  int number = 0;          ///< number; 0: none given
+  bool added = false;      ///< [+]: a new element that is not in the file
+  std::string key, value;  ///< key and value of [@key='value']; empty key: none given
   std::string text;        ///< as written
 };
 
@@ -19,7 +19,7 @@ struct OverridePath {
   std::string attribute;
 };
 
-/// Nothing when the text is no path.
+/// Parses a path; empty when the text is no path.
 std::optional<OverridePath> parse_override_path(const std::string& text);
 
 }  // namespace nilas

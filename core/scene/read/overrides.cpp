@@ -39,7 +39,7 @@ class OneOverride {
            (near.empty() ? "" : "; nearest: " + near));
   }
 
-  /// The child that a step names; made when it is a missing optional one; null after a report.
+  /// The child that a step names. A missing optional child is created; null after a report.
   SceneElement* enter(SceneElement& parent, const PathStep& step) {
     const ElementSpec* spec = find_child(parent.name, step.element);
     if (!spec) {

@@ -7,8 +7,8 @@
 
 namespace nilas {
 
-/// Sets each attribute; a missing optional element on the way is made. `element[+]` of elements that there may be many
-/// of is one more at their end: all such paths mean the same one. A path that leads nowhere becomes a fault.
+/// Sets each attribute. Missing optional elements on the path are created. `element[+]` adds one more element at the
+/// end, where several are allowed; all such paths mean the same one. A path that leads nowhere becomes a fault.
 void apply_overrides(SceneElement& root, const Overrides& overrides, std::vector<Fault>& faults);
 
 }  // namespace nilas

@@ -26,7 +26,7 @@ static std::string read_text(const std::filesystem::path& file) {
 static void check_root_name(SceneElement& root, std::vector<Fault>& faults) {
   if (root.name == "scene") return;
   faults.push_back(fault_of(root, "found <" + root.name + "> as the root; allowed: <scene>"));
-  // Only a misspelt scene is worth checking further.
+  // Continue only if the root is a misspelt <scene>.
   if (nearest_name(root.name, {"scene"}).empty()) throw SceneError(faults);
   root.name = "scene";
 }
@@ -37,8 +37,8 @@ static void check_root_name(SceneElement& root, std::vector<Fault>& faults) {
   throw SceneError(std::move(faults));
 }
 
-/// Makes a resolved tree that of the scene as run: with the input files and their hashes in place of those it may have
-/// recorded. Returns them.
+/// Changes a resolved tree to that of the scene as run: the present input files and their hashes replace those that it
+/// may have recorded. Returns the files.
 static std::vector<InputFile> record_inputs(SceneElement& root) {
   auto inputs = name_by_copies(root);
   std::erase_if(root.children, [](const SceneElement& child) { return child.name == "input"; });

@@ -1,5 +1,5 @@
 #pragma once
-/// From an XML file to a Scene, all faults reported at once.
+/// Reads a Scene from an XML file and reports all faults at once.
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -9,14 +9,14 @@
 
 namespace nilas {
 
-/// Overrides from the command line: (path, value) as in --set contact/@tolerance=1e-8.
+/// Overrides from the command line: (path, value), for example from --set contact/@tolerance=1e-8.
 using Overrides = std::vector<std::pair<std::string, std::string>>;
 
-/// Splits PATH=VALUE as --set takes it; the '=' inside [@name='box'] separates nothing. Throws InputError.
+/// Splits PATH=VALUE of --set; the '=' inside [@name='box'] does not count. Throws InputError.
 std::pair<std::string, std::string> split_override(const std::string& text);
 
-/// Throws SceneError with every fault (file:line:column, element, found, allowed, nearest name), FileError when the
-/// file cannot be opened.
+/// Reads a scene. Throws SceneError with every fault (file:line:column, element, found, allowed, nearest name), and
+/// FileError when the file cannot be opened.
 Scene read_scene(const std::filesystem::path& file, const Overrides& overrides = {});
 
 }  // namespace nilas

@@ -13,7 +13,7 @@ namespace nilas {
 
 namespace {
 
-/// What a preset puts in place of the defaults of <contact>.
+/// The values with which a preset replaces the defaults of <contact>.
 std::map<std::string, std::string> values_of(ContactPreset preset) {
   switch (preset) {
     case ContactPreset::metrikin_2014:
@@ -70,7 +70,7 @@ class Resolver {
     element.attributes.push_back({.name = name, .value = value, .place = element.place, .given = false});
   }
 
-  /// Steps are cut at impacts, which moreau's impulses in the middle of a step do not allow.
+  /// Whether steps are cut at impacts, which Moreau's impulses in the middle of a step do not allow.
   static bool cuts_steps(const SceneElement& contact) {
     const SceneAttribute *substeps = attribute_of(contact, "substeps"), *detection = attribute_of(contact, "detection");
     if (detection && detection->valid && detection->value != name_of(Detection::continuous)) return false;
@@ -117,7 +117,7 @@ class Resolver {
     }
   }
 
-  /// True where the attribute that decides has one of the values, and where it is faulty.
+  /// Whether the condition is met; true also where the deciding attribute is faulty.
   static bool has_effect(const SceneElement& element, const Condition& condition) {
     if (condition.values.empty()) return true;
     const SceneAttribute* decides = attribute_of(element, condition.attribute);
@@ -144,7 +144,7 @@ class Resolver {
       note(where_of(element, "ramp_shape"), "no effect with <path>");
   }
 
-  /// Each strength with what uses it.
+  /// Notes strengths that no model of the scene uses.
   void note_idle_strengths(const SceneElement& root) {
     static const std::map<std::string, std::vector<std::string>> uses{{"flexural_strength", {"bending", "splitting"}},
                                                                       {"compressive_strength", {"crushing"}},
@@ -170,7 +170,7 @@ class Resolver {
     return cracks && choice_of<CrackPathKind>(*cracks, "path") == CrackPathKind::curved;
   }
 
-  /// Cracks that keep straight pass weak lines by.
+  /// Notes weak lines without curved cracks: straight cracks ignore them.
   void note_idle_weak_lines(const SceneElement* ice, const SceneElement* fracture) {
     if (!ice || has_curved_cracks(fracture)) return;
     const std::string without = "no effect without <fracture><cracks path=\"curved\">";
@@ -209,7 +209,7 @@ class Resolver {
                      [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
   }
 
-  /// Elements whose absence means their defaults.
+  /// Adds the elements whose absence means their defaults.
   static void add_children(SceneElement& element) {
     for (const auto* spec : children_of(element.name))
       if (spec->always && !is_named(element, spec->name) && has_effect(element, spec->applies))

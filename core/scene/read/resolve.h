@@ -1,5 +1,5 @@
 #pragma once
-/// Fills a checked tree with what the scene leaves to defaults, so that it says everything that a run depends on.
+/// Fills a checked tree with all defaults, so that it contains everything that a run depends on.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -8,14 +8,15 @@
 
 namespace nilas {
 
-/// What a user should know of what was filled in, as whole sentences.
+/// Notes for the user about filled-in values, as whole sentences.
 struct SceneNotes {
-  std::vector<std::string> said_once;  ///< what has no effect, and stand-ins
-  std::vector<std::string> derived;    ///< defaults that follow from the scene's scale, and why
+  std::vector<std::string> said_once;  ///< settings without effect, and stand-ins
+  std::vector<std::string> derived;    ///< defaults that follow from the scene's scale, with reasons
 };
 
-/// Adds defaults (those of the preset, or the built stand-in where a default's model does not exist yet, with a note),
-/// makes paths absolute against the folder of `file` and spells values canonically. Notes say also what has no effect.
+/// Adds defaults: those of the preset, or, with a note, a built model where that of the default does not exist yet.
+/// Makes paths absolute relative to the folder of `file`, and writes values in canonical form. Notes also list settings
+/// without effect.
 void resolve_defaults(SceneElement& root, const std::filesystem::path& file, SceneNotes& notes);
 
 }  // namespace nilas

@@ -25,10 +25,10 @@ namespace {
 /// keep the default tolerance.
 constexpr double k_model_length = defaults::k_hull_length;                // [m]
 constexpr double k_thin_ice = 0.2, k_long_hull = 30, k_long_field = 100;  // [m], from there on full scale
-constexpr double k_tolerance_share = 1e-3;                                // of the speed
+constexpr double k_tolerance_share = 1e-3;                                // share of the speed
 constexpr double k_least_tolerance = 1e-9;                                // [m/s]
 
-/// The nearest of 1, 2, 5 times a power of ten, by ratio.
+/// The number 1, 2 or 5 times a power of ten that is nearest by ratio.
 double near_round_number(double x) {
   const double decade = std::pow(10, std::floor(std::log10(x)));
   double best = decade;
@@ -37,7 +37,7 @@ double near_round_number(double x) {
   return best;
 }
 
-/// Three digits, as a default that nobody chose to the last bit should read.
+/// Rounds a default to three digits, since nobody chose the others.
 std::string three_digits(double x) {
   const double unit = std::pow(10, std::floor(std::log10(x)) - 2);
   return format_number(std::round(x / unit) * unit);
@@ -85,7 +85,7 @@ double fastest_in(const SceneElement& element, const fs::path& folder) {
   return fastest;
 }
 
-/// Thickness that the ice names: its own, else the largest of its fields and floes.
+/// Thickness of the ice: its own, else the largest of its fields and floes.
 std::optional<double> thickness_of(const SceneElement& ice) {
   if (const auto own = number_of(ice, "thickness")) return own;
   std::optional<double> largest;
@@ -179,7 +179,7 @@ std::optional<std::string> ScaleDefaults::take(const std::string& element, const
 
 std::vector<std::string> ScaleDefaults::notes() const {
   std::vector<std::string> notes;
-  /// With few digits; empty where it was not taken.
+  /// The value taken, with few digits; empty if it was not taken.
   const auto taken = [&](const std::string& name) {
     const auto found = taken_.find(name);
     return found == taken_.end() ? "" : fmt::format("{:.3g}", parse_number(found->second).value_or(0));

@@ -1,5 +1,5 @@
 #pragma once
-/// Typed values of a resolved tree. Absent and faulty attributes give nothing.
+/// Typed values of a resolved tree. Absent and faulty attributes give an empty result.
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,7 +13,7 @@ namespace nilas {
 std::optional<std::string> text_of(const SceneElement& element, const std::string& attribute);
 std::optional<std::vector<double>> numbers_of(const SceneElement& element, const std::string& attribute);
 std::optional<double> number_of(const SceneElement& element, const std::string& attribute);
-/// What an attribute chooses; nothing where it is absent or faulty.
+/// The choice of an attribute; empty where it is absent or faulty.
 template <ChoiceEnum Enum>
 std::optional<Enum> choice_of(const SceneElement& element, const std::string& attribute) {
   return find_choice<Enum>(text_of(element, attribute).value_or(""));
@@ -24,7 +24,7 @@ bool is_true(const SceneElement& element, const std::string& attribute);
 /// Whether the attribute is given and not zero throughout.
 bool is_given_nonzero(const SceneElement& element, const std::string& attribute);
 
-/// Each leaves the target alone where the attribute gives nothing.
+/// Sets the target to the attribute's value; keeps the target where the attribute gives none.
 void assign(double& target, const SceneElement& element, const std::string& attribute);
 void assign(int& target, const SceneElement& element, const std::string& attribute);
 void assign(bool& target, const SceneElement& element, const std::string& attribute);

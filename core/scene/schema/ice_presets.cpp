@@ -12,9 +12,8 @@ const std::vector<IcePreset>& ice_presets() {
   const FractureScene fracture;
   const LognormalSizeScene size;
   static const std::vector<IcePreset> presets{
-      // Middle of what model basins aim at: flexural strength 20 to 60 kPa, modulus 10 to 150 MPa, toughness 1 to
-      // 5 kPa sqrt(m), compressive over flexural strength 1 to 4.
-      // They are the defaults of a scene's values.
+      // Middle of the ranges that model basins aim at: flexural strength 20 to 60 kPa, modulus 10 to 150 MPa, toughness
+      // 1 to 5 kPa sqrt(m), compressive over flexural strength 1 to 4. These are also the defaults of a scene's values.
       {.name = "model",
        .density = ice.density,
        .youngs_modulus = ice.youngs_modulus,

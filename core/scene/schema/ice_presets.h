@@ -1,13 +1,13 @@
 #pragma once
-/// Sourced values of ice by kind, which stand in for what a scene does not give. docs/reference/scales.md tells the
-/// sources.
+/// Values of ice by kind, with sources, which replace values that a scene does not give. Sources:
+/// docs/reference/scales.md.
 #include <string>
 #include <vector>
 
 namespace nilas {
 
 struct IcePreset {
-  std::string name;                                                    ///< as in <ice preset>
+  std::string name;                                                    ///< name in <ice preset>
   double density = 0, youngs_modulus = 0, poisson = 0, thickness = 0;  ///< [kg/m^3], [Pa], -, [m]
   double flexural_strength = 0, compressive_strength = 0;              ///< [Pa]
   double fracture_toughness = 0;                                       ///< [Pa sqrt(m)]
@@ -16,9 +16,9 @@ struct IcePreset {
   double min_area = 0;                                                 ///< smallest piece [m^2]
 };
 
-/// "model" first, then kinds of full scale.
+/// All presets: "model" first, then kinds of full-scale ice.
 const std::vector<IcePreset>& ice_presets();
-/// Throws ContractError for a name that is none.
+/// The preset with this name. Throws ContractError for an unknown name.
 const IcePreset& ice_preset(const std::string& name);
 std::vector<std::string> ice_preset_names();
 

@@ -1,6 +1,6 @@
 #pragma once
-/// The one table of the scene file: every element and attribute with type, unit, range, default and documentation.
-/// From it come the reader's checks, the XML schema (XSD), the scene reference and the validity of --set paths.
+/// The table of the scene file: every element and attribute with type, unit, range, default and documentation. The
+/// reader's checks, the XML schema (XSD), the scene reference and the valid --set paths follow from it.
 #include <limits>
 #include <map>
 #include <optional>
@@ -9,12 +9,12 @@
 
 namespace nilas {
 
-/// number and integer: `min_count`..`max_count` of them, blank-separated. words: blank-separated words, from `choices`
-/// where there are any. name: a label without quotes, separators and slashes. path: a file. hull: a hull folder or an
-/// STL file. Paths are relative to the scene file's folder.
+/// Types of values. number and integer: `min_count`..`max_count` of them, separated by blanks. words: words separated
+/// by blanks, from `choices` if there are any. name: a label without quotes, separators and slashes. path: a file.
+/// hull: a hull folder or an STL file. Paths are relative to the scene file's folder.
 enum class ValueType { number, integer, boolean, text, name, words, choice, path, hull };
 
-/// How many of a child its parent may hold.
+/// Number of such children that a parent may have.
 enum class Count { optional, one, many };
 
 struct Range {
@@ -26,7 +26,7 @@ struct Range {
   std::string text() const;
 };
 
-/// Something has an effect only where this attribute has one of these values. Empty: always.
+/// A condition for an effect: the attribute has one of these values. Empty: always.
 struct Condition {
   std::string attribute = {};
   std::vector<std::string> values = {};
@@ -35,15 +35,16 @@ struct Condition {
 struct AttributeSpec {
   std::string name = {};
   ValueType type = ValueType::number;
-  int min_count = 1, max_count = 1;                   ///< max_count k_any_count: no upper limit
-  std::string unit = {};                              ///< empty: none
-  Range range = {};                                   ///< of each number
-  std::vector<std::string> choices = {};              ///< "pyramid-k" stands for a pyramid with a number of facets
-  std::map<std::string, std::string> old_names = {};  ///< of choices, which the reader replaces by today's
-  std::string default_value = {};                     ///< empty: none
-  std::string default_note = {};                      ///< what holds instead of a default value, in words
+  int min_count = 1, max_count = 1;       ///< max_count k_any_count: no upper limit
+  std::string unit = {};                  ///< empty: none
+  Range range = {};                       ///< range of each number
+  std::vector<std::string> choices = {};  ///< "pyramid-k" stands for a pyramid with a number of facets
+  std::map<std::string, std::string> old_names =
+      {};                          ///< old names of choices, which the reader replaces by present ones
+  std::string default_value = {};  ///< empty: none
+  std::string default_note = {};   ///< explanation of a default that is no fixed value
   bool required = false;
-  Condition applies = {};                   ///< on an attribute of the same element
+  Condition applies = {};                   ///< condition on an attribute of the same element
   bool built = true;                        ///< false: naming it is refused
   std::vector<std::string> not_built = {};  ///< choices that are refused
   std::string doc = {};
@@ -54,10 +55,10 @@ struct ElementSpec {
   std::string name = {};    ///< unique in the table
   std::string parent = {};  ///< empty for the root
   Count count = Count::optional;
-  bool always = false;     ///< absent means its defaults, not absence: the scene as run names it
-  Condition applies = {};  ///< on an attribute of the parent
+  bool always = false;     ///< true: an absent element means its defaults, and the scene as run contains it
+  Condition applies = {};  ///< condition on an attribute of the parent
   bool built = true;
-  std::string remark = {};  ///< said once when the element is present
+  std::string remark = {};  ///< printed once when the element is present
   std::string doc = {};
   std::vector<AttributeSpec> attributes = {};
 };
@@ -65,26 +66,26 @@ struct ElementSpec {
 /// The table, parents before children.
 const std::vector<ElementSpec>& scene_schema();
 
-/// Null when the table has no such element.
+/// The element with this name; null when the table has none.
 const ElementSpec* find_element(const std::string& name);
-/// Null when `parent` takes no such child.
+/// The child with this name; null when `parent` has no such child.
 const ElementSpec* find_child(const std::string& parent, const std::string& name);
 const AttributeSpec* find_attribute(const ElementSpec& element, const std::string& name);
 std::vector<const ElementSpec*> children_of(const std::string& parent);
 std::vector<std::string> child_names(const std::string& parent);
 std::vector<std::string> attribute_names(const ElementSpec& element);
 
-/// The entry of `choices` that `value` is, "pyramid-8" being "pyramid-k"; empty when there is none.
+/// The entry of `choices` that matches `value` ("pyramid-8" matches "pyramid-k"); empty when there is none.
 std::string matching_choice(const std::vector<std::string>& choices, const std::string& value);
-/// What an attribute allows, in words: "3 numbers > 0 [m]".
+/// Description of an attribute's allowed values: "3 numbers > 0 [m]".
 std::string allowed_text(const AttributeSpec& attribute);
-/// What is wrong with a value (found, allowed, nearest name), or nothing. Says nothing about what is built.
+/// The fault of a value (found, allowed, nearest name), if any. Does not check what is built.
 std::optional<std::string> value_problem(const AttributeSpec& attribute, const std::string& value);
 /// Whether a valid value names something that does not exist in this version.
 bool is_not_built(const AttributeSpec& attribute, const std::string& value);
 
-/// The XML schema: what `nilas schema --xsd` prints. It accepts what the reader accepts and what is not built yet;
-/// relations between values are checked by the reader alone.
+/// The XML schema, as printed by `nilas schema --xsd`. It accepts everything that the reader accepts, and what is not
+/// built yet. Only the reader checks relations between values.
 std::string schema_xsd();
 /// The scene reference page, in Markdown.
 std::string schema_markdown();

@@ -1,4 +1,4 @@
-/// The schema table as the scene reference page.
+/// Writes the schema table as the scene reference page.
 #include <algorithm>
 
 #include "core/scene/schema/schema.h"
@@ -22,7 +22,7 @@ What a scene does not name is not modelled. What it names and this version lacks
 of choices that have changed are still read, with a warning that gives the new name.
 )";
 
-/// Lines of at most 100 characters. A word that would begin a list at the start of a line stays on the line before.
+/// Wraps text to 100 characters. A word that would start a list at the start of a line stays on the previous line.
 std::string wrapped(const std::string& text) {
   constexpr std::size_t k_width = 100;
   std::string out;

@@ -10,7 +10,7 @@
 
 namespace nilas::schema_table {
 
-/// Values as a scene file writes them: the defaults of the table, which are those of the Scene's members.
+/// A value in the notation of a scene file. The table's defaults are those of the Scene's members.
 std::string written(double x);
 std::string written(int x);
 std::string written(const Vec3& x);
@@ -20,13 +20,13 @@ std::string written(Enum x) {
   return name_of(x);
 }
 
-/// Something that has an effect only with one of these choices of an attribute.
+/// Condition that an attribute has one of these choices.
 template <ChoiceEnum Enum, class... More>
 Condition when(const std::string& attribute, Enum first, More... more) {
   return {attribute, {name_of(first), name_of(more)...}};
 }
 
-/// What the choices mean, one sentence or more for each that has a text: "`stop`: The run ends."
+/// Meanings of the choices, at least one sentence for each that has a text: "`stop`: The run ends."
 template <ChoiceEnum Enum>
 std::string meanings() {
   std::string text;
@@ -64,17 +64,17 @@ AttributeSpec choice(const std::string& name, Enum default_value, const std::str
 inline Range above(double x) { return {.min = x, .min_inclusive = false}; }
 inline Range at_least(double x) { return {.min = x}; }
 inline Range within(double low, double high) { return {.min = low, .max = high}; }
-/// Both ends excluded.
+/// A range that excludes both ends.
 inline Range inside(double low, double high) {
   return {.min = low, .max = high, .min_inclusive = false, .max_inclusive = false};
 }
 
-/// Of bodies and of parts of vessels: shape, size, radius, height, mesh and material. `can_be_plane`: whether the shape
-/// plane is allowed.
+/// Attributes for bodies and for parts of vessels: shape, size, radius, height, mesh and material. `can_be_plane`: the
+/// shape plane is allowed.
 std::vector<AttributeSpec> shape_attributes(bool can_be_plane, const std::string& material);
-/// mass, density and inertia. `owner`: "body".
+/// Attributes mass, density and inertia. `owner`: for example "body".
 std::vector<AttributeSpec> mass_attributes(const std::string& owner);
-/// Three numbers, 0 0 0 by default.
+/// An attribute of three numbers, 0 0 0 by default.
 AttributeSpec three(const std::string& name, const std::string& unit, const std::string& doc);
 
 std::vector<ElementSpec> run_elements();

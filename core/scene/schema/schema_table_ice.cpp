@@ -60,7 +60,7 @@ static std::vector<AttributeSpec> packing() {
 static std::vector<AttributeSpec> grid() {
   const GridFieldScene values;
   const Condition of_grid = when("kind", FieldKind::grid);
-  /// More pieces than any machine holds; keeps products of the two within an int.
+  /// More pieces than any machine holds; the product of the two still fits an int.
   const Range pieces = within(1, 10000);
   return {{.name = "rows",
            .type = ValueType::integer,
@@ -93,7 +93,7 @@ static std::vector<AttributeSpec> grid() {
            .doc = "It is the angle by which sheared pieces deviate from a rectangle."}};
 }
 
-/// What <field> and <floe> share.
+/// Attributes that <field> and <floe> share.
 static std::vector<AttributeSpec> placement() {
   const IcePlacement values;
   return {{.name = "fixed",
@@ -213,7 +213,7 @@ static ElementSpec floe() {
   return element;
 }
 
-/// Of weak lines and bonds.
+/// The strength attribute of weak lines and bonds.
 static AttributeSpec strength_left() {
   return {.name = "strength",
           .range = {.min = 0, .max = 1, .min_inclusive = false},

@@ -32,7 +32,8 @@ static ElementSpec vessel() {
                 "It is the angular velocity of a free vessel at the start, in the ground frame.")}};
 }
 
-/// A parameter of a generated form: what is not named is the generator's to choose, lengths in proportion to `length`.
+/// A parameter of a generated form. The generator chooses parameters that are not named; lengths are proportional to
+/// `length`.
 static AttributeSpec form(const std::string& name, const std::string& unit, const Range& range, const std::string& note,
                           const std::string& doc) {
   return {.name = name, .unit = unit, .range = range, .default_note = note, .doc = doc};

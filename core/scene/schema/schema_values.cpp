@@ -1,4 +1,4 @@
-/// What a value of the scene file may be, and what is wrong with one that may not.
+/// Checks values of the scene file and describes their faults.
 #include <algorithm>
 
 #include "core/base/error.h"
@@ -68,7 +68,7 @@ static bool count_fits(const AttributeSpec& attribute, std::size_t count) {
          count <= static_cast<std::size_t>(attribute.max_count);
 }
 
-/// The number a word stands for, or nothing; integers as doubles, which hold all that the ranges allow.
+/// The number in a word, if any. Integers are returned as doubles, which hold all allowed ones exactly.
 static std::optional<double> number_in(const AttributeSpec& attribute, const std::string& word) {
   if (attribute.type == ValueType::number) return parse_number(word);
   if (const auto whole = parse_integer(word)) return static_cast<double>(*whole);

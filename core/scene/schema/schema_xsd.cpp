@@ -81,7 +81,7 @@ class XsdWriter {
     line(depth, "</xs:element>");
   }
 
-  /// Children stand in any order. XSD 1.0 counts them only where none may repeat.
+  /// Children may have any order. XSD 1.0 can count them only where none may repeat.
   void children(const ElementSpec& spec, int depth) {
     const auto specs = children_of(spec.name);
     if (specs.empty()) return;
@@ -189,7 +189,7 @@ class XsdWriter {
     if (range.max < unbounded.max) bound("max", range.max_inclusive, range.max);
   }
 
-  /// xs:long takes no exponent.
+  /// A bound as text; xs:long does not accept an exponent.
   static std::string bound_text(double value) {
     const auto whole = static_cast<std::int64_t>(value);
     return static_cast<double>(whole) == value ? std::to_string(whole) : format_number(value);

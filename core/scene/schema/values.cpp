@@ -15,7 +15,7 @@ static std::string_view without_blanks(std::string_view text) {
   return text.substr(first, text.find_last_not_of(k_blanks) - first + 1);
 }
 
-/// from_chars knows no leading plus sign.
+/// The text without a leading plus sign, which from_chars does not accept.
 static std::string_view without_plus(std::string_view text) {
   if (text.size() > 1 && text[0] == '+' && text[1] != '-' && text[1] != '+') text.remove_prefix(1);
   return text;
@@ -33,7 +33,7 @@ static std::optional<Number> parse_all(std::string_view text) {
 
 std::optional<double> parse_number(std::string_view text) {
   const auto value = parse_all<double>(text);
-  // from_chars takes "inf" and "nan" for numbers.
+  // from_chars accepts "inf" and "nan".
   if (!value || !std::isfinite(*value)) return std::nullopt;
   return value;
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// Text to values and back, without locale: what the attributes of a scene may look like.
+/// Conversion of text to values and back, independent of the locale, for the attributes of a scene.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -10,14 +10,14 @@
 
 namespace nilas {
 
-/// A finite decimal number with nothing behind it; blanks around it are allowed.
+/// Parses a finite decimal number; blanks around it are allowed, other text is not.
 std::optional<double> parse_number(std::string_view text);
 std::optional<std::int64_t> parse_integer(std::string_view text);
 /// "true" or "false".
 std::optional<bool> parse_boolean(std::string_view text);
 /// Blank-separated words.
 std::vector<std::string> split_words(std::string_view text);
-/// Without the blanks around it.
+/// The text without blanks around it.
 std::string trimmed(std::string_view text);
 
 /// The shortest text that reads back as the same double.
