@@ -18,7 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Reads one GeoJSON file and words its faults.
+/// Reads one GeoJSON file and describes its faults.
 class FieldReader {
  public:
   explicit FieldReader(const std::filesystem::path& file) : file_(file) {}

@@ -13,13 +13,13 @@ namespace nilas {
 
 namespace {
 
-constexpr double k_largest_shear = 80 * k_deg;  ///< beyond it a piece is a needle
+constexpr double k_largest_shear = 80 * k_deg;  ///< limit above which a piece is a needle
 
 void demand(bool holds, const char* parameter, double found, const char* allowed) {
   if (!holds) throw InputError(fmt::format("grid field: {}: found {}, allowed {}", parameter, found, allowed));
 }
 
-/// Lays the rows out from the region's middle line upwards; each piece beside the line has its mirror image below.
+/// Lays out the rows from the region's middle line upwards; each piece next to the line has its mirror image below.
 class Grid {
  public:
   explicit Grid(const GridSpec& spec) : spec_(spec), middle_(0.5 * (spec.low.y() + spec.high.y())) {
@@ -29,7 +29,7 @@ class Grid {
     demand(height_ > 0, "gap", spec.gap, "less than the region's width over its rows");
     lean_ = std::tan(spec.shear);
     along_gap_ = spec.gap / std::cos(spec.shear);
-    // the sheared rows stay within the region: its ends keep a notch
+    // The sheared rows stay within the region, whose ends keep a notch.
     first_ = spec.low.x() + std::max(0.0, -lean_) * sheared_height();
     const double length = side.x() - std::abs(lean_) * sheared_height();
     width_ = (length - (spec.columns - 1) * along_gap_) / spec.columns;
@@ -61,9 +61,9 @@ class Grid {
     demand(std::abs(spec_.shear) <= k_largest_shear, "shear_deg", spec_.shear / k_deg, "-80 to 80");
   }
 
-  /// Height of the sheared rows on one side of the middle line: all but a middle row [m].
+  /// Height of the sheared rows on one side of the middle line, without a middle row [m].
   double sheared_height() const { return 0.5 * (spec_.high.y() - spec_.low.y()) - base(0); }
-  /// Height of the lower edge of the k-th row above the middle line, a middle row not counted [m].
+  /// Height of the lower edge of the k-th row above the middle line, not counting a middle row [m].
   double base(int row) const {
     const double start = spec_.rows % 2 == 1 ? 0.5 * height_ + spec_.gap : 0.5 * spec_.gap;
     return start + row * (height_ + spec_.gap);
@@ -104,8 +104,8 @@ class Grid {
 
   const GridSpec& spec_;
   double middle_;         ///< Y of the region's middle line [m]
-  double height_ = 0;     ///< of a row [m]
-  double width_ = 0;      ///< of a piece along X [m]
+  double height_ = 0;     ///< height of a row [m]
+  double width_ = 0;      ///< width of a piece along X [m]
   double along_gap_ = 0;  ///< gap between columns along X [m]
   double lean_ = 0;       ///< shift along X per height
   double first_ = 0;      ///< X of the first piece's left end where the shear starts [m]

@@ -18,7 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Reads one list of outlines and words its faults.
+/// Reads one list of outlines and describes its faults.
 class LibraryReader {
  public:
   explicit LibraryReader(const std::filesystem::path& file) : file_(file) {}

@@ -1,5 +1,5 @@
 #pragma once
-/// Outlines of real floes to draw a field's floes from.
+/// Outlines of real floes, from which a field's floes are drawn.
 #include <filesystem>
 #include <vector>
 
@@ -7,9 +7,9 @@
 
 namespace nilas {
 
-/// Outlines to draw floes from, counter-clockwise: JSON list of outlines, or an object with such a list "bodies" (as
-/// IceFieldCreator's), each a list of numbers x y x y ... or of pairs [x, y] in metres; or a GeoJSON field. Throws
-/// FileError, InputError naming file and outline (counted from 1).
+/// Reads outlines, counter-clockwise. The file is a JSON list of outlines, an object with such a list "bodies" (as
+/// IceFieldCreator's), or a GeoJSON field. Each outline is a list of numbers x y x y ... or of pairs [x, y] in metres.
+/// Throws FileError, and InputError naming file and outline (counted from 1).
 std::vector<std::vector<Vec2>> read_outlines(const std::filesystem::path& file);
 
 }  // namespace nilas

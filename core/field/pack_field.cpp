@@ -22,35 +22,38 @@ namespace nilas {
 
 namespace {
 
-/// Wanted gap between floes, of the mean size: a run then starts without touching floes. Costs 0.2 % of the area.
+/// Required gap between floes, as a share of the mean size, so that a run starts without contacts. Costs 0.2 % of the
+/// area.
 constexpr double k_gap = 1e-3;
-constexpr double k_accepted_lack = 0.9;  ///< of the wanted gap: what is left is a gap, not an overlap
-constexpr double k_reach = 0.05;         ///< of the mean size; see RelaxationSettings
+constexpr double k_accepted_lack = 0.9;  ///< share of the required gap that may lack: a gap remains
+constexpr double k_reach = 0.05;         ///< share of the mean size; see RelaxationSettings
 
-constexpr double k_first_scale = 0.85;  ///< floes start so much smaller and grow between passes
-constexpr double k_growth = 0.002;      ///< of the scale per pass
-constexpr int k_settling_passes = 150;  ///< at full size
+constexpr double k_first_scale = 0.85;  ///< initial scale of the floes, which grow between passes
+constexpr double k_growth = 0.002;      ///< growth of the scale per pass
+constexpr int k_settling_passes = 150;  ///< passes at full size
 
-constexpr int k_exchange_rounds = 250;       ///< of shaking, exchanging places and relaxing
-constexpr int k_exchange_runs = 3;           ///< of so many rounds, each shaken anew
-constexpr int k_short_exchange_rounds = 20;  ///< before outlines are fitted, or equal floes laid in rows
+constexpr int k_exchange_rounds = 250;       ///< rounds of shaking, exchanging places and relaxing
+constexpr int k_exchange_runs = 3;           ///< runs of that many rounds, each shaken anew
+constexpr int k_short_exchange_rounds = 20;  ///< rounds before outlines are fitted, or equal floes laid in rows
 constexpr int k_passes_per_round = 20;
 constexpr int k_trials_per_floe = 20;
 constexpr double k_shake = 0.03;        ///< first shaking: standard deviation, floe sizes and radians
-constexpr double k_shaken_share = 0.8;  ///< of the rounds; the shaking fades to nothing over these
+constexpr double k_shaken_share = 0.8;  ///< share of the rounds over which shaking fades to nothing
 
-/// Above it polygons and equal floes keep blocking each other: exchanging their places is left out at first.
+/// Concentration above which polygons and equal floes always block each other, so that long exchange is skipped at
+/// first.
 constexpr double k_densest_drawn = 0.88;
 constexpr int k_short_settling_passes = 30;
 
-constexpr double k_row_gap = 0.3;  ///< of the wanted gap, between equal floes laid in rows: no lack
+constexpr double k_row_gap = 0.3;  ///< gap between equal floes in rows, as a share of the required gap
 
 constexpr int k_fitting_rounds = 40;
 constexpr int k_passes_per_fitting = 10;
-constexpr int k_lloyd_rounds = 3;  ///< of the power diagram that takes over where fitting stalls
+constexpr int k_lloyd_rounds = 3;  ///< rounds of the power diagram, which is used where fitting stalls
 constexpr double k_cell_tolerance = 1e-3;
 
-constexpr double k_shrink = 0.99;  ///< of the areas per step, to find what concentration can be reached
+constexpr double k_shrink =
+    0.99;  ///< factor of the areas per step in the search for a concentration that can be reached
 constexpr int k_shrink_rounds = 15;
 
 const char* plural_of(FloeShape shape) {
@@ -109,7 +112,7 @@ class Packing {
     if (spec_.distribution == SizeDistribution::as_library) return draw_library_floes(spec_, area, sizes);
     std::vector<LooseFloe> floes;
     for (const double each : draw_areas(spec_, area, sizes)) floes.push_back(draw_floe(spec_, each, shapes));
-    // hulls of concave outlines of like size differ in area
+    // convex hulls of concave outlines of similar size differ in area
     std::stable_sort(floes.begin(), floes.end(), [](const auto& a, const auto& b) { return a.area > b.area; });
     return floes;
   }
@@ -143,7 +146,7 @@ class Packing {
     return false;
   }
 
-  /// What only fitted polygons or rows of equal floes reach.
+  /// Whether the concentration requires fitted polygons or rows of equal floes.
   bool is_dense() const {
     return spec_.concentration > k_densest_drawn && (spec_.shape == FloeShape::polygon || floes_are_equal());
   }
@@ -182,7 +185,7 @@ class Packing {
     return false;
   }
 
-  /// Four-cornered and all of one size.
+  /// Whether all floes have four corners and one size.
   bool floes_are_equal() const {
     const bool four_corners = spec_.shape == FloeShape::square || spec_.shape == FloeShape::rectangle ||
                               spec_.shape == FloeShape::parallelogram;
@@ -197,8 +200,8 @@ class Packing {
 
   FittingLimits limits() const { return {gap_, spec_.vertices_min, spec_.vertices_max}; }
 
-  /// Every floe takes the form of its cell in the power diagram of the present centres whose areas are in proportion to
-  /// the floes'; then fits again, since cells can have more corners than floes may.
+  /// Gives every floe the shape of its cell in the power diagram of the present centres, with cell areas in proportion
+  /// to the floes'. Then fits again, since cells can have more corners than floes may.
   bool fit_to_cells() {
     PowerSites sites;
     std::vector<double> areas;
@@ -219,7 +222,8 @@ class Packing {
     return relax(1, k_passes_per_fitting) || fit();
   }
 
-  /// Overlaps within the spec's tolerance are left; else says what concentration the same floes, made smaller, reach.
+  /// Accepts overlaps within the spec's tolerance. Otherwise throws with the concentration that the same floes reach
+  /// when shrunk.
   void accept_or_refuse() {
     if (overlaps_are_tolerated()) return;
     const std::size_t wanted = floes_.size();
@@ -252,14 +256,14 @@ class Packing {
   }
 
   const PackedSpec& spec_;
-  double gap_;  ///< wanted [m]
+  double gap_;  ///< required gap [m]
   FieldBounds bounds_;
   double free_area_ = 0;          ///< [m^2]
   std::vector<LooseFloe> floes_;  ///< largest first
   Relaxation relaxation_;
   RandomStream shaking_{spec_.seed, "field shaking"}, exchanges_{spec_.seed, "field exchanges"},
       rows_{spec_.seed, "field rows"};
-  int in_rows_ = 0;  ///< equal floes that rows hold
+  int in_rows_ = 0;  ///< number of equal floes that rows hold
   int passes_ = 0;
   std::set<std::size_t> fitted_;
 };

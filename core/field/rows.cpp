@@ -9,9 +9,10 @@ namespace nilas {
 
 namespace {
 
-constexpr int k_trials = 20;  ///< of spreading the water between the rows: obstacles cut some rows at a worse place
+constexpr int k_trials =
+    20;  ///< random distributions of the water between the rows: obstacles affect some more than others
 
-/// `count` lengths of at least `least` that sum to `sum`: what is over is broken at random points.
+/// `count` lengths of at least `least` that sum to `sum`; the excess is divided at random points.
 std::vector<double> random_parts(std::size_t count, double least, double sum, RandomStream& random) {
   std::vector<double> parts(count);
   double all = 0;
@@ -22,15 +23,15 @@ std::vector<double> random_parts(std::size_t count, double least, double sum, Ra
 }
 
 struct Slot {
-  double from, to;  ///< free water of a row [m]
-  int holds;        ///< floes
+  double from, to;  ///< free interval of a row [m]
+  int holds;        ///< number of floes
 };
 struct Row {
-  double base;  ///< of the floes' lower edges [m]
+  double base;  ///< height of the floes' lower edges [m]
   std::vector<Slot> slots;
 };
 
-/// Works in axes along and across the rows, which `turned` says are Y and -X of the ground frame.
+/// Lays out rows in axes along and across them. With `turned`, these are Y and -X of the ground frame.
 class Rows {
  public:
   Rows(const LooseFloe& floe, const FieldBounds& bounds, double gap, bool turned, RandomStream& random)
@@ -84,7 +85,7 @@ class Rows {
     }
   }
 
-  /// What the obstacles leave of a row.
+  /// The intervals of a row that the obstacles leave free.
   std::vector<Slot> slots(double base, const FieldBounds& bounds) const {
     std::vector<std::pair<double, double>> taken;
     for (const Obstacle& o : bounds.obstacles) {
@@ -128,8 +129,8 @@ class Rows {
 
   double gap_;
   bool turned_;
-  Vec2 low_, high_;                          ///< of the region, in the rows' axes [m]
-  double long_ = 0, lean_ = 0, height_ = 0;  ///< of a floe [m]
+  Vec2 low_, high_;                          ///< corners of the region, in the rows' axes [m]
+  double long_ = 0, lean_ = 0, height_ = 0;  ///< length, lean and height of a floe [m]
   std::vector<Row> rows_;
 };
 

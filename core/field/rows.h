@@ -1,5 +1,5 @@
 #pragma once
-/// Rows of equal floes: the only way in which equal squares, rectangles or parallelograms lie denser than about 90 %.
+/// Rows of equal floes: the only arrangement of equal squares, rectangles or parallelograms denser than about 90 %.
 #include <vector>
 
 #include "core/base/random.h"
@@ -7,10 +7,10 @@
 
 namespace nilas {
 
-/// Lays equal floes of four corners, whose first edge runs along X at angle zero, in rows along X or along Y, whichever
-/// holds more beside the obstacles: random water between the rows and between the floes of a row, at least `gap` [m]
-/// everywhere, and joints that do not line up. Returns how many floes of this kind the best rows found hold; moves
-/// nothing when these are fewer than there are floes.
+/// Lays equal floes with four corners, whose first edge is along X at angle zero, in rows along X or Y, whichever holds
+/// more. Water is distributed at random between the rows and between the floes of a row, with at least `gap` [m]
+/// everywhere; joints of rows do not line up. Returns the number of floes that the best rows hold. Moves nothing when
+/// these are fewer than there are floes.
 int place_in_rows(std::vector<LooseFloe>& floes, const FieldBounds& bounds, double gap, RandomStream& random);
 
 }  // namespace nilas

@@ -24,7 +24,7 @@ bool lies_inside(const std::vector<Vec2>& outline, const Vec2& low, const Vec2& 
   });
 }
 
-/// The outline together with what it swept on its way from outside the region: its open track.
+/// The outline together with its open track: the area that it swept on its way from outside the region.
 std::vector<Vec2> with_track(std::vector<Vec2> outline, const Vec2& low, const Vec2& high, const Vec2& aft) {
   const double beyond = 2 * (high - low).norm();
   const std::size_t n = outline.size();

@@ -11,7 +11,7 @@ namespace nilas {
 
 namespace {
 
-/// Order in which the properties are numbered.
+/// The order in which the properties are numbered.
 std::vector<std::size_t> sorted_order(const std::vector<PropertySpread>& spreads) {
   std::vector<std::size_t> order(spreads.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

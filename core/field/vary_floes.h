@@ -11,11 +11,11 @@
 
 namespace nilas {
 
-/// How one property varies over the floes.
+/// The variation of one property over the floes.
 struct PropertySpread {
   FloeProperty property;
   CutDistribution distribution;
-  double correlation_length = 0;  ///< > 0: from point to point, within floes too [m]; 0: one value per floe
+  double correlation_length = 0;  ///< > 0: varies from point to point, also within floes [m]; 0: one value per floe
 };
 
 /// A property inside one floe.
@@ -31,13 +31,13 @@ struct TexturedProperty {
 /// in FloeProperty that it is correlated with, on nothing else.
 class FloeVariation {
  public:
-  /// `correlation`: of the scores, one row per spread in their order, symmetric, ones on the diagonal. Properties that
-  /// are correlated must have one correlation length. Throws InputError where that does not hold, a property comes
-  /// twice, or the matrix is not positive definite.
+  /// Prepares the variation. `correlation`: that of the scores, one row per spread in their order, symmetric, ones on
+  /// the diagonal. Correlated properties must have the same correlation length. Throws InputError where they do not,
+  /// where a property occurs twice, or where the matrix is not positive definite.
   FloeVariation(std::vector<PropertySpread> spreads, const MatX& correlation, std::uint64_t seed);
 
-  /// Fills what `floe` leaves open (0) and varies; `means` as of a floe that does not vary. A property that varies
-  /// within the floe gets the mean over its area, and its texture is returned.
+  /// Draws the varying properties that `floe` leaves open (0). `means`: values of a floe that does not vary. A property
+  /// that varies within the floe gets the mean over its area, and its texture is returned.
   std::vector<TexturedProperty> draw(FieldFloe& floe, const std::string& name, const FloeValues& means) const;
 
   const std::vector<PropertySpread>& spreads() const { return spreads_; }
@@ -47,7 +47,7 @@ class FloeVariation {
   std::shared_ptr<const PropertyPlane> plane(std::size_t row,
                                              const std::vector<std::shared_ptr<const GaussianField>>& fields) const;
 
-  std::vector<PropertySpread> spreads_;  ///< in the order of FloeProperty
+  std::vector<PropertySpread> spreads_;  ///< sorted in the order of FloeProperty
   MatX lower_;                           ///< L
   std::uint64_t seed_;
   std::vector<std::shared_ptr<const PropertyPlane>> planes_;  ///< null: one value per floe

@@ -16,10 +16,10 @@ namespace nilas {
 
 namespace {
 
-constexpr int k_lloyd_rounds = 10;  ///< cells become compact, yet differ in shape
+constexpr int k_lloyd_rounds = 10;  ///< cells become compact, but differ in shape
 constexpr double k_area_tolerance = 1e-9;
 
-/// Drawn areas, all made larger or smaller by the same factor (by half a floe in all at most) to sum to `wanted` [m^2].
+/// Drawn areas, scaled by one factor (by at most half a floe in total) to sum to `wanted` [m^2].
 std::vector<double> areas_of(const PackedSpec& spec, double wanted) {
   RandomStream sizes(spec.seed, "field sizes");
   std::vector<double> areas = draw_areas(spec, wanted, sizes);
@@ -30,7 +30,7 @@ std::vector<double> areas_of(const PackedSpec& spec, double wanted) {
   return areas;
 }
 
-/// Sites spread as circles of the floes' areas.
+/// Initial sites, spread like circles of the floes' areas.
 PowerSites first_sites(const std::vector<double>& areas, const FieldBounds& bounds, std::uint64_t seed) {
   std::vector<LooseFloe> circles(areas.size());
   for (std::size_t i = 0; i < areas.size(); ++i) {
@@ -52,7 +52,7 @@ std::vector<PowerCell> cells_of(const std::vector<double>& areas, const FieldBou
   return cells_with_areas(sites, areas, bounds, k_lloyd_rounds, k_area_tolerance);
 }
 
-/// The cell made smaller about its centroid until it has `area` [m^2].
+/// The cell shrunk about its centroid to `area` [m^2].
 FieldFloe shrunk(const PowerCell& cell, double area) {
   const Vec2 centre = polygon_moments(cell.outline).centroid;
   const double scale = std::min(1.0, std::sqrt(area / cell.area));
@@ -86,7 +86,7 @@ FieldResult voronoi_field(const PackedSpec& spec) {
   return result;
 }
 
-/// Cells fill the region whatever is left out of it: a seam ends where the sheet does.
+/// The cells cover the whole region, including what is left out: a seam ends where the sheet does.
 FieldResult frozen_field(const PackedSpec& spec, const Vec2& aft, double strength) {
   PackedSpec whole = spec;
   whole.concentration = 1;

@@ -1,5 +1,5 @@
 #pragma once
-/// Square cells over the region that know which floe centres lie in them.
+/// A grid of square cells over the region that stores the floe centres in each.
 #include <algorithm>
 #include <cmath>
 #include <vector>

@@ -9,10 +9,10 @@ namespace nilas {
 
 namespace {
 
-constexpr double k_swap_share = 0.7;        ///< of all trials; the others move one floe
-constexpr double k_swap_rank = 0.2;         ///< partners stand at most this share of all floes apart in size
-constexpr double k_keep_angle_share = 0.5;  ///< of swaps that pass on the angle; the others draw new ones
-constexpr double k_far_share = 0.5;         ///< of moves that go anywhere; the others stay near
+constexpr double k_swap_share = 0.7;  ///< share of trials that swap two floes; the others move one
+constexpr double k_swap_rank = 0.2;   ///< largest distance of partners in the order of sizes, as a share of all floes
+constexpr double k_keep_angle_share = 0.5;  ///< share of swaps that also exchange the angle; the others draw new ones
+constexpr double k_far_share = 0.5;         ///< share of moves to any place; the others stay near
 constexpr double k_near_move = 0.2;         ///< standard deviation of a near move, in floe sizes
 constexpr double k_near_turn = 0.5;         ///< standard deviation of a near move's turn [rad]
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Floes that overlap change places with others of about their size, or move, where that lessens the overlaps: what
-/// relaxation alone cannot do once the floes block each other.
+/// Exchange of floes: overlapping floes swap places with others of similar size, or move, if that reduces the overlaps.
+/// Relaxation alone cannot do this once floes block each other.
 #include <vector>
 
 #include "core/base/random.h"
@@ -14,7 +14,7 @@ class Exchange {
   /// Outlines closer than `gap` [m] count as overlapping. Floes must be sorted by size; references must outlive this.
   Exchange(std::vector<LooseFloe>& floes, const FieldBounds& bounds, double gap, RandomStream& random);
 
-  /// Tries `trials` random changes; keeps those that lessen the sum of squared overlaps.
+  /// Tries `trials` random changes and keeps those that reduce the sum of squared overlaps.
   void run(int trials);
 
  private:

@@ -11,13 +11,15 @@ namespace nilas {
 
 namespace {
 
-constexpr double k_largest_growth = 0.5;    ///< of the scale, before a floe is cut to its cell
-constexpr int k_halvings = 12;              ///< to find the scale: leaves 1e-4 of it, which with_area makes up
-constexpr double k_area_tolerance = 1e-9;   ///< relative: a floe that its cell cuts by less keeps its outline
-constexpr double k_smallest_corner = 1e-3;  ///< area that a corner holds, as a share of the floe: smaller ones go
-constexpr double k_smallest_rest = 0.5;     ///< of a floe's area that a round of cuts may leave
-constexpr double k_largest_radius = 1;  ///< of the circle about a fitted floe, in floe sizes: a side ratio of 1 : 3.7
-constexpr double k_chamfer = 0.25;      ///< share of the shorter edge that a new corner takes
+constexpr double k_largest_growth = 0.5;  ///< largest growth of the scale before a floe is cut to its cell
+constexpr int k_halvings = 12;  ///< bisections for the scale; the remaining error of 1e-4 is corrected by with_area
+constexpr double k_area_tolerance = 1e-9;  ///< relative: a floe that its cell cuts by less keeps its outline
+constexpr double k_smallest_corner =
+    1e-3;  ///< smallest area of a corner as a share of the floe; smaller corners are removed
+constexpr double k_smallest_rest = 0.5;  ///< smallest share of a floe's area that a round of cuts may leave
+constexpr double k_largest_radius =
+    1;  ///< largest radius of the circle about a fitted floe, in floe sizes: a side ratio of 1 : 3.7
+constexpr double k_chamfer = 0.25;  ///< share of the shorter edge that a new corner takes
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -67,7 +69,7 @@ void add_corners(std::vector<Vec2>& outline, const FittingLimits& limits) {
   }
 }
 
-/// Side of a line on which a floe stays: normal . x <= offset.
+/// The side of a line on which a floe stays: normal . x <= offset.
 struct HalfPlane {
   Vec2 normal;
   double offset;
@@ -92,8 +94,8 @@ class Fitter {
  private:
   double size(int floe) const { return std::sqrt(floes_[at(floe)].area); }
 
-  /// The line between two floes, on the axis where they lie furthest apart: of the gap or overlap each has a share in
-  /// proportion to its size.
+  /// Adds the line between two floes, on the axis of their largest separation. It divides the gap or overlap in
+  /// proportion to their sizes.
   void divide(int a, int b) {
     const SeparatingAxis axis = best_axis(outlines_[at(a)], outlines_[at(b)]);
     if (axis.gap > k_largest_growth * (size(a) + size(b))) return;
@@ -148,10 +150,10 @@ class Fitter {
       (area(grown(i, middle)) < floe.area ? low : high) = middle;
     }
     std::vector<Vec2> outline = grown(i, high);
-    // where most of a small floe is taken away it keeps its outline for this round
+    // a small floe that would lose most of its area keeps its outline in this round
     if (area(outline) < k_smallest_rest * floe.area) return false;
     const LooseFloe fitted = with_area(loose_floe(std::move(outline)), floe.area);
-    // a floe pressed from two sides only would grow into a needle
+    // a floe pressed from two sides only would become a needle
     if (fitted.radius > std::max(floe.radius, k_largest_radius * std::sqrt(floe.area))) return false;
     floe = fitted;
     return true;
@@ -161,7 +163,7 @@ class Fitter {
   const FieldBounds& bounds_;
   const FittingLimits& limits_;
   std::vector<ConvexOutline> outlines_;
-  std::vector<std::vector<HalfPlane>> cells_;  ///< what each floe may fill; the cells do not overlap
+  std::vector<std::vector<HalfPlane>> cells_;  ///< region that each floe may fill; the cells do not overlap
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-/// Which floes of a field are near each other, and how deep the worst overlap is.
+/// Pairs of floes that are near each other, and the deepest overlap of a field.
 #include <vector>
 
 #include "core/field/spec/loose_floe.h"
@@ -10,7 +10,7 @@ struct NearPair {
   int a, b;
 };
 /// Pairs of floes, scaled by `scale` about their centroids, whose circles come within `distance` [m] of each other.
-/// Sorted sweep along X; the order depends on the positions alone.
+/// Uses a sorted sweep along X; the order depends only on the positions.
 std::vector<NearPair> near_pairs(const std::vector<LooseFloe>& floes, double scale, double distance);
 
 /// Deepest overlap between two floes, or of a floe with an obstacle or the region's edge; 0 when none overlap [m].

@@ -10,7 +10,7 @@ namespace nilas {
 namespace {
 
 constexpr int k_candidates = 20;
-/// Places tried to find one outside the obstacles; more are needed only where next to nothing is free.
+/// Largest number of tries to find a place outside the obstacles; more would only be needed with almost no free area.
 constexpr int k_most_tries = 10000;
 
 bool is_inside(const Obstacle& obstacle, const Vec2& point) {

@@ -1,5 +1,5 @@
 #pragma once
-/// First places of the floes, with overlaps.
+/// Initial places of the floes, with overlaps.
 #include <vector>
 
 #include "core/base/random.h"
@@ -7,9 +7,9 @@
 
 namespace nilas {
 
-/// Gives each floe a random angle and, of several random places outside the obstacles, the one where its circle
-/// overlaps those of the floes before it least (Mitchell's best candidate): the ice starts spread evenly.
-/// Floes must be sorted largest first.
+/// Gives each floe a random angle and, of several random places outside the obstacles, the one with the least overlap
+/// of circles with earlier floes (Mitchell's best candidate). The ice then starts evenly spread. Floes must be sorted
+/// largest first.
 void place_floes(std::vector<LooseFloe>& floes, const FieldBounds& bounds, RandomStream& random);
 
 /// A random point of the region outside all obstacles.

@@ -10,9 +10,9 @@ namespace nilas {
 
 namespace {
 
-/// A floe moves at most this share of its size in a pass, so that it cannot jump over a neighbour.
+/// Largest move of a floe in a pass as a share of its size, so that it cannot jump over a neighbour.
 constexpr double k_largest_move = 0.25;
-/// Pairs are found for floes this much larger than they are, so that growth does not find them anew in every pass.
+/// Scale of floes in the search for pairs, so that growth does not require a new search in every pass.
 constexpr double k_pair_scale = 1.02;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -46,7 +46,7 @@ bool Relaxation::pairs_hold(double scale) const {
 
 void Relaxation::find_pairs(double scale) {
   pair_scale_ = k_pair_scale * scale;
-  // Two floes may each travel half a reach before the pairs are found again.
+  // Each of two floes may travel half a reach before the pairs are searched again.
   const double distance = settings_.gap + 2 * settings_.reach;
   pairs_.clear();
   for (const NearPair& pair : near_pairs(floes_, pair_scale_, distance)) pairs_.push_back({pair.a, pair.b});

@@ -13,9 +13,9 @@
 namespace nilas {
 
 struct RelaxationSettings {
-  double gap = 0;    ///< wanted between all outlines [m]
-  double reach = 0;  ///< outlines closer than gap + reach take part in a pass [m]
-  int sweeps = 15;   ///< of sequential impulses per pass
+  double gap = 0;    ///< required gap between all outlines [m]
+  double reach = 0;  ///< outlines with gaps below gap + reach take part in a pass [m]
+  int sweeps = 15;   ///< sweeps of sequential impulses per pass
 };
 
 class Relaxation {
@@ -23,23 +23,23 @@ class Relaxation {
   /// Moves `floes` in place; both references must outlive this object.
   Relaxation(std::vector<LooseFloe>& floes, const FieldBounds& bounds, const RelaxationSettings& settings);
 
-  /// One pass with every floe scaled by `scale` about its centroid. Returns the largest lack found, wanted gap minus
-  /// present gap [m]; moves nothing when that is at most `accepted`.
+  /// Does one pass with every floe scaled by `scale` about its centroid. Returns the largest lack (required minus
+  /// present gap) [m]. Moves nothing when it is at most `accepted`.
   double pass(double scale, double accepted);
-  /// To be called when the floes were moved or reshaped from outside.
+  /// Must be called when floes were moved or reshaped from outside.
   void restart() { pairs_valid_ = false; }
 
  private:
   struct Pair {
     int a, b;      ///< b < 0: obstacle -b - 1
-    int edge = 0;  ///< of the axis that separated the pair last
+    int edge = 0;  ///< edge of the last separating axis
     bool of_first = true;
   };
   struct Contact {
     int a, b;             ///< b < 0: fixed
-    Vec2 normal;          ///< from a to b
+    Vec2 normal;          ///< unit normal from a to b
     double arm_a, arm_b;  ///< r x n about the centres [m]
-    double lack;          ///< wanted minus present gap [m]
+    double lack;          ///< required minus present gap [m]
     double response;      ///< impulse per opening, at unit density
     double impulse;       ///< r_i
   };
@@ -59,8 +59,8 @@ class Relaxation {
   std::vector<ConvexOutline> outlines_;
   std::vector<Pair> pairs_;
   std::vector<Contact> contacts_;
-  std::vector<Vec3> displacements_;  ///< x, y and turn of each floe in this pass
-  std::vector<double> travelled_;    ///< of each floe's rim since the pairs were found, at most [m]
+  std::vector<Vec3> displacements_;  ///< x, y and rotation of each floe in this pass
+  std::vector<double> travelled_;    ///< upper bound of the path of each floe's rim since the pairs were found [m]
   bool pairs_valid_ = false;
   double pair_scale_ = 0;
 };

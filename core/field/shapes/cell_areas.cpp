@@ -11,7 +11,8 @@ namespace {
 
 constexpr int k_newton_steps = 30;
 constexpr int k_halvings = 12;
-constexpr double k_smallest_area = 0.2;  ///< of the smallest cell's part of its area: a Newton step leaves no cell less
+constexpr double k_smallest_area =
+    0.2;  ///< share of the smallest relative cell area that a Newton step must leave in every cell
 
 using Sparse = Eigen::SparseMatrix<double>;
 
@@ -23,13 +24,14 @@ class AreaFit {
     look();
   }
 
-  /// Newton on the weights until areas differ by at most `tolerance` of themselves, or no step lessens the difference.
+  /// Newton iteration for the weights, until relative errors of the areas are at most `tolerance` or no step reduces
+  /// them.
   void run(double tolerance) {
     for (int k = 0; k < k_newton_steps && worst() > tolerance; ++k)
       if (!step()) break;
   }
 
-  /// Puts every site in its cell's centroid.
+  /// Moves every site to its cell's centroid.
   void move_sites() {
     for (std::size_t i = 0; i < cells_.size(); ++i)
       if (cells_[i].area > 0) sites_.points[i] = polygon_moments(cells_[i].outline).centroid;
@@ -39,7 +41,8 @@ class AreaFit {
   std::vector<PowerCell> cells() && { return std::move(cells_); }
 
  private:
-  /// The present cells and what their areas lack. A site without a cell makes a Voronoi diagram of all.
+  /// Computes the present cells and the errors of their areas. If a site has no cell, all weights become zero (a
+  /// Voronoi diagram).
   void look() {
     cells_ = power_cells(sites_, bounds_);
     if (smallest_part() <= 0) {
@@ -68,7 +71,7 @@ class AreaFit {
     return worst;
   }
 
-  /// Smallest area of a cell, as a share of what it is to have; at most 1.
+  /// Smallest ratio of a cell's area to its required one; at most 1.
   double smallest_part() const {
     double all = 0, smallest = 1;
     for (const PowerCell& cell : cells_) all += cell.area;
@@ -76,8 +79,8 @@ class AreaFit {
     return smallest;
   }
 
-  /// dA_i/dw_j = -(length of the common edge) / (2 distance of the sites), and what makes the rows sum to zero; a
-  /// little more on the diagonal, since equal changes of all weights change nothing.
+  /// Derivatives dA_i/dw_j = -(length of the common edge) / (2 distance of the sites); the diagonal makes the rows sum
+  /// to zero. The diagonal is slightly larger, since equal changes of all weights change nothing.
   Sparse slopes() const {
     std::vector<Eigen::Triplet<double>> entries;
     std::vector<double> diagonal(cells_.size(), 0.0);
@@ -133,7 +136,7 @@ class AreaFit {
   const FieldBounds& bounds_;
   double sum_of_shares_ = 0;
   std::vector<PowerCell> cells_;
-  Eigen::VectorXd lacks_;  ///< wanted less present area of each cell [m^2]
+  Eigen::VectorXd lacks_;  ///< required minus present area of each cell [m^2]
 };
 
 }  // namespace
@@ -141,7 +144,7 @@ class AreaFit {
 std::vector<PowerCell> cells_with_areas(PowerSites& sites, const std::vector<double>& shares, const FieldBounds& bounds,
                                         int rounds, double tolerance) {
   AreaFit fit(sites, shares, bounds);
-  constexpr double k_coarse = 0.05;  // while the sites still move
+  constexpr double k_coarse = 0.05;  // tolerance while the sites still move
   for (int k = 0; k < rounds; ++k) {
     fit.run(k_coarse);
     fit.move_sites();

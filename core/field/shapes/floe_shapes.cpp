@@ -7,9 +7,10 @@ namespace nilas {
 
 namespace {
 
-/// Long over short axis of the ellipse that a polygon's corners lie on, at most.
+/// Largest axis ratio of the ellipse on which a polygon's corners lie.
 constexpr double k_longest_ellipse = 1.4;
-/// Corners stray from even spacing by up to this share of the spacing: the shortest angle between two stays 0.3 of it.
+/// Largest deviation of corners from even spacing [share of the spacing]; the smallest angle between two is then 0.3 of
+/// it.
 constexpr double k_corner_stray = 0.35;
 
 std::vector<Vec2> ellipse_polygon(int corners, double aspect, double stray, RandomStream& random) {
@@ -21,7 +22,7 @@ std::vector<Vec2> ellipse_polygon(int corners, double aspect, double stray, Rand
   return outline;
 }
 
-/// Sides 2 aspect and 2; the short sides lean by `shear` from the normal to the long ones.
+/// Parallelogram with sides 2 aspect and 2, whose short sides lean by `shear` from the normal to the long ones.
 std::vector<Vec2> parallelogram(double aspect, double shear) {
   const double lean = std::sin(shear), height = std::cos(shear);
   return {{-aspect - lean, -height}, {aspect - lean, -height}, {aspect + lean, height}, {-aspect + lean, height}};

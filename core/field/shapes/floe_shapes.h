@@ -6,9 +6,9 @@
 
 namespace nilas {
 
-/// Floe of the spec's shape, about the origin at angle zero, of `area` [m^2]. A polygon has vertices_min to
-/// vertices_max corners on an ellipse, about evenly spread; a disc is a regular polygon of k_disc_corners corners; an
-/// outline of the library may be concave, `area` is that of the ice.
+/// A floe of the spec's shape about the origin at angle zero, of `area` [m^2]. A polygon has vertices_min to
+/// vertices_max corners on an ellipse, with nearly even spacing. A disc is a regular polygon of k_disc_corners corners.
+/// An outline of the library may be concave; `area` is then that of the ice.
 LooseFloe draw_floe(const PackedSpec& spec, double area, RandomStream& random);
 
 /// Outlines drawn from the spec's library at their own sizes, about the origin, largest first: areas sum to `wanted`

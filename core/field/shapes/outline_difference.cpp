@@ -23,7 +23,7 @@ Polygon polygon_of(const std::vector<Vec2>& outline) {
   return polygon;
 }
 
-/// Rounded to the nearest doubles; corners that rounding brings together become one.
+/// The outline with coordinates rounded to doubles; corners that coincide after rounding become one.
 std::vector<Vec2> outline_of(const Polygon& polygon) {
   std::vector<Vec2> outline;
   for (auto v = polygon.vertices_begin(); v != polygon.vertices_end(); ++v) {

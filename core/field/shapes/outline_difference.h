@@ -1,5 +1,5 @@
 #pragma once
-/// What is left of an outline when others are taken away.
+/// Difference of an outline and other outlines.
 #include <vector>
 
 #include "core/base/math.h"

@@ -47,7 +47,7 @@ Neighbours neighbours(const PowerSites& sites) {
   return found;
 }
 
-/// Keeps the part where normal . x <= offset; the new edge borders on `site`.
+/// Cuts a cell to normal . x <= offset; the new edge borders on `site`.
 void cut(PowerCell& cell, const Vec2& normal, double offset, int site) {
   PowerCell kept;
   const std::size_t n = cell.outline.size();

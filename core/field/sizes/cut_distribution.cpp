@@ -38,7 +38,7 @@ double weibull_shape(double cov) {
   const auto lack = [&](double k) {
     return std::lgamma(1 + 2 / k) - 2 * std::lgamma(1 + 1 / k) - std::log1p(cov * cov);
   };
-  constexpr double k_exponential = 1;  // its shape has a cov of 1
+  constexpr double k_exponential = 1;  // a shape of 1 has a cov of 1
   if (lack(k_exponential) <= 0) return k_exponential;
   std::uintmax_t iterations = 200;
   const auto [low, high] = boost::math::tools::toms748_solve(lack, k_exponential, 10 / cov,

@@ -4,17 +4,17 @@
 
 namespace nilas {
 
-/// A distribution of mean 1 and standard deviation `cov` before the cut. Of it the part within the limits remains,
-/// scaled to probability 1: nothing heaps up at the limits, and mean and deviation shift by what was cut off.
+/// A distribution with mean 1 and standard deviation `cov` before it is cut. The part within the limits is scaled to
+/// probability 1. Values do not accumulate at the limits, and mean and deviation change through the cut.
 class CutDistribution {
  public:
   /// cov in [0, 1]; 0: always 1. 0 < low < 1 < high, which may be infinite. Throws InputError for anything else.
   CutDistribution(SpreadKind kind, double cov, double low, double high);
 
-  /// The value that is as probable to be undercut as the standard normal score z: strictly increasing, so that a
-  /// Gaussian copula keeps its order. Exact in both tails.
+  /// The value with the same cumulative probability as the standard normal score z. It is strictly increasing, so that
+  /// a Gaussian copula keeps its order, and exact in both tails.
   double at_score(double z) const;
-  /// The value that is undercut with probability u in [0, 1].
+  /// The quantile of probability u in [0, 1].
   double quantile(double u) const;
   double lowest() const { return lowest_; }
   double highest() const { return highest_; }

@@ -12,7 +12,7 @@ namespace nilas {
 
 namespace {
 
-/// Of a value below x, or of one up to x.
+/// Probability of a value below x or, if `including`, of one up to x.
 double probability(const Quantiles& quantiles, double x, bool including) {
   double low = 0, high = 1;
   constexpr int k_halvings = 45;

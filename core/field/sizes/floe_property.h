@@ -10,12 +10,12 @@ namespace nilas {
 constexpr int k_num_floe_properties = static_cast<int>(num_choices<FloeProperty>());
 constexpr std::array<FloeProperty, k_num_floe_properties> k_floe_properties = all_choices<FloeProperty>();
 
-/// One value per property, in the order of the enumeration.
+/// One value per property, in the order of FloeProperty.
 using FloeValues = std::array<double, k_num_floe_properties>;
 
-/// With its unit, as in files and tables: "flexural_strength_Pa".
+/// Name of a property with its unit, as in files and tables: "flexural_strength_Pa".
 std::string_view column_of(FloeProperty property);
-/// Its value in a floe, 0: the scene's.
+/// The value of a property in a floe; 0: the scene's.
 double& value_of(FieldFloe& floe, FloeProperty property);
 double value_of(const FieldFloe& floe, FloeProperty property);
 

@@ -11,7 +11,7 @@ namespace nilas {
 
 namespace {
 
-/// n(D) ~ D^-(1 + a) between low and high, by inversion of its cumulative distribution.
+/// Quantile u of n(D) ~ D^-(1 + a) between low and high, by inversion of its cumulative distribution.
 double power_law(double exponent, double low, double high, double u) {
   if (exponent == 0) return low * std::pow(high / low, u);
   const double at_low = std::pow(low, -exponent), at_high = std::pow(high, -exponent);
@@ -33,7 +33,7 @@ double draw_size(const PackedSpec& spec, RandomStream& random) {
   return random.lognormal(spec.mean, spec.sd);
 }
 
-/// Outlines of the library are drawn with equal chances.
+/// Quantile u of the library's sizes; its outlines are drawn with equal probability.
 double library_quantile(const PackedSpec& spec, double u) {
   std::vector<double> sizes;
   for (const auto& outline : spec.library) sizes.push_back(std::sqrt(polygon_moments(outline).area));

@@ -23,7 +23,7 @@ double area_of(const Triangle& t) {
 template <class Value>
 double mean_over_triangle(const Triangle& t, const Value& value) {
   struct Orbit {
-    double weight, corner;  ///< of each of three points; barycentric coordinate of the corner it belongs to
+    double weight, corner;  ///< weight of each of three points, and barycentric coordinate of its corner
   };
   static const double root = std::sqrt(15.0);
   static const std::array<Orbit, 2> orbits{

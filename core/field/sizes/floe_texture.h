@@ -9,24 +9,23 @@
 
 namespace nilas {
 
-/// One property over the plane in which a field was laid out, as a share of its mean: the distribution at the score
-/// that the weighted sum of unit Gaussian fields gives. The squares of the weights sum to 1.
+/// One property over the plane in which a field was laid out, as a share of its mean. It is the distribution's value at
+/// a score: the weighted sum of unit Gaussian fields. The squares of the weights sum to 1.
 struct PropertyPlane {
   CutDistribution distribution;
   std::vector<std::shared_ptr<const GaussianField>> fields;
   std::vector<double> weights;
 
   double at(const Vec2& x_G) const;
-  /// Below it the property hardly changes [m].
+  /// Length below which the property hardly changes [m].
   double shortest_length() const;
 };
 
-/// The part of such a plane that a floe carries with it. Its points are those of the floe's own frame B, whose origin
-/// is the floe's centre of mass and whose axes were those of G when the field was laid out: for a point p_G now,
-/// x_B = R_GB^T (p_G - p_GB).
+/// The property inside one floe. Points are in the floe's frame B, with origin at the floe's centre of mass and the
+/// axes that G had when the field was laid out: for a present point p_G, x_B = R_GB^T (p_G - p_GB).
 class FloeTexture {
  public:
-  /// mean: of the property, in its unit; origin: of B at the start, in G [m].
+  /// `mean`: that of the property, in its unit. `origin`: that of B at the start, frame G [m].
   FloeTexture(std::shared_ptr<const PropertyPlane> plane, double mean, const Vec2& origin)
       : plane_(std::move(plane)), mean_(mean), origin_(origin) {}
 

@@ -8,7 +8,7 @@ namespace nilas {
 
 GaussianField::GaussianField(double length, RandomStream random) : length_(length) {
   NILAS_DEMAND(length > 0 && std::isfinite(length));
-  // Multiples of it spread most evenly over the circle.
+  // Multiples of the golden ratio spread most evenly over the circle.
   constexpr double k_golden = 0.6180339887498949;
   const double turn = random.uniform();
   for (int m = 0; m < k_modes; ++m) {

@@ -48,7 +48,7 @@ void keep_better_axis(const ConvexOutline& owner, const ConvexOutline& other, bo
   }
 }
 
-/// Edge of `other` that faces the normal most squarely.
+/// The edge of `other` that faces the normal most directly.
 int incident_edge(const ConvexOutline& other, const Vec2& normal) {
   int best = 0;
   double lowest = std::numeric_limits<double>::infinity();
@@ -108,7 +108,7 @@ Touching touching_points(const ConvexOutline& first, const ConvexOutline& second
     if (low == high && k != deepest) continue;
     const double cut = std::clamp(std::clamp(t[k], 0.0, length), low, high);
     const Vec2 point = cut == t[k] ? ends[k] : ends[k] + (ends[1 - k] - ends[k]) * ((cut - t[k]) / (t[1 - k] - t[k]));
-    // an overlap whose deepest corner lies beside the reference edge must not go unseen
+    // An overlap must not be missed when its deepest corner is outside the span of the reference edge.
     const double gap = k == deepest && axis.gap < 0 ? axis.gap : height(point);
     if (gap >= reach) continue;
     touching.point[touching.count] = point;

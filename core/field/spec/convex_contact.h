@@ -8,16 +8,16 @@ namespace nilas {
 
 /// Convex counter-clockwise outline with the outward unit normal of each edge (i, i + 1).
 struct ConvexOutline {
-  std::vector<Vec2> corners;  ///< in G [m]
+  std::vector<Vec2> corners;  ///< frame G [m]
   std::vector<Vec2> normals;
 };
 
 /// Computes the normals of the present corners.
 void fill_normals(ConvexOutline& outline);
 
-/// Axis on which two outlines lie furthest apart: edge `edge` of the first or the second outline.
+/// Axis of largest separation of two outlines: the normal of edge `edge` of the first or the second outline.
 struct SeparatingAxis {
-  double gap = 0;  ///< along the axis; < 0: overlap depth [m]
+  double gap = 0;  ///< gap along the axis; < 0: overlap depth [m]
   int edge = 0;
   bool of_first = true;
 };
@@ -32,8 +32,8 @@ struct Touching {
   Vec2 point[2];           ///< [m]
   double gap[2] = {0, 0};  ///< < 0: overlap [m]
 };
-/// Ends of the incident edge, cut back to the reference edge where they lie beside it, whose gap is below `reach` [m].
-/// Of overlapping outlines one point has the overlap depth of the axis.
+/// The ends of the incident edge whose gap is below `reach` [m], moved along it to the span of the reference edge where
+/// they exceed it. For overlapping outlines one point has the overlap depth of the axis.
 Touching touching_points(const ConvexOutline& first, const ConvexOutline& second, const SeparatingAxis& axis,
                          double reach);
 

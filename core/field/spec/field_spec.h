@@ -1,5 +1,5 @@
 #pragma once
-/// What an ice field is asked to be, and the floes that it becomes.
+/// The specification of an ice field, and the resulting floes.
 #include <cstdint>
 #include <vector>
 
@@ -26,8 +26,8 @@ struct PackedSpec {
   double overlap_tolerance =
       defaults::k_overlap_tolerance;  ///< largest overlap depth left, as a fraction of the mean floe size
   SizeDistribution distribution = SizeDistribution::lognormal;
-  double mean = defaults::k_floe_mean, sd = defaults::k_floe_sd;  ///< of sqrt(area) [m]
-  double min = defaults::k_floe_min, max = defaults::k_floe_max;  ///< of sqrt(area) [m]
+  double mean = defaults::k_floe_mean, sd = defaults::k_floe_sd;  ///< mean and deviation of sqrt(area) [m]
+  double min = defaults::k_floe_min, max = defaults::k_floe_max;  ///< limits of sqrt(area) [m]
   double exponent = defaults::k_size_exponent;                    ///< power law n(D) ~ D^-(1 + exponent)
   FloeShape shape = FloeShape::polygon;
   int vertices_min = defaults::k_vertices_min, vertices_max = defaults::k_vertices_max;
@@ -42,12 +42,12 @@ struct PackedSpec {
 };
 struct FieldResult {
   std::vector<FieldFloe> floes;
-  double concentration = 0;          ///< reached, ice area / free region area
+  double concentration = 0;          ///< concentration reached: ice area / free region area
   double worst_overlap = 0;          ///< depth [m]
   int passes = 0;                    ///< relaxation passes used
   int fitted = 0;                    ///< polygon floes whose outline was fitted to its neighbours, see pack_field
   int left_out = 0;                  ///< floes dropped because they met a keep-out outline
-  std::vector<WeakLine> weak_lines;  ///< along which the floes are weaker, in G
+  std::vector<WeakLine> weak_lines;  ///< lines of reduced strength, frame G
 };
 
 /// An intact sheet.
@@ -55,21 +55,21 @@ struct LevelSpec {
   Vec2 low = Vec2::Zero(), high = Vec2::Ones();  ///< region [m]
   std::vector<std::vector<Vec2>> keep_out;       ///< convex, counter-clockwise
   double keep_out_margin = 0;                    ///< [m]
-  Vec2 aft = -Vec2::UnitX();                     ///< where a hull came from
+  Vec2 aft = -Vec2::UnitX();                     ///< direction from which a hull came
 };
 
 /// A channel of broken ice along X between two sheets.
 struct ChannelSpec {
-  PackedSpec ice;             ///< of the whole region; its concentration is that of the channel
-  double width = 1;           ///< of the channel, about the region's middle line [m]
+  PackedSpec ice;             ///< specification of the whole region, but with the channel's concentration
+  double width = 1;           ///< width of the channel, centred on the region's middle line [m]
   Vec2 aft = -Vec2::UnitX();  ///< see LevelSpec
 };
 
 struct GridSpec {
   Vec2 low = Vec2::Zero(), high = Vec2::Ones();
-  int rows = 1;      ///< along Y
-  int columns = 1;   ///< along X
-  double gap = 0;    ///< between neighbours [m]
+  int rows = 1;      ///< number along Y
+  int columns = 1;   ///< number along X
+  double gap = 0;    ///< gap between neighbours [m]
   double shear = 0;  ///< lines of constant X turned by this angle from Y, mirrored about the region's middle line [rad]
   bool stagger = false;  ///< every second row shifted by half a piece
   std::vector<std::vector<Vec2>> keep_out;

@@ -53,7 +53,7 @@ std::vector<Vec2> grown_outline(const std::vector<Vec2>& outline, double margin)
                after = outward(outline[i], outline[(i + 1) % n]);
     const double turn = std::atan2(before.x() * after.y() - before.y() * after.x(), before.dot(after));
     const int steps = std::max(1, static_cast<int>(std::ceil(turn / k_corner_step)));
-    // corners of the tangent polygon lie half a step beside its touching points, outside the circle
+    // Corners of the tangent polygon lie half a step from its touching points, outside the circle.
     const double reach = margin / std::cos(0.5 * turn / steps);
     const double start = std::atan2(before.y(), before.x());
     for (int k = 0; k < steps; ++k) {

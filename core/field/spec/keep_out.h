@@ -15,7 +15,7 @@ std::vector<std::vector<Vec2>> grown_outlines(const std::vector<std::vector<Vec2
 /// Area of the rectangle that no outline covers [m^2]; convex counter-clockwise outlines, which may overlap.
 double free_area(const Vec2& low, const Vec2& high, const std::vector<std::vector<Vec2>>& outlines);
 
-/// Part of the convex counter-clockwise outline where normal . x <= offset; empty when nothing is left.
+/// The part of the convex counter-clockwise outline where normal . x <= offset; empty when nothing is left.
 std::vector<Vec2> cut_outline(const std::vector<Vec2>& outline, const Vec2& normal, double offset);
 
 }  // namespace nilas

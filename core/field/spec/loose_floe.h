@@ -1,5 +1,5 @@
 #pragma once
-/// A floe while its place in the field is still open, and what bounds the field.
+/// A floe whose place in the field is still open, and the bounds of the field.
 #include <vector>
 
 #include "core/base/math.h"
@@ -11,16 +11,16 @@ struct LooseFloe {
   std::vector<Vec2> shape;     ///< convex, counter-clockwise about the centroid [m]
   double area = 0;             ///< [m^2]
   double polar_moment = 0;     ///< integral of r^2 over the area, about the centroid [m^4]
-  double radius = 0;           ///< of the circle about the centroid that holds the shape [m]
+  double radius = 0;           ///< radius of the circle about the centroid that contains the shape [m]
   Vec2 centre = Vec2::Zero();  ///< centroid in G [m]
-  double angle = 0;            ///< of the shape in G [rad]
+  double angle = 0;            ///< angle of the shape in G [rad]
   std::vector<Vec2> notched;   ///< the ice itself, where `shape` is only its convex hull; same axes [m]
   double fill = 1;             ///< area of the ice over that of the shape
 };
 
-/// Floe of the given outline in G: its centroid becomes the centre, its angle is zero.
+/// A floe of the given outline in G: its centroid becomes the centre, and its angle is zero.
 LooseFloe loose_floe(std::vector<Vec2> outline);
-/// Floe of a simple counter-clockwise outline that need not be convex: packed as its convex hull.
+/// A floe of a simple counter-clockwise outline that need not be convex; packed as its convex hull.
 LooseFloe hulled_floe(const std::vector<Vec2>& outline);
 /// The ice of a floe in its place, counter-clockwise [m].
 std::vector<Vec2> placed_ice(const LooseFloe& floe);
@@ -37,7 +37,7 @@ struct Obstacle {
 };
 Obstacle obstacle(std::vector<Vec2> outline);
 
-/// The rectangle that holds the field, less the obstacles.
+/// The rectangle that contains the field, without the obstacles.
 struct FieldBounds {
   Vec2 low = Vec2::Zero(), high = Vec2::Ones();
   std::vector<Obstacle> obstacles;

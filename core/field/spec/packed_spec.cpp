@@ -11,8 +11,8 @@ namespace nilas {
 
 namespace {
 
-constexpr double k_largest_shear = 80 * k_deg;  ///< beyond it a parallelogram is a needle
-constexpr int k_most_vertices = 64;             ///< of a polygon floe
+constexpr double k_largest_shear = 80 * k_deg;  ///< limit above which a parallelogram is a needle
+constexpr int k_most_vertices = 64;             ///< largest number of vertices of a polygon floe
 
 void demand(bool holds, const char* parameter, double found, const char* allowed) {
   if (!holds) throw InputError(fmt::format("ice field: {}: found {}, allowed {}", parameter, found, allowed));

@@ -1,5 +1,5 @@
 #pragma once
-/// Checks of the description of a field of random floes, and what bounds it.
+/// Checks of the specification of a field of random floes, and its bounds.
 #include "core/field/spec/field_spec.h"
 #include "core/field/spec/loose_floe.h"
 
