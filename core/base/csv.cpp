@@ -109,7 +109,7 @@ class CsvReader {
   const std::string& file_;
   const std::vector<std::string>& columns_;
   CsvLine fields_;
-  std::vector<std::size_t> place_;  ///< of each of the file's fields in a row of the table
+  std::vector<std::size_t> place_;  ///< column of each of the file's fields in a row of the table
   int line_ = 0;
 };
 

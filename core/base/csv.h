@@ -24,7 +24,7 @@ class CsvLine {
   struct Field {
     std::size_t begin, end, column;
   };
-  std::string text_;  ///< of all fields, quotes undone
+  std::string text_;  ///< texts of all fields, without quotes
   std::vector<Field> fields_;
 };
 
@@ -51,7 +51,7 @@ std::vector<std::vector<double>> csv_columns(const std::filesystem::path& file, 
 struct CsvRecords {
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows;  ///< row k stands in line k + 2
-  std::int64_t bytes = 0;                      ///< of the header and the complete rows
+  std::int64_t bytes = 0;                      ///< bytes of the header and the complete rows
 };
 /// Throws FileError where the file cannot be read.
 CsvRecords csv_records(const std::filesystem::path& file);

@@ -18,7 +18,7 @@ struct Fault {
   int line = 0;             ///< 1-based, 0 when the fault has no place
   int column = 0;           ///< 1-based, 0 when unknown
   std::string where;        ///< element or attribute path, e.g. "<vessel><mass value>"
-  std::string message;      ///< what was found, what is allowed, nearest name
+  std::string message;      ///< found value, allowed values, nearest name
   bool unreadable = false;  ///< a file named there cannot be opened
 
   /// "file:line:column: where: message"

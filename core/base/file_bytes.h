@@ -8,7 +8,8 @@ namespace nilas {
 /// All bytes of a file. Throws FileError: cannot be opened (a folder cannot), read, or held in memory.
 std::string file_bytes(const std::filesystem::path& file);
 
-/// Whether a folder lies there, not a file. Throws FileError where there is neither or it cannot be told.
+/// Whether the path is a folder, not a file. Throws FileError where there is neither, or where this cannot be found
+/// out.
 bool is_folder(const std::filesystem::path& path);
 
 }  // namespace nilas

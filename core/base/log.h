@@ -10,7 +10,7 @@
 
 namespace nilas {
 
-/// What a logger does with a file that is there already.
+/// Treatment of an existing log file.
 enum class LogFile { replace, append };
 
 /// A logger that writes to the console (stderr) at `level` and, when `file` is not empty, everything to that file.
@@ -28,7 +28,7 @@ class WarningCounts {
   const std::map<std::string, long>& counts() const { return counts_; }
 
   void save(StateWriter out) const;
-  /// What was told before counts as told.
+  /// Counts earlier warnings as already reported.
   void restore(const StateReader& in);
 
  private:

@@ -28,7 +28,7 @@ class LoopException {
   std::exception_ptr first_;
 };
 
-/// What an item throws is thrown on, after all others have run; of several, any one.
+/// Rethrows an exception of an item after all others have run; of several, any one.
 template <class Body>
 void parallel_for(std::ptrdiff_t count, int threads, const Body& body) {
   LoopException thrown;

@@ -11,8 +11,8 @@ class RandomStream {
  public:
   RandomStream(std::uint64_t seed, std::string_view name);
   std::uint64_t bits();
-  double uniform();                         ///< in [0, 1)
-  double uniform(double low, double high);  ///< in [low, high)
+  double uniform();                         ///< uniform in [0, 1)
+  double uniform(double low, double high);  ///< uniform in [low, high)
   double normal();                          ///< mean 0, standard deviation 1 (Box-Muller)
   /// Log-normal with the given mean and standard deviation of the variable itself.
   double lognormal(double mean, double sd);

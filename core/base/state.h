@@ -1,6 +1,6 @@
 #pragma once
-/// What a class needs to go on exactly where it stopped: named arrays, kept bit for bit. Each class saves and restores
-/// its own, in a group of its own; core/sim/checkpoint.h puts the whole on disk.
+/// The state with which a class continues exactly where it stopped: named arrays, kept bit for bit. Each class saves
+/// and restores its own group; core/sim/checkpoint.h writes the whole to disk.
 #include <algorithm>
 #include <array>
 #include <concepts>
@@ -20,7 +20,7 @@ using StateEntry = std::variant<std::vector<double>, std::vector<std::int64_t>, 
 
 struct State {
   std::string source;                         ///< where it was read from, for messages
-  std::map<std::string, StateEntry> entries;  ///< by path: "simulation/bodies/p_GB"
+  std::map<std::string, StateEntry> entries;  ///< entries by path: "simulation/bodies/p_GB"
 };
 
 /// The numbers of a value, in place.

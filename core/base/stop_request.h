@@ -3,7 +3,7 @@
 
 namespace nilas {
 
-/// From now on SIGINT and SIGTERM no longer end the program but are remembered; forgets an earlier request.
+/// Makes SIGINT and SIGTERM set a request instead of ending the program; clears an earlier request.
 void listen_for_stop();
 /// Whether SIGINT or SIGTERM came since listen_for_stop().
 bool stop_requested();

@@ -23,11 +23,11 @@ struct BodySpec {
   BodyKind kind = BodyKind::rigid;
   Motion motion = Motion::free;
   std::string material = "structure";
-  std::shared_ptr<const Shape> shape;  ///< about the centre of mass
+  std::shared_ptr<const Shape> shape;  ///< origin at the centre of mass
   double mass = 0;                     ///< [kg]
-  Mat3 inertia_B = Mat3::Identity();   ///< about the centre of mass [kg m^2]
-  Pose pose;                           ///< of the centre of mass in G
-  Vec3 v = Vec3::Zero();               ///< of the centre of mass [m/s]
+  Mat3 inertia_B = Mat3::Identity();   ///< inertia about the centre of mass [kg m^2]
+  Pose pose;                           ///< pose of the centre of mass in G
+  Vec3 v = Vec3::Zero();               ///< velocity of the centre of mass [m/s]
   Vec3 w = Vec3::Zero();               ///< angular velocity in G [rad/s]
 };
 
@@ -40,14 +40,14 @@ struct Bodies {
   std::vector<std::string> materials;  ///< names, each once, in the order in which bodies brought them
   std::vector<std::shared_ptr<const Shape>> shape;
   std::vector<double> mass;             ///< [kg]
-  std::vector<Mat3> inertia_B;          ///< about the centre of mass, body axes [kg m^2]
+  std::vector<Mat3> inertia_B;          ///< inertia about the centre of mass, body axes [kg m^2]
   std::vector<Mat3> inertia_inverse_B;  ///< zero for a fixed body [1/(kg m^2)]
   std::vector<Vec3> p_GB;               ///< centre of mass [m]
   std::vector<Quat> q_GB;               ///< unit
   std::vector<Mat3> R_GB;               ///< rotation matrix of q_GB, kept in step by set_pose
-  std::vector<Vec3> v_GB;               ///< of the centre of mass [m/s]
-  std::vector<Vec3> w_GB;               ///< in G [rad/s]
-  std::int64_t next_id = 1;             ///< of the next body that is added
+  std::vector<Vec3> v_GB;               ///< velocity of the centre of mass [m/s]
+  std::vector<Vec3> w_GB;               ///< angular velocity, frame G [rad/s]
+  std::int64_t next_id = 1;             ///< id of the next added body
 
   int size() const { return static_cast<int>(id.size()); }
   bool is_free(int b) const { return motion[static_cast<std::size_t>(b)] == Motion::free; }
@@ -59,19 +59,19 @@ struct Bodies {
   }
   /// Gives a body another material.
   void set_material(int b, const std::string& material_name);
-  /// Of the body with this id. Throws ContractError where there is none.
+  /// Index of the body with this id. Throws ContractError where there is none.
   std::size_t index_of(std::int64_t body_id) const;
-  /// Takes bodies out; the others keep their order. One entry per body: true for those that go.
+  /// Removes bodies; the others keep their order. `gone`: one entry per body, true for those to remove.
   void remove(const std::vector<char>& gone);
   /// Sets pose and the rotation matrix that belongs to it; q need not be exactly unit, it is normalised.
   void set_pose(int b, const Vec3& p, const Quat& q);
   Mat3 inertia_G(int b) const;                         ///< R I R^T
   Mat3 inertia_inverse_G(int b) const;                 ///< R I^-1 R^T
-  Vec3 velocity_at(int b, const Vec3& point_G) const;  ///< of the body point now at point_G [m/s]
+  Vec3 velocity_at(int b, const Vec3& point_G) const;  ///< velocity of the body's point that is now at point_G [m/s]
 
   /// Ids, poses and velocities.
   void save(StateWriter out) const;
-  /// Throws InputError when the state is one of other bodies.
+  /// Throws InputError when the state belongs to other bodies.
   void restore(const StateReader& in);
 };
 

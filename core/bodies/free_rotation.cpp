@@ -15,8 +15,9 @@ Quat exponential(const Vec3& turn) {
 
 namespace {
 
-/// What a turn adds to a vector. As a change, its rounding is a share of the change: rotating the whole vector by
-/// nearly the same small angle step after step rounds the same way each time, and a million steps then show it.
+/// The change of a vector by a rotation. The rounding of a change is a share of the change. Rotating the whole vector
+/// by nearly the same small angle in every step would always round in the same direction, which shows after a million
+/// steps.
 class TurnChange {
  public:
   explicit TurnChange(const Vec3& turn) : turn_(turn) {
@@ -45,13 +46,15 @@ class TurnChange {
   double along_ = 0, across_ = 0;  ///< sin(a)/a, (1 - cos(a))/a^2
 };
 
-/// With P = I w in body axes, m = (w + w_end)/2 there too:  R_end = R exp(h m),  P_end = exp(-h m) P.  Then R P is
-/// kept, and 2 dE = P_end . w_end - P . w = (P_end - P) . 2 m = 0, since a turn about m leaves what lies along m.
+/// Rotates a body over h. In body axes, P = I w, m = (w + w_end)/2, R_end = R exp(h m), P_end = exp(-h m) P. Then R P
+/// is kept, and 2 dE = P_end . w_end - P . w = (P_end - P) . 2 m = 0, since a rotation about m keeps the component
+/// along m.
 void turn_once(Quat& q, Vec3& w, const Mat3& inertia_B, const Mat3& inertia_inverse_B, double h) {
   const Mat3 R = q.toRotationMatrix();
   const Vec3 w_B = R.transpose() * w, momentum = inertia_B * w_B;
   Vec3 change = Vec3::Zero(), turn = h * w_B;  // of w_B
-  // The mean of both ends is a fixed point: each pass gains a factor of about h |w|, until rounding is left.
+  // The mean of both ends is a fixed point: each pass reduces the error by a factor of about h |w|, until rounding
+  // remains.
   constexpr int k_most_passes = 50;
   double last_move = std::numeric_limits<double>::infinity();
   for (int pass = 0; pass < k_most_passes; ++pass) {

@@ -1,5 +1,5 @@
 #pragma once
-/// What the ice of breakable floes can bear, in arrays beside Bodies.
+/// Strengths of the ice of breakable floes, in arrays parallel to Bodies.
 #include <Eigen/Geometry>
 #include <functional>
 #include <vector>
@@ -11,7 +11,7 @@ namespace nilas {
 /// A strength of one floe: its mean over the floe, and how it varies inside.
 struct FloeStrength {
   double mean = 0;                              ///< [Pa], of toughness [Pa sqrt(m)]
-  std::function<double(double, double)> at_xy;  ///< at a point of the floe's frame B [m]; empty: the mean everywhere
+  std::function<double(double, double)> at_xy;  ///< at (x, y) of the floe's frame B [m]; empty: the mean
 
   double at(const Vec3& x_B) const { return at_xy ? at_xy(x_B.x(), x_B.y()) : mean; }
 };
@@ -22,7 +22,7 @@ struct WeakLine {
   double strength = 1;       ///< share of flexural strength and fracture toughness that is left on it, in (0, 1]
 };
 
-/// Those segments that may meet the outline, about `centre` of theirs: both in frames of the same axes.
+/// The segments that may meet the outline, relative to `centre` in their frame; both frames have the same axes.
 std::vector<WeakLine> lines_near(const std::vector<WeakLine>& lines, const Vec2& centre,
                                  const std::vector<Vec2>& outline);
 
@@ -35,7 +35,7 @@ struct IceProperties {
   bool is_breakable(int b) const {
     return static_cast<std::size_t>(b) < breakable.size() && breakable[static_cast<std::size_t>(b)] != 0;
   }
-  /// Takes the entries that are marked out.
+  /// Removes the marked entries.
   void remove(const std::vector<char>& gone) {
     const auto drop = [&](auto&... lists) { (remove_marked(gone, lists), ...); };
     drop(breakable, flexural_strength, compressive_strength, fracture_toughness, weak_lines);

@@ -1,5 +1,5 @@
 #pragma once
-/// One part of a scene's physics, as the time step knows it. A module implements the phases that it needs; all others
+/// One physical model of a scene, as the time step calls it. A module implements the phases that it needs; all others
 /// do nothing. core/sim/build/module_list.h lists the modules that a scene can name.
 #include <cstdint>
 #include <string>
@@ -32,7 +32,7 @@ struct SubstepLength {
 class Module {
  public:
   virtual ~Module() = default;
-  /// As in the list of built modules, in the ledger's column work_<name>_J and in checkpoints.
+  /// Name in the list of built modules, in the ledger's column work_<name>_J and in checkpoints.
   virtual std::string name() const = 0;
 
   // Loads other than contact.
@@ -43,7 +43,8 @@ class Module {
   virtual bool conservative() const { return false; }
   /// Adds this module's wrenches at time t [s] for the present poses and velocities. `out` has one entry per body.
   virtual void add_forces(const Bodies& /*bodies*/, double /*t*/, Wrenches& /*out*/) {}
-  /// Leaves of its own wrenches (`out` holds no others) what an explicit step of length h [s] bears. By default all.
+  /// Reduces its own wrenches (`out` holds no others) to those that are stable in an explicit step of length h [s]. By
+  /// default keeps all.
   virtual void limit(const Bodies& /*bodies*/, double /*h*/, Wrenches& /*out*/) const {}
   /// Potential energy of the present poses [J]; zero for a module that is not conservative.
   virtual double potential_energy(const Bodies& /*bodies*/) { return 0; }

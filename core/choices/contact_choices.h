@@ -17,7 +17,7 @@ constexpr ChoiceText choice_text(ContactPreset value) {
   return {};
 }
 
-/// What follows when the solver misses its tolerance.
+/// The reaction when the solver misses its tolerance.
 enum class OnFailure { record, stop, retry };
 constexpr ChoiceText choice_text(OnFailure value) {
   switch (value) {

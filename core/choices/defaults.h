@@ -12,13 +12,13 @@ constexpr double k_form_drag = 1.0;        ///< coefficient on faces that meet t
 constexpr double k_skin_friction = 0.005;  ///< coefficient on every wet face
 
 // contact solvers
-constexpr double k_tolerance = 1e-6;  ///< on law_map_m_s [m/s]
+constexpr double k_tolerance = 1e-6;  ///< tolerance on law_map_m_s [m/s]
 constexpr int k_max_iterations = 1000;
 
 // floes of a packed field, as in a model basin
 constexpr double k_concentration = 0.8;
 constexpr double k_overlap_tolerance = 1e-3;  ///< share of the mean floe size
-constexpr double k_floe_mean = 0.8, k_floe_sd = 0.3, k_floe_min = 0.3, k_floe_max = 1.6;  ///< of sqrt(area) [m]
+constexpr double k_floe_mean = 0.8, k_floe_sd = 0.3, k_floe_min = 0.3, k_floe_max = 1.6;  ///< values of sqrt(area) [m]
 constexpr double k_size_exponent = 1.5;                                                   ///< a in n(D) ~ D^-(1 + a)
 constexpr int k_vertices_min = 5, k_vertices_max = 9;
 constexpr double k_aspect = 1.5;
@@ -26,7 +26,7 @@ constexpr double k_aspect = 1.5;
 // breaking
 constexpr double k_wedge_angle_deg = 45;
 constexpr double k_split_multiplier = 2.5;   ///< longest chord that splits by geometry, in breaking lengths
-constexpr double k_max_aspect = 8;           ///< of a piece that splitting by geometry leaves
+constexpr double k_max_aspect = 8;           ///< limit for a piece that geometric splitting leaves
 constexpr double k_segment_thicknesses = 2;  ///< longest segment of a curved crack
 
 // generated hulls, at a length of k_hull_length

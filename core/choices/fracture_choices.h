@@ -65,7 +65,7 @@ constexpr ChoiceText choice_text(CrackPathKind value) {
   return {};
 }
 
-/// What becomes of pieces below the smallest area or longer than the largest aspect ratio.
+/// The treatment of pieces below the smallest area or longer than the largest aspect ratio.
 enum class SmallPieces { brash, refuse };
 constexpr ChoiceText choice_text(SmallPieces value) {
   switch (value) {

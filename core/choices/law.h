@@ -30,14 +30,14 @@ constexpr int k_fewest_facets = 3, k_most_facets = 1000;
 /// A law as it is asked for.
 struct ParsedLaw {
   Law law = Law::coulomb;
-  int facets = 0;  ///< of pyramid_k
+  int facets = 0;  ///< number of facets of pyramid_k
 
   bool operator==(const ParsedLaw&) const = default;
 };
 
 /// "pyramid-8" gives pyramid_k with 8 facets. Throws InputError naming the nearest law.
 ParsedLaw parse_law(const std::string& name);
-/// As it is asked for: "pyramid-8".
+/// The name of the law with its parameter: "pyramid-8".
 std::string name_of(const ParsedLaw& law);
 
 }  // namespace nilas

@@ -18,8 +18,8 @@ constexpr ChoiceText choice_text(HullKind value) {
 
 /// How a straight run reaches its speed. Both end at the same place.
 enum class RampShape {
-  linear,  ///< at constant acceleration
-  smooth  ///< at an acceleration that rises from zero and falls back to it: speed V s^2 (3 - 2 s) at the ramp's share s
+  linear,  ///< constant acceleration
+  smooth   ///< acceleration that rises from zero and falls back to it: speed V s^2 (3 - 2 s) at the ramp's share s
 };
 constexpr ChoiceText choice_text(RampShape value) {
   switch (value) {
@@ -48,7 +48,7 @@ constexpr ChoiceText choice_text(CarriageStart value) {
   return {};
 }
 
-/// What holds a towed vessel and measures its load.
+/// The device that holds a towed vessel and measures its load.
 enum class BalanceKind { rigid, six_cells, prismatic };
 constexpr ChoiceText choice_text(BalanceKind value) {
   switch (value) {
@@ -82,7 +82,7 @@ constexpr ChoiceText choice_text(JointAxis value) {
   return {};
 }
 
-/// What holds an attached body.
+/// The joint of an attached body.
 enum class JointKind { hinge, slider, ball, free, weld };
 constexpr ChoiceText choice_text(JointKind value) {
   switch (value) {

@@ -52,8 +52,7 @@ constexpr int k_passes_per_fitting = 10;
 constexpr int k_lloyd_rounds = 3;  ///< rounds of the power diagram, which is used where fitting stalls
 constexpr double k_cell_tolerance = 1e-3;
 
-constexpr double k_shrink =
-    0.99;  ///< factor of the areas per step in the search for a concentration that can be reached
+constexpr double k_shrink = 0.99;  ///< factor of the areas per step, to find a concentration that can be reached
 constexpr int k_shrink_rounds = 15;
 
 const char* plural_of(FloeShape shape) {

@@ -9,8 +9,7 @@ namespace nilas {
 
 namespace {
 
-constexpr int k_trials =
-    20;  ///< random distributions of the water between the rows: obstacles affect some more than others
+constexpr int k_trials = 20;  ///< tries to distribute the water between rows: obstacles affect some more than others
 
 /// `count` lengths of at least `least` that sum to `sum`; the excess is divided at random points.
 std::vector<double> random_parts(std::size_t count, double least, double sum, RandomStream& random) {

@@ -52,7 +52,7 @@ class GroupGrowth {
  private:
   const Vec3& corner(std::size_t t, std::size_t k) const { return mesh_.vertices[at(mesh_.triangles[t][k])]; }
 
-  /// Through the area's centroid, along the area vector.
+  /// Plane through the centroid of the group's area, normal to its area vector.
   Plane fitted_plane(const std::vector<int>& group) const {
     Vec3 sum = Vec3::Zero(), first = Vec3::Zero();
     double areas = 0;
@@ -91,7 +91,7 @@ class GroupGrowth {
   const std::vector<std::array<int, 3>>& neighbours_;
   double tolerance_;
   std::vector<Vec3> area_vectors_;  ///< [m^2]
-  std::vector<double> heights_;     ///< over the longest edge [m]
+  std::vector<double> heights_;     ///< height of each triangle over its longest edge [m]
   std::vector<bool> taken_;
   std::vector<int> visit_;  ///< number of the visit that saw the triangle last
   int visits_ = 0;

@@ -7,7 +7,7 @@
 
 namespace nilas {
 
-/// For each triangle of a closed manifold mesh the triangle beyond its edge (k, k+1), k = 0, 1, 2.
+/// The triangle beyond the edge (k, k+1), k = 0, 1, 2, of each triangle of a closed manifold mesh.
 std::vector<std::array<int, 3>> triangle_neighbours(const TriangleMesh& mesh);
 
 /// Triangles grouped by plane: every vertex of a group lies within `tolerance` [m] of the group's plane. Triangles

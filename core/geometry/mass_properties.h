@@ -11,7 +11,7 @@ namespace nilas {
 struct MassProperties {
   double mass = 0;              ///< [kg]
   Vec3 com = Vec3::Zero();      ///< centre of mass [m]
-  Mat3 inertia = Mat3::Zero();  ///< about the centre of mass, axes of the body frame [kg m^2]
+  Mat3 inertia = Mat3::Zero();  ///< inertia about the centre of mass, axes of the body frame [kg m^2]
 };
 
 /// Area moments of a simple polygon (shoelace formulas); all integrals carry the sign of the area.

@@ -15,8 +15,8 @@ struct TriangleMesh {
   std::vector<std::array<int, 3>> triangles;  ///< indices into vertices
 };
 
-/// What is wrong with a mesh as a solid; nothing when it is closed, manifold and outward. Triangles that repeat a
-/// vertex have no edges of their own and count as degenerate only. A mesh without triangles is open.
+/// The defects of a mesh as a solid; none when it is closed, manifold and outward. Triangles that repeat a vertex have
+/// no edges of their own and count as degenerate only. A mesh without triangles is open.
 struct MeshDefects {
   int open_edges = 0;            ///< edges used by one triangle only
   int non_manifold_edges = 0;    ///< edges used by more than two triangles, or twice in the same direction

@@ -7,7 +7,7 @@ namespace nilas {
 
 /// Where a text begins in its file, and what in it is no word.
 struct WordRules {
-  char comment = 0;     ///< from this mark to the end of its line is left out; 0: there are no comments
+  char comment = 0;     ///< mark that starts a comment to the end of its line; 0: there are no comments
   bool joined = false;  ///< a backslash at the end of a line, but for a comment's, joins it to the next
   int first_line = 1;
 };
@@ -31,15 +31,15 @@ class MeshWords {
   double number(std::string_view word) const;
   long long integer() { return integer(next()); }
   long long integer(std::string_view word) const;
-  /// To the end of the line, whatever stands there: free text is not joined to the next line.
+  /// Skips to the end of the line, with any content: free text is not joined to the next line.
   void skip_line();
-  /// To the end of the line and those joined to it.
+  /// Skips to the end of the line and of those joined to it.
   void skip_joined_lines();
   /// Throws InputError naming file, line, what was expected and what was found there ("": the end).
   [[noreturn]] void fail(const std::string& expected, std::string_view found) const;
 
  private:
-  /// To the next word; stops at the end of the line where `within_line`.
+  /// Skips to the next word; stops at the end of the line if `within_line`.
   void skip_blanks(bool within_line);
   std::string_view word();
   /// Bytes of the mark here that joins a line to the next; 0 where there is none.

@@ -29,10 +29,10 @@ void complete(ConvexPolytope& polytope);
 /// faces: bottom, top, then side i over edge (i, i+1).
 ConvexPolytope make_prism(const std::vector<Vec2>& outline, double bottom, double top);
 ConvexPolytope make_box(const Vec3& size);
-/// From a closed outward mesh whose surface is convex within `tolerance` [m]: no vertex stands further than that
-/// outside a face, beyond what rounded vertices tilt the face. Neighbours coplanar within a twentieth of it become one
-/// face, and vertices along a straight edge of two faces are left out. Throws InputError if not closed, outward and
-/// convex.
+/// Makes a polytope from a closed outward mesh whose surface is convex within `tolerance` [m]: no vertex is farther
+/// than that outside a face, apart from the tilt of faces by rounded vertices. Neighbours coplanar within a twentieth
+/// of it become one face, and vertices along a straight edge of two faces are left out. Throws InputError if not
+/// closed, outward and convex.
 ConvexPolytope make_polytope(const TriangleMesh& mesh, double tolerance);
 
 enum class ShapeKind { prism, box, sphere, cylinder, plane, mesh };
@@ -46,7 +46,7 @@ struct Shape {
   double radius = 0;                  ///< sphere, cylinder [m]
   double half_height = 0;             ///< cylinder, axis z [m]
   TriangleMesh surface;        ///< closed outward surface of box, mesh, prism, cylinder (faceted), for water and output
-  double bounding_radius = 0;  ///< of parts and surface about the body origin; infinite for a plane [m]
+  double bounding_radius = 0;  ///< radius of pieces and surface about the body origin; infinite for a plane [m]
 };
 
 /// Floe: simple counter-clockwise outline, convex or concave, about its own centroid (the shape of a body must lie

@@ -7,7 +7,8 @@ namespace nilas {
 
 namespace {
 
-/// After the word facet: normal, three vertices, endfacet. The normal is not used, so need not be a number.
+/// Reads the rest of a facet after that word: normal, three vertices, endfacet. The normal is not used, so it need not
+/// be a number.
 std::array<Vec3, 3> read_facet(MeshWords& words) {
   words.expect("normal");
   for (int i = 0; i < 3; ++i) words.next();

@@ -94,7 +94,7 @@ hid_t memory_type(const std::vector<T>&) {
   return std::is_same_v<T, double> ? H5T_NATIVE_DOUBLE : H5T_NATIVE_INT64;
 }
 
-/// What the operating system said of the fault that HDF5 tells of, else HDF5's own words.
+/// The reason of a fault: the message of the operating system, else that of HDF5.
 std::string reason() {
   std::string said;
   const auto look = [](unsigned, const H5E_error2_t* error, void* out) -> herr_t {
@@ -148,7 +148,7 @@ void Hdf5Columns::create(const std::filesystem::path& path) const {
   if (!made || H5Fflush(file.get(), H5F_SCOPE_LOCAL) < 0) fail(reason());
 }
 
-/// What is kept is written anew beside the old file, which may hold rows that a killed program did not finish.
+/// Copies the rows to keep into a new file next to the old one, which may hold rows of an unfinished write.
 void Hdf5Columns::take_over(Length keep) {
   {
     const Hdf5Handle old(H5Fopen(path_.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, file_access().get()), H5Fclose);
@@ -200,7 +200,7 @@ void Hdf5Columns::write() {
 }
 
 void Hdf5Columns::write_pending(const std::filesystem::path& path) {
-  failed_ = true;  // until all is in
+  failed_ = true;  // until everything is written
   const auto rows = static_cast<std::size_t>(rows_ - written_.rows);
   std::vector<std::int64_t> index;
   for (const std::int64_t end : ends_) {
@@ -221,7 +221,7 @@ void Hdf5Columns::write_pending(const std::filesystem::path& path) {
            append(file, layout_.index, written_.blocks, ends_.size(), k_index_width, H5T_NATIVE_INT64, index.data());
     if (!done || H5Fflush(file.get(), H5F_SCOPE_LOCAL) < 0) {
       const std::string why = reason();
-      file.abandon();  // closing would tell of a file as long as it was to become, which nothing opens
+      file.abandon();  // closing would report a file of its intended length, which cannot be opened
       fail(why);
     }
   }

@@ -38,8 +38,8 @@ class Hdf5Columns {
     std::vector<Hdf5Column> columns;
   };
 
-  /// Creates the file; `keep`: goes on after so much of the file that is there, the rest is dropped. Throws FileError,
-  /// and InputError where the file holds less or other columns; it is then left as it was.
+  /// Creates the file. `keep`: continues after this length of an existing file and drops the rest. Throws FileError;
+  /// throws InputError and leaves the file unchanged where it is shorter or has other columns.
   Hdf5Columns(std::filesystem::path path, Layout layout, std::optional<Length> keep = {});
 
   /// The next cell of the row at hand, from left to right; of the column's kind.
@@ -47,7 +47,7 @@ class Hdf5Columns {
   void add(std::int64_t n);
   void end_row();
   void end_block();
-  /// Of what was added, written or not.
+  /// Length of everything added, written or not.
   Length length() const { return {written_.blocks + static_cast<std::int64_t>(ends_.size()), rows_}; }
   std::int64_t pending_rows() const { return rows_ - written_.rows; }
   bool pending() const { return !ends_.empty(); }
@@ -67,8 +67,8 @@ class Hdf5Columns {
   std::filesystem::path path_;
   Layout layout_;
   std::size_t next_ = 0;            ///< column of the next cell
-  std::int64_t rows_ = 0;           ///< of complete blocks and the one at hand
-  Length written_;                  ///< to the file
+  std::int64_t rows_ = 0;           ///< number of rows in complete blocks and the present one
+  Length written_;                  ///< length written to the file
   std::vector<std::int64_t> ends_;  ///< row after the last of each pending block
   bool failed_ = false;
 };

@@ -36,7 +36,7 @@ class Hdf5Handle {
   Close close_;
 };
 
-/// Keeps HDF5 from printing its own messages while it lives; faults are told by exceptions alone.
+/// Keeps HDF5 from printing its own messages during its life; faults are reported by exceptions only.
 class Hdf5Silence {
  public:
   Hdf5Silence();
@@ -71,7 +71,7 @@ class Hdf5Reader {
   std::string text(const std::string& name) const;
 
   enum class Kind { numbers, integers, text, other };
-  /// What a dataset holds.
+  /// The kind of content of a dataset.
   Kind kind(const std::string& name) const;
   /// All numbers, bit for bit: also those that are not finite.
   std::vector<double> exact_numbers(const std::string& name) const;
@@ -108,8 +108,8 @@ class Hdf5Writer {
   void add(const std::string& name, const std::vector<double>& values);
   void add(const std::string& name, const VecX& values);
   void add(const std::string& name, const std::string& text);
-  /// Writes beside `path` and renames, so that a failure leaves no half file there; `synced`: not even a stop of the
-  /// machine, since the bytes are on the disk before they get the name. Throws FileError.
+  /// Writes to a temporary file and renames it, so that a failure leaves no half file. `synced`: also safe against a
+  /// crash of the machine, since the bytes are on the disk before the rename. Throws FileError.
   void save(const std::filesystem::path& path, bool synced = false) const;
 
  private:

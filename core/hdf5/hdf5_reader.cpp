@@ -50,7 +50,7 @@ static bool is_marked_open(const std::vector<char>& bytes) {
   return bytes.size() > k_marks_at && bytes[k_version_at] >= 2 && bytes[k_marks_at] != 0;
 }
 
-/// Such a file tells of less or more than it holds; HDF5 reads it as another program's that is at work.
+/// Opens such a file in the mode for a file that another program is writing: its size may not fit its content.
 static Hdf5Handle open_marked(const std::string& path) {
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_file_locking(access.get(), false, true);

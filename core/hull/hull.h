@@ -20,11 +20,10 @@ struct Hull {
   std::vector<TriangleMesh> parts;  ///< convex, frame V
 };
 
-/// Reads a hull folder, or a single STL file that is itself convex (then its own only part).
-/// Throws FileError (missing, unreadable) or InputError (open mesh, part not convex, ...), naming the file.
+/// Reads a hull folder, or a single convex STL file, which is then its own only piece. Throws FileError (missing,
+/// unreadable) or InputError (open mesh, part not convex, ...), naming the file.
 Hull read_hull(const std::filesystem::path& path);
-/// Writes its files into a folder that is there; files of an earlier hull are NewHullFolder's to remove. Throws
-/// FileError.
+/// Writes the hull's files into an existing folder; NewHullFolder removes files of an earlier hull. Throws FileError.
 void write_hull(const Hull& hull, const std::filesystem::path& folder, const std::string& json);
 
 /// Parameters of a generated form. x = 0 at the aft end, x = length at the stem head, y = 0 on the centre plane, z = 0
@@ -32,27 +31,28 @@ void write_hull(const Hull& hull, const std::filesystem::path& folder, const std
 /// construction.
 struct HullForm {
   HullKind kind = HullKind::icebreaker;
-  double length = defaults::k_hull_length;                 ///< over all, at the deck [m]
-  double beam = defaults::k_hull_beam;                     ///< at the design waterline [m]
+  double length = defaults::k_hull_length;                 ///< length over all, at the deck [m]
+  double beam = defaults::k_hull_beam;                     ///< beam at the design waterline [m]
   double draught = defaults::k_hull_draught;               ///< design waterline above the keel [m]
   double depth = defaults::k_hull_depth;                   ///< keel to deck [m]
-  double stem_angle = defaults::k_stem_angle_deg * k_deg;  ///< between the stem and still water, icebreaker [rad]
+  double stem_angle = defaults::k_stem_angle_deg * k_deg;  ///< angle between the stem and still water, icebreaker [rad]
   double entrance_angle =
       defaults::k_entrance_angle_deg * k_deg;      ///< half angle of the design waterline at the stem, icebreaker [rad]
-  double bow_length = defaults::k_bow_length;      ///< of the forebody at the design waterline [m]
-  double stern_length = defaults::k_stern_length;  ///< of the run at the design waterline, icebreaker [m]
-  double flare_angle = defaults::k_flare_angle_deg * k_deg;  ///< of the sides from vertical, icebreaker [rad]
-  int triangles = defaults::k_hull_triangles;  ///< wanted count of the fluid mesh; the made count is within 5 %
+  double bow_length = defaults::k_bow_length;      ///< length of the forebody at the design waterline [m]
+  double stern_length = defaults::k_stern_length;  ///< length of the run at the design waterline, icebreaker [m]
+  double flare_angle = defaults::k_flare_angle_deg * k_deg;  ///< angle of the sides from vertical, icebreaker [rad]
+  int triangles = defaults::k_hull_triangles;  ///< requested for the fluid mesh; the actual number is within 5 %
 };
 
-/// Form from XML or flag names: length beam draught depth stem_angle_deg entrance_angle_deg bow_length stern_length
-/// flare_angle_deg triangles. Lengths that are not named scale with the length. Throws InputError for an unknown name.
+/// The form from parameters with XML or flag names: length beam draught depth stem_angle_deg entrance_angle_deg
+/// bow_length stern_length flare_angle_deg triangles. Missing lengths scale with the length. Throws InputError for an
+/// unknown name.
 HullForm hull_form(HullKind kind, const std::map<std::string, double>& parameters);
 /// The same by the name of the kind. Throws InputError for an unknown one, too.
 HullForm hull_form(const std::string& kind, const std::map<std::string, double>& parameters);
 
-/// Closed, outward, exactly mirror-symmetric about y = 0, convex, coordinates rounded as a binary STL stores them.
-/// Throws InputError naming the parameter and what is allowed.
+/// Generates a hull: closed, outward, exactly mirror-symmetric about y = 0, convex, with coordinates rounded as in
+/// binary STL. Throws InputError naming the parameter and what is allowed.
 Hull generate_hull(const HullForm& form);
 
 }  // namespace nilas

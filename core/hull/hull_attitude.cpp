@@ -8,13 +8,14 @@ namespace nilas {
 
 namespace {
 
-/// What HullMeasures::lopsided is of a solid drawn symmetric, and what it surely is of none.
+/// Values of HullMeasures::lopsided: up to the first a solid is symmetric, above the second it is certainly not.
 constexpr double k_symmetric = 3e-3, k_lopsided = 1e-2;
 
 bool symmetric(const HullMeasures& m, int axis) { return m.lopsided[axis] < k_symmetric; }
 bool lopsided(const HullMeasures& m, int axis) { return m.lopsided[axis] > k_lopsided; }
 
-/// 1 where the bottom tapers under a level deck, -1 the other way round, 0 where both or neither are level.
+/// Direction of the deck: 1 where the bottom tapers under a level deck, -1 for the reverse, 0 where both or neither are
+/// level.
 int deck_direction(const HullMeasures& m) {
   constexpr double k_level = 0.96, k_tapered = 0.9;
   if (m.flat_top >= k_level && m.flat_bottom <= k_tapered) return 1;
@@ -22,7 +23,7 @@ int deck_direction(const HullMeasures& m) {
   return 0;
 }
 
-/// Upright walls and level faces alone, whichever way the walls run in plan.
+/// Whether the solid has only upright walls and level faces, with any outline in plan.
 bool prismatic(const HullMeasures& m) {
   constexpr double k_level = 0.95;
   return std::min(m.flat_top, m.flat_bottom) > k_level;
@@ -31,7 +32,7 @@ bool prismatic(const HullMeasures& m) {
 /// Longer of two axes.
 int longer(const HullMeasures& m, int a, int b) { return m.size()[b] > m.size()[a] ? b : a; }
 
-/// Forward along `forward` and port along `port`, each in the direction that the shape tells; where it tells none, as
+/// Axes with forward along `forward` and port along `port`, in the directions that the shape indicates; otherwise as
 /// drawn or along the axis.
 MeshAxes directed(const TriangleMesh& mesh, int forward, int port) {
   MeshAxes axes{{forward, 1}, {3 - forward - port, 1}};
@@ -41,7 +42,7 @@ MeshAxes directed(const TriangleMesh& mesh, int forward, int port) {
   return axes;
 }
 
-/// The axes that its planes of symmetry leave: forward and port. None where y may well be port.
+/// Forward and port axes that follow from the planes of symmetry; empty where y may be port.
 struct Lying {
   int forward, port;
 };
@@ -71,7 +72,8 @@ std::optional<HullAttitude> by_symmetry(const TriangleMesh& mesh, const HullMeas
   return HullAttitude{directed(mesh, lying->forward, lying->port), AttitudeSign::symmetry};
 }
 
-/// Sides' lengths of what floats and is symmetric about y = const, where they are no ship's or barge's.
+/// Attitude from the side lengths of a floating solid that is symmetric about y = const, where they do not fit a ship
+/// or barge.
 std::optional<HullAttitude> by_slenderness(const TriangleMesh& mesh, const HullMeasures& m) {
   const Vec3 size = m.size();
   constexpr double k_broad = 1.5, k_high = 1.5, k_long = 2, k_very_broad = 2.5, k_longer = 1.2;

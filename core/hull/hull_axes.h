@@ -1,5 +1,5 @@
 #pragma once
-/// Axes of a mesh, and how a mesh is turned so that they point where frame V has them.
+/// Axes of a mesh, and the rotation of a mesh to frame V.
 #include <array>
 #include <string>
 
@@ -23,13 +23,13 @@ struct MeshAxis {
 /// The axis of that name. Throws InputError naming what is allowed.
 MeshAxis mesh_axis(const std::string& name);
 
-/// Which of a mesh's axes point forward and up; port follows from them.
+/// The mesh axes that point forward and up; port follows from them.
 struct MeshAxes {
   MeshAxis forward{0, 1}, up{2, 1};
 
   bool across() const { return forward.of != up.of; }
   MeshAxis port() const;
-  /// Takes the mesh's coordinates to those of frame V.
+  /// Matrix from the mesh's coordinates to those of frame V.
   Mat3 to_vessel() const;
   bool operator==(const MeshAxes&) const = default;
 };

@@ -17,7 +17,7 @@ std::string size_text(const Vec3& size) {
                      size.z());
 }
 
-/// The command that makes the hull again, of axes of the file and a scale.
+/// The command that makes the hull again with these axes of the file and this scale.
 std::string command(const HullUse& use, const MeshAxes& axes, double scale) {
   std::string text = "nilas hull " + use.file;
   if (axes.forward != MeshAxes{}.forward) text += " --forward " + axes.forward.name();
@@ -26,14 +26,14 @@ std::string command(const HullUse& use, const MeshAxes& axes, double scale) {
   return text;
 }
 
-/// An axis of frame V as the file has it.
+/// The axis of the file that is this axis of frame V.
 MeshAxis in_file(const MeshAxis& axis, const MeshAxes& drawn) {
   MeshAxis found = axis.of == 0 ? drawn.forward : axis.of == 1 ? drawn.port() : drawn.up;
   found.sign *= axis.sign;
   return found;
 }
 
-/// What the shape shows.
+/// Describes the feature of the shape.
 std::string seen(const HullAttitude& attitude, const Vec3& size) {
   switch (attitude.sign) {
     case AttitudeSign::symmetry:
@@ -74,10 +74,10 @@ void doubt_attitude(const HullAttitude& attitude, const Vec3& size, const HullUs
                                seen(attitude, size), mistake(attitude.axes), command(use, axes, use.scale)));
 }
 
-/// Units that files are drawn in, and those that metres are taken for.
+/// A unit in which a file may be drawn, and the unit that it was taken for.
 struct Unit {
   const char* mistake;
-  double factor;  ///< that mends it
+  double factor;  ///< correction factor
 };
 constexpr Unit k_smaller[] = {{"in millimetres", 1e-3}, {"in centimetres", 1e-2}, {"in feet", 0.3048}};
 constexpr Unit k_larger[] = {{"in metres, and was taken in millimetres", 1e3},

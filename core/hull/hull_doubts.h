@@ -1,5 +1,5 @@
 #pragma once
-/// Hulls that can hardly be meant as they are: turned wrongly, in another unit, half, or too heavy or light.
+/// Checks for implausible hulls: wrong orientation or unit, half a hull, too heavy or too light.
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,19 +8,19 @@
 
 namespace nilas {
 
-/// Where a hull comes from and what is made of it; advice names the file and the flags of `nilas hull`.
+/// Origin and use of a hull; advice names the file and the flags of `nilas hull`.
 struct HullUse {
-  std::string file = "MESH";               ///< that the hull can be made of again
-  MeshAxes drawn = {};                     ///< of the file's axes, those that were taken as forward and up
-  double scale = 1;                        ///< metres per unit of the file, as it was taken
-  bool generated = false;                  ///< made by generate_hull(): lies as it should
-  bool fixed = false;                      ///< a structure that stands or lies where it is
-  std::optional<double> draught = {};      ///< as given, or at which it floats [m]
-  std::optional<double> displaced = {};    ///< volume below the water as it is placed [m^3]
+  std::string file = "MESH";               ///< file from which the hull can be made again
+  MeshAxes drawn = {};                     ///< axes of the file that were taken as forward and up
+  double scale = 1;                        ///< metres per unit of the file that were assumed
+  bool generated = false;                  ///< made by generate_hull(): its orientation is right
+  bool fixed = false;                      ///< true for a fixed structure
+  std::optional<double> draught = {};      ///< given draught, or that at which it floats [m]
+  std::optional<double> displaced = {};    ///< volume below the water at its place in the scene [m^3]
   std::optional<double> mass_afloat = {};  ///< volume that the given mass would displace [m^3]
 };
 
-/// Whole sentences, one entry for each probable mistake, with its cure; empty for what may well be meant. `mesh` is
+/// Whole sentences, one entry for each probable mistake, with its correction; empty for a plausible hull. `mesh`:
 /// closed and outward, in frame V [m].
 std::vector<std::string> hull_doubts(const TriangleMesh& mesh, const HullUse& use);
 

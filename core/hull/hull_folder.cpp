@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Convex within this share of half the longest side: STL files hold float32 coordinates.
+/// Tolerance of convexity as a share of half the longest side: STL files hold float32 coordinates.
 constexpr double k_convex_tolerance = 1e-5;
 
 TriangleMesh read_sound(const fs::path& file) {
@@ -34,7 +34,8 @@ void demand_convex(const TriangleMesh& mesh, const fs::path& file, const std::st
   }
 }
 
-/// A folder that lost a part would float right and touch wrongly; the description knows how many there were.
+/// Throws where parts are missing: such a hull would float correctly but have wrong contacts. The description states
+/// their number.
 void demand_described_parts(const fs::path& description, std::size_t parts) {
   std::error_code ignored;
   if (!fs::exists(description, ignored)) return;

@@ -71,7 +71,7 @@ double lopsided(const View& view, double extent) {
   return off / extent;
 }
 
-/// From the outermost line in plan to the other, at the line nearest to one end.
+/// Breadth in plan at line i, from the outermost hit on one side to that on the other, as a share of the box.
 double breadth(const View& plan, int i) {
   int low = k_lines, high = -1;
   for (int j = 0; j < k_lines; ++j)
@@ -105,7 +105,7 @@ void measure_end_view(const View& ends, HullMeasures& m) {
   m.full_aft = aft / all;
 }
 
-/// Of the area seen from one side the share that meets a condition.
+/// Share of the area seen from one side that meets a condition.
 struct SeenShare {
   double all = 0, met = 0;
   void add(double area, bool meets) {

@@ -4,7 +4,8 @@
 
 namespace nilas {
 
-/// Of a mesh in its own axes, read as forward, port and up. All are ratios of lengths or areas, but for the box.
+/// Measures of a mesh in its own axes, taken as forward, port and up. All are ratios of lengths or areas, except the
+/// box.
 struct HullMeasures {
   Vec3 low = Vec3::Zero(), high = Vec3::Zero();  ///< box around the triangles [m]
   /// How far the solid is from symmetric about a plane across each axis. Lines along the axis enter the solid and leave

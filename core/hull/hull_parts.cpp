@@ -17,7 +17,7 @@ constexpr std::string_view k_prefix = "part-", k_ending = ".stl";
 
 bool looks_like_part(std::string_view name) { return name.starts_with(k_prefix) && name.ends_with(k_ending); }
 
-/// What stands between part- and .stl.
+/// The text between "part-" and ".stl".
 std::string_view number_in(std::string_view name) {
   return name.substr(k_prefix.size(), name.size() - k_prefix.size() - k_ending.size());
 }

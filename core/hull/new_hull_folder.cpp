@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* k_staging = ".hull.part";  ///< left where the program was killed
 constexpr const char* k_faults = "faults.png";   ///< all that a refused mesh leaves
-constexpr const char* k_first = "fluid.stl";     ///< without it a folder is no hull
+constexpr const char* k_first = "fluid.stl";     ///< a folder without it is no hull
 
 bool is_own(const std::string& name) {
   return name == k_first || name == "hull.json" || name == "hull.png" || name == k_faults || names_part(name);

@@ -18,7 +18,7 @@ namespace {
 struct Session {
   EventOde ode;
   VecX y, dy, g;
-  std::exception_ptr thrown;  ///< C code must not be thrown through
+  std::exception_ptr thrown;  ///< exceptions must not pass through C code
 };
 
 template <class Call>
@@ -103,7 +103,7 @@ struct OdeSolution::Implementation {
   }
 
   Session session;
-  double t;  ///< reached [s]
+  double t;  ///< time reached [s]
   sundials::Context context;
   sundials::Vector state, absolute;
   std::unique_ptr<std::remove_pointer_t<SUNNonlinearSolver>, FreeNonlinear> corrector;

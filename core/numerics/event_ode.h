@@ -8,8 +8,8 @@
 
 namespace nilas {
 
-/// y' = derivative(t, y), watched by event functions g: an event is a component that falls through zero. Functions may
-/// be asked beyond the event that is found, so they must go on smoothly there.
+/// The equation y' = derivative(t, y) with event functions g: an event is a component that falls through zero.
+/// Functions may be evaluated beyond the event, so they must continue smoothly there.
 struct EventOde {
   std::function<void(double t, const VecX& y, VecX& dy)> derivative;
   int num_events = 0;
@@ -18,26 +18,26 @@ struct EventOde {
 
 struct OdeSettings {
   double relative = 1e-12;  ///< local error per step
-  VecX absolute;            ///< per component
+  VecX absolute;            ///< one tolerance per component
   double longest_step = 0;  ///< [s]; 0: no limit
-  long max_steps = 100000;  ///< to the next time asked for
+  long max_steps = 100000;  ///< largest number of steps to the next requested time
 };
 
 struct OdeStop {
-  double t = 0;             ///< reached [s]
-  std::vector<int> events;  ///< that fell through zero there; empty at the end asked for
+  double t = 0;             ///< time reached [s]
+  std::vector<int> events;  ///< components that fell through zero there; empty at the requested end
 };
 
-/// One smooth solution, followed from time to time: its steps go on across the times asked for.
+/// One smooth solution that is followed from time to time; its steps continue across the requested times.
 class OdeSolution {
  public:
-  /// From y at t0.
+  /// Starts from y at t0.
   OdeSolution(EventOde ode, const OdeSettings& settings, double t0, const VecX& y);
   ~OdeSolution();
   OdeSolution(OdeSolution&&) noexcept;
   OdeSolution& operator=(OdeSolution&&) noexcept;
 
-  /// To t1, or to the first event before it, after which the solution has ended; y becomes the state there. Throws
+  /// Advances to t1, or to the first event before it, which ends the solution. y becomes the state there. Throws
   /// SimulationError when the tolerances cannot be held.
   OdeStop follow(double t1, VecX& y);
 

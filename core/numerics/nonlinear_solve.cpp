@@ -14,7 +14,7 @@ namespace {
 struct Session {
   const NonlinearEquations& equations;
   VecX x, f;
-  std::exception_ptr thrown;  ///< C code must not be thrown through
+  std::exception_ptr thrown;  ///< exceptions must not pass through C code
 };
 
 int evaluate(N_Vector x, N_Vector f, void* data) {
@@ -57,7 +57,7 @@ NonlinearSolution solve_nonlinear(const NonlinearEquations& equations, const Vec
   demand(KINInit(memory.get(), evaluate, x.get()));
   demand(KINSetUserData(memory.get(), &session));
   demand(KINSetFuncNormTol(memory.get(), settings.tolerance));
-  demand(KINSetScaledStepTol(memory.get(), settings.tolerance * settings.tolerance));  // by rounding alone
+  demand(KINSetScaledStepTol(memory.get(), settings.tolerance * settings.tolerance));  // stops only at rounding
   demand(KINSetMaxNewtonStep(memory.get(), settings.longest_step));
   demand(KINSetNumMaxIters(memory.get(), settings.max_iterations));
   demand(KINSetLinearSolver(memory.get(), linear.get(), jacobian.get()));

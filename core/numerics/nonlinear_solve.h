@@ -11,9 +11,9 @@ namespace nilas {
 using NonlinearEquations = std::function<void(const VecX& x, VecX& f)>;
 
 struct NonlinearSettings {
-  double tolerance = 1e-13;  ///< on the largest |f_i|
-  double accepted = 1e-10;   ///< where rounding lets no step reach `tolerance`
-  double longest_step = 1;   ///< of |x| in one iteration
+  double tolerance = 1e-13;  ///< limit of the largest |f_i|
+  double accepted = 1e-10;   ///< limit where rounding prevents steps to `tolerance`
+  double longest_step = 1;   ///< largest step of |x| in one iteration
   int max_iterations = 200;
 };
 
@@ -22,7 +22,7 @@ struct NonlinearSolution {
   double residual = 0;  ///< largest |f_i| at x
   bool converged = false;
   int iterations = 0;
-  std::string message;  ///< what the solver says where it did not converge
+  std::string message;  ///< the solver's message where it did not converge
 };
 
 /// Newton's method from `start`, the Jacobian by differences. Never throws for non-convergence; throws ContractError

@@ -42,8 +42,7 @@ struct Scene {
   TimeScene time;
   Vec3 gravity{0, 0, -defaults::k_gravity};
   std::uint64_t seed = 1;
-  std::uint64_t twin =
-      0;  ///< 0: the scene itself; else number of a perturbed run, whose bodies start up to 1e-12 m away
+  std::uint64_t twin = 0;  ///< 0: the scene itself; else a perturbed run, bodies up to 1e-12 m away
   ContactScene contact;
   std::optional<WaterScene> water;
   std::optional<HydroScene> hydro;
@@ -53,8 +52,7 @@ struct Scene {
   std::optional<FractureScene> fracture;
   std::vector<BodyScene> bodies;
   OutputScene output;
-  std::vector<std::string>
-      notes;  ///< notes to print once, for example about a default that was replaced by a built model
+  std::vector<std::string> notes;    ///< notes to print once, such as a replaced default
   std::vector<std::string> derived;  ///< defaults that follow from the scene's scale, and why
   std::vector<Fault> warnings;       ///< valid but implausible values, with their places
   /// Places of the first element of each path and of its given attributes: "vessel/carriage", "vessel/carriage/@speed".

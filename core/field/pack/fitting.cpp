@@ -13,13 +13,11 @@ namespace {
 
 constexpr double k_largest_growth = 0.5;  ///< largest growth of the scale before a floe is cut to its cell
 constexpr int k_halvings = 12;  ///< bisections for the scale; the remaining error of 1e-4 is corrected by with_area
-constexpr double k_area_tolerance = 1e-9;  ///< relative: a floe that its cell cuts by less keeps its outline
-constexpr double k_smallest_corner =
-    1e-3;  ///< smallest area of a corner as a share of the floe; smaller corners are removed
-constexpr double k_smallest_rest = 0.5;  ///< smallest share of a floe's area that a round of cuts may leave
-constexpr double k_largest_radius =
-    1;  ///< largest radius of the circle about a fitted floe, in floe sizes: a side ratio of 1 : 3.7
-constexpr double k_chamfer = 0.25;  ///< share of the shorter edge that a new corner takes
+constexpr double k_area_tolerance = 1e-9;   ///< relative: a floe that its cell cuts by less keeps its outline
+constexpr double k_smallest_corner = 1e-3;  ///< smallest area of a corner, as a share of the floe
+constexpr double k_smallest_rest = 0.5;     ///< smallest share of a floe's area that a round of cuts may leave
+constexpr double k_largest_radius = 1;      ///< radius limit of a fitted floe, in floe sizes: a side ratio of 1 : 3.7
+constexpr double k_chamfer = 0.25;          ///< share of the shorter edge that a new corner takes
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 

@@ -11,8 +11,7 @@ namespace {
 
 constexpr int k_newton_steps = 30;
 constexpr int k_halvings = 12;
-constexpr double k_smallest_area =
-    0.2;  ///< share of the smallest relative cell area that a Newton step must leave in every cell
+constexpr double k_smallest_area = 0.2;  ///< share of the smallest relative area that a Newton step must leave
 
 using Sparse = Eigen::SparseMatrix<double>;
 

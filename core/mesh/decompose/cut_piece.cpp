@@ -1,5 +1,5 @@
-/// Cutting a closed mesh by a plane. CGAL's clip() computes each side's intersection with a box in exact arithmetic,
-/// fails on faces that lie in the plane or are narrow, and takes a hundred times as long.
+/// Cuts a closed mesh by a plane. CGAL's clip() is not used: it computes each side's intersection with a box in exact
+/// arithmetic, fails on faces that are narrow or lie in the plane, and takes a hundred times as long.
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
@@ -31,9 +31,9 @@ using CapTriangulation =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<CapVertex, CapFace>,
                                                CGAL::Exact_predicates_tag>;
 
-/// Of all vertices over the plane; 0 for those that float32 may have moved off it.
+/// Heights of all vertices above the plane; 0 where float32 rounding may have moved a vertex off it.
 std::vector<double> heights_over(const HalfSpace& plane, const TriangleMesh& piece) {
-  constexpr double k_rounding = 1e-7;  // of a coordinate
+  constexpr double k_rounding = 1e-7;  // share of a coordinate
   const auto box = box_of(piece);
   const double skin = k_rounding * std::max(box.max().cwiseAbs().maxCoeff(), box.min().cwiseAbs().maxCoeff());
   std::vector<double> heights;
@@ -44,14 +44,14 @@ std::vector<double> heights_over(const HalfSpace& plane, const TriangleMesh& pie
   return heights;
 }
 
-/// What of the surface lies below the plane, open along it; faces in the plane are left out. Vertices of the piece keep
-/// their numbers.
+/// The part of the surface below the plane, open along it and without faces in it. Vertices of the piece keep their
+/// numbers.
 TriangleMesh surface_below(const TriangleMesh& piece, const HalfSpace& plane, const std::vector<double>& heights) {
   TriangleMesh side{piece.vertices, {}};
   const auto height = [&](int v) { return heights[static_cast<std::size_t>(v)]; };
   std::map<std::pair<int, int>, int> crossings;
   const auto crossing = [&](int a, int b) {
-    const int low = std::min(a, b), high = std::max(a, b);  // the neighbour shall find the same point
+    const int low = std::min(a, b), high = std::max(a, b);  // the neighbouring triangle must find the same point
     const auto [found, fresh] = crossings.try_emplace({low, high}, static_cast<int>(side.vertices.size()));
     if (fresh) {
       const Vec3 &p = side.vertices[static_cast<std::size_t>(low)], &q = side.vertices[static_cast<std::size_t>(high)];
@@ -79,7 +79,7 @@ std::vector<std::pair<int, int>> rim_of(const TriangleMesh& side, const std::vec
     const auto k = static_cast<std::size_t>(v);
     return k >= heights.size() || heights[k] == 0;
   };
-  std::map<std::pair<int, int>, int> uses;  // in one direction less those in the other
+  std::map<std::pair<int, int>, int> uses;  // uses in one direction minus those in the other
   for (const auto& t : side.triangles)
     for (std::size_t k = 0; k < 3; ++k)
       if (const int a = t[k], b = t[(k + 1) % 3]; on_plane(a) && on_plane(b))
@@ -90,7 +90,7 @@ std::vector<std::pair<int, int>> rim_of(const TriangleMesh& side, const std::vec
   return rim;
 }
 
-/// Inside is what an odd number of rims separates from afar.
+/// Marks faces as inside if an odd number of rims separates them from the outer face.
 void mark_inside(CapTriangulation& cap) {
   std::vector<CapTriangulation::Face_handle> found{cap.infinite_face()};
   found.front()->info().inside = 0;
@@ -135,7 +135,7 @@ void add_cap(TriangleMesh& side, const HalfSpace& plane, const std::vector<std::
   }
 }
 
-/// Triangles that hang together by edges, each with the vertices that they use.
+/// Sets of triangles connected by edges, each with the vertices that it uses.
 std::vector<TriangleMesh> connected(const TriangleMesh& mesh) {
   UnionFind joined(mesh.triangles.size());
   for (const auto& edge : shared_edges(mesh)) joined.join(edge.left, edge.right);
@@ -172,7 +172,7 @@ std::vector<TriangleMesh> below(const TriangleMesh& piece, const HalfSpace& plan
   TriangleMesh side = surface_below(piece, plane, heights);
   add_cap(side, plane, rim_of(side, heights));
   std::vector<TriangleMesh> parts = connected(side);
-  constexpr double k_least_share = 1e-9;  // of the piece: slivers below it are rounding
+  constexpr double k_least_share = 1e-9;  // share of the piece: smaller slivers are rounding
   const double least = k_least_share * signed_volume(piece);
   std::erase_if(parts, [&](const TriangleMesh& part) { return !(signed_volume(part) > least); });
   return parts;
@@ -185,7 +185,7 @@ std::vector<TriangleMesh> cut(const TriangleMesh& piece, const HalfSpace& plane)
   const double whole = signed_volume(piece);
   double volume = 0;
   for (const auto& part : pieces) volume += signed_volume(part);
-  constexpr double k_lost = 1e-5;  // of the volume: a cut that loses more has failed
+  constexpr double k_lost = 1e-5;  // share of the volume: a cut that loses more has failed
   if (std::abs(volume - whole) > k_lost * whole) return {};
   return pieces;
 }

@@ -18,17 +18,17 @@ namespace {
 /// Convex hull of a piece, or of several.
 struct Part {
   TriangleMesh hull;
-  double deviation = 0;  ///< largest that was found of the hull outside the whole mesh [m]
+  double deviation = 0;  ///< largest distance found of the hull outside the whole mesh [m]
 };
 
 /// A piece of the solid with its convex hull.
 struct Piece : Part {
   TriangleMesh solid;
-  bool whole = false;  ///< no plane found that cuts it
+  bool whole = false;  ///< true if no plane was found that cuts it
 };
 
-/// Spacing of a grid finer than float32 is for all but the smallest coordinates: those, and what is left of zeros,
-/// would make corners that are not quite in line [m].
+/// Grid spacing [m], finer than float32 except for the smallest coordinates. Without the grid, those and remainders of
+/// zeros would make corners that are not exactly in line.
 double grid_for(const TriangleMesh& mesh) {
   const auto box = box_of(mesh);
   constexpr int k_bits = 26;
@@ -62,7 +62,7 @@ std::array<Vec3, 6> extremes(const TriangleMesh& hull) {
   return found;
 }
 
-/// Rows that the new one betters in both go.
+/// Adds a row and removes rows that are no better in both count and deviation.
 void add_count(const PartCount& row, std::vector<PartCount>& table) {
   std::erase_if(table, [&](const PartCount& old) { return old.parts >= row.parts && old.deviation >= row.deviation; });
   table.push_back(row);
@@ -95,7 +95,7 @@ class Decomposition {
     }
   }
 
-  /// Asks for a smaller share of what was asked for before, until there is something to cut; false where there is not.
+  /// Reduces the target until there is a piece to cut; false if there is none.
   bool tighten() {
     constexpr double k_share = 0.6;
     constexpr int k_tightened = 3;
@@ -108,17 +108,17 @@ class Decomposition {
     return false;
   }
 
-  /// As many as allowed, whatever they then deviate.
+  /// The result, with at most the allowed number of convex pieces, whatever their deviation.
   ConvexParts result() const {
     constexpr double k_more = 1.5;
     double allowed = std::max(worst(), target_);
-    // neighbours alone will not do where more groups lie apart than parts are allowed
+    // joining neighbours is not enough where there are more separate groups than allowed pieces
     const bool apart = groups() > settings_.most;
     const auto joined_within = [&] {
       return joined(allowed, apart ? std::max(allowed, settings_.tolerance) : settings_.tolerance);
     };
     std::vector<Part> parts = joined_within();
-    // no hull stands further out than the mesh is wide: then all are one
+    // no hull exceeds the mesh by more than its diagonal: then all are one
     while (parts.size() > settings_.most && allowed < diagonal_) {
       allowed *= k_more;
       parts = joined_within();
@@ -129,12 +129,12 @@ class Decomposition {
   }
 
  private:
-  static constexpr double k_slack = 0.1, k_precision = 0.1;  // of what is found, and of what is allowed
-  static constexpr std::size_t k_pieces_per_part = 4;        // before they are joined, at most
-  static constexpr double k_skin = 1e-6;                     // of the size: what rounding moves
+  static constexpr double k_slack = 0.1, k_precision = 0.1;  // share of the found deviation, and of the allowed one
+  static constexpr std::size_t k_pieces_per_part = 4;        // largest number before joining
+  static constexpr double k_skin = 1e-6;                     // share of the size that rounding moves
 
-  /// What is found up to `allowed` is at most (1 + k_slack + k_precision) allowed; above `ceiling` nothing more is
-  /// sought.
+  /// Deviation of a hull outside the mesh. A found value up to `allowed` means a true one of at most (1 + k_slack +
+  /// k_precision) allowed. The search stops above `ceiling`.
   double deviation(const Part& part, double allowed, double ceiling = std::numeric_limits<double>::infinity()) const {
     std::vector<Corners> faces = corners_of(part.hull);
     DistanceSearch search{.precision = k_precision * allowed,
@@ -142,7 +142,7 @@ class Decomposition {
                           .floor = (1 + k_slack) * allowed,
                           .slack = k_slack,
                           .ceiling = ceiling};
-    // what bridges a hollow is large, and most hulls of two parts are turned down for it
+    // Large faces come first: a face that bridges a hollow is large, and most common hulls are rejected for it.
     constexpr std::size_t k_large = 16;
     const auto large = faces.begin() + static_cast<std::ptrdiff_t>(std::min(k_large, faces.size()));
     std::partial_sort(faces.begin(), large, faces.end(),
@@ -152,7 +152,7 @@ class Decomposition {
     search.floor = std::max(search.floor, (1 + k_slack) * bridged);
     return std::max(bridged, mesh_.largest(mesh_.without_shared_faces({large, faces.end()}, skin_), search).largest);
   }
-  /// Over corners as they will be stored, so that what is written is convex exactly.
+  /// Convex hull of the corners in stored precision, so that the written piece is exactly convex.
   TriangleMesh stored_hull(std::vector<Vec3> points) const {
     for (auto& p : points) p = grid_ * (p / grid_).array().round();
     return convex_hull(rounded_to_float({std::move(points), {}}).vertices);
@@ -170,7 +170,7 @@ class Decomposition {
     for (const auto& piece : pieces_) largest = std::max(largest, piece.deviation);
     return largest;
   }
-  /// pieces_.size() where none that deviates can be cut.
+  /// Index of the worst piece that can be cut; pieces_.size() if there is none.
   std::size_t worst_piece() const {
     std::size_t found = pieces_.size();
     for (std::size_t k = 0; k < pieces_.size(); ++k)
@@ -188,13 +188,13 @@ class Decomposition {
     port_only_ = true;
   }
 
-  /// Both sides of a cut, and how good it is: the worst side's deviation, then the sum.
+  /// Both sides of a cut, and its quality: the worst side's deviation, then the sum.
   struct Cut {
     std::vector<Piece> sides;
     std::pair<double, double> merit{std::numeric_limits<double>::infinity(), 0};
   };
 
-  /// Without sides where the plane cuts nothing off. Deviations are known once above `ceiling`, no further.
+  /// Tries a cut. The result has no sides where the plane cuts nothing off. Deviations above `ceiling` are not exact.
   Cut tried(const TriangleMesh& solid, const HalfSpace& plane, double ceiling) const {
     Cut found;
     std::pair<double, double> merit{0, 0};
@@ -207,7 +207,7 @@ class Decomposition {
     return found;
   }
 
-  /// Of the cuts that leave least volume the one after which the worst side deviates least.
+  /// Splits a piece by the cut with the smallest worst deviation, among those that leave the least volume.
   void split_piece(std::size_t k) {
     constexpr std::size_t k_tried = 4, k_at_once = 2;  // not as many as threads, which must not change the result
     const auto planes = promising_cuts(pieces_[k].solid, k_tried, settings_.threads);
@@ -231,8 +231,8 @@ class Decomposition {
 
   void note_count() { add_count({count(), (1 + k_slack) * worst() + k_precision * target_}, table_); }
 
-  /// Whether points between the two already stand off by more than the search could leave unnoticed: most pairs are
-  /// turned down so, at a hundredth of the cost of their hull.
+  /// Whether points between two hulls already deviate by more than the search tolerates. This rejects most pairs at a
+  /// hundredth of the cost of their common hull.
   bool bridge(const Part& a, const Part& b, double allowed) const {
     const double off = (1 + k_slack + k_precision) * allowed;
     for (const Vec3& p : extremes(a.hull))
@@ -241,7 +241,8 @@ class Decomposition {
           if (mesh_.outside(p + share * (q - p)) > off) return true;
     return false;
   }
-  /// Its deviation is known once it is above `allowed`, no further; without a hull where that is seen at once.
+  /// The common hull of two pieces. Deviations above `allowed` are not exact; there is no hull where bridge() rejects
+  /// the pair.
   Part common_hull(const Part& a, const Part& b, double allowed) const {
     if (bridge(a, b, allowed)) return {{}, std::numeric_limits<double>::infinity()};
     std::vector<Vec3> points = a.hull.vertices;
@@ -251,7 +252,8 @@ class Decomposition {
     return both;
   }
 
-  /// Pairs within `reach` joined, the least deviating first, while their hull stays within `allowed`; then both halves.
+  /// Joins pairs within `reach`, the least deviating first, while their hull stays within `allowed`. Then returns both
+  /// halves.
   std::vector<Part> joined(double allowed, double reach) const {
     std::vector<Part> parts;
     for (const auto& piece : pieces_)
@@ -273,7 +275,7 @@ class Decomposition {
     return both;
   }
 
-  /// Groups of pieces and images that touch.
+  /// Number of groups of touching pieces and their images.
   std::size_t groups() const {
     std::vector<std::vector<Part>> found;
     const auto add = [&](const Part& part) {
@@ -341,14 +343,14 @@ class Decomposition {
   SurfaceDistance mesh_;
   double skin_ = 0;
   double grid_ = 0;
-  double diagonal_ = 0;  ///< of the box around the mesh [m]
-  double target_ = 0;    ///< what is found to deviate no more is within the tolerance [m]
+  double diagonal_ = 0;  ///< diagonal of the box around the mesh [m]
+  double target_ = 0;    ///< a found deviation up to this is within the tolerance [m]
   std::vector<Piece> pieces_;
   std::vector<PartCount> table_;
   bool port_only_ = false;
 };
 
-constexpr double k_measured = 0.05;  // of the tolerance: how exactly the result is measured
+constexpr double k_measured = 0.05;  // share of the tolerance: precision of the measured result
 
 }  // namespace
 
@@ -357,7 +359,7 @@ ConvexParts decompose(const TriangleMesh& mesh, const PartSettings& settings) {
   return by_cgal("the mesh could not be cut into convex parts", [&] {
     Decomposition decomposition(mesh, settings);
     ConvexParts best;
-    // while cutting, only what stands outside the mesh is looked at: a narrow hollow may lie deeper below the parts
+    // The cutting only considers deviations outside the mesh: a narrow hollow may lie deeper below the pieces.
     constexpr int k_rounds = 3;
     for (int round = 0; round < k_rounds; ++round) {
       decomposition.split();

@@ -65,7 +65,7 @@ TriangleMesh convex_hull(const std::vector<Vec3>& points) {
   SurfaceMesh hull;
   CGAL::convex_hull_3(given.begin(), given.end(), hull);
   if (!CGAL::is_closed(hull) || hull.num_faces() < 4) return {};
-  // CGAL sorts by address on its way, so its triangles differ with what else the memory holds; facets do not
+  // CGAL sorts by address, so its triangles depend on other memory contents; the facets do not.
   auto loops = outlines(hull);
   std::sort(loops.begin(), loops.end(), [](const auto& a, const auto& b) {
     return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), comes_before);

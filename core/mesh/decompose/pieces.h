@@ -16,18 +16,19 @@ struct SharedEdge {
   int a, b;                 ///< vertices
   std::size_t left, right;  ///< triangles in which it runs from a to b, and from b to a
 };
-/// Those of a mesh; where an edge has more than two triangles, they are taken in pairs.
+/// The shared edges of a mesh. Where an edge has more than two triangles, they are taken in pairs.
 std::vector<SharedEdge> shared_edges(const TriangleMesh& mesh);
 
-/// The pieces of a closed mesh on both sides of a plane, with caps in it; each is in one piece and encloses a volume.
-/// Vertices that lie in the plane but for what float32 rounds stay where they are and count as in it. None where
-/// nothing is cut off, or where volume would be lost.
+/// The pieces of a closed mesh on both sides of a plane, with caps in the plane. Each is connected and encloses a
+/// volume. Vertices within float32 rounding of the plane keep their place and count as in it. Empty where nothing is
+/// cut off, or where volume would be lost.
 std::vector<TriangleMesh> cut(const TriangleMesh& piece, const HalfSpace& plane);
-/// Those below the plane; none where nothing is cut off.
+/// The pieces below the plane; empty where nothing is cut off.
 std::vector<TriangleMesh> below(const TriangleMesh& piece, const HalfSpace& plane);
 
-/// Planes worth cutting at, the best first: those that leave the least volume between the two sides and their convex
-/// hulls, of evenly spaced ones across the axes, those through sharp hollow edges, and those along their faces.
+/// The best cutting planes, the best first: those that leave the least volume between both sides and their convex
+/// hulls. Candidates are evenly spaced planes across the axes, planes through sharp concave edges, and planes along
+/// their faces.
 std::vector<HalfSpace> promising_cuts(const TriangleMesh& piece, std::size_t most, int threads);
 
 }  // namespace nilas

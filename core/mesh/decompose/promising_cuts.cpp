@@ -12,7 +12,7 @@ namespace nilas {
 
 namespace {
 
-/// A hollow edge, the normals beside it, and how much it bends [m rad].
+/// A concave edge, the adjacent normals, and its length times angle [m rad].
 struct HollowEdge {
   Vec3 a, b;
   Vec3 left, right;
@@ -48,7 +48,7 @@ void add_even(const TriangleMesh& piece, std::vector<HalfSpace>& planes) {
       planes.push_back(across(axis, box.min()[axis] + box.sizes()[axis] * k / k_slices));
 }
 
-/// Axis planes through the ends of hollow edges, those that bear most; and the planes of the sharpest edges' faces.
+/// Adds axis planes through the ends of the most important concave edges, and the planes of the sharpest edges' faces.
 void add_hollow(const std::vector<HollowEdge>& edges, std::vector<HalfSpace>& planes) {
   constexpr std::size_t k_levels = 8, k_faces = 6;
   for (int axis = 0; axis < 3; ++axis) {
@@ -67,7 +67,7 @@ void add_hollow(const std::vector<HollowEdge>& edges, std::vector<HalfSpace>& pl
 
 using Ends = std::vector<std::pair<Vec3, Vec3>>;
 
-/// Ends of edges that stand for a piece: of all of few, of every n-th of more than `most`.
+/// Ends of a sample of a piece's edges: of all, or of every n-th where there are more than `most`.
 Ends sample_edges(const TriangleMesh& piece, const std::vector<SharedEdge>& edges, std::size_t most) {
   const std::size_t stride = 1 + edges.size() / most;
   Ends ends;
@@ -94,7 +94,7 @@ double volume_of_sides(const Ends& edges, const HalfSpace& plane, double skin) {
   return below > 0 && above > 0 ? below + above : std::numeric_limits<double>::infinity();
 }
 
-/// Those of the planes that leave least, the least first.
+/// The planes that leave the least volume, the best first.
 std::vector<HalfSpace> best_of(const std::vector<HalfSpace>& planes, const Ends& edges, double skin, std::size_t most,
                                int threads) {
   std::vector<std::pair<double, std::size_t>> ranking(planes.size());
@@ -113,7 +113,7 @@ std::vector<HalfSpace> best_of(const std::vector<HalfSpace>& planes, const Ends&
 
 std::vector<HalfSpace> promising_cuts(const TriangleMesh& piece, std::size_t most, int threads) {
   constexpr std::size_t k_rough = 150, k_fine = 600, k_kept = 16;  // edges, and planes between the two rounds
-  constexpr double k_skin = 1e-6;                                  // of the size
+  constexpr double k_skin = 1e-6;                                  // share of the size
   const std::vector<SharedEdge> edges = shared_edges(piece);
   std::vector<HalfSpace> planes;
   add_even(piece, planes);

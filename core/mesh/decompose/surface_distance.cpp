@@ -14,7 +14,7 @@ namespace nilas {
 
 namespace {
 
-// Distances and votes of rays need no exact decisions, which cost ten times as much.
+// Distances and ray tests need no exact predicates, which cost ten times as much.
 using Fast = CGAL::Simple_cartesian<double>;
 using Triangles = std::vector<Fast::Triangle_3>;
 using Primitive = CGAL::AABB_triangle_primitive<Fast, Triangles::iterator>;
@@ -61,10 +61,10 @@ struct SurfaceDistance::Tree {
   /// Point of the surface and its triangle.
   using Place = BoxTree::Point_and_primitive_id;
   Place nearest(const Vec3& p) const { return boxes.closest_point_and_primitive(fast(p)); }
-  /// `near` is that of a point close by.
+  /// The nearest point; `near` is the result for a point close by.
   Place nearest(const Vec3& p, const Place& near) const { return boxes.closest_point_and_primitive(fast(p), near); }
 
-  /// Whether the surface stays off the triangle, but for a rim of a millionth of it, where it may begin.
+  /// Whether the surface does not meet the triangle, except in a rim of a millionth of it.
   bool clear_of(const Corners& t) const {
     constexpr double k_rim = 1e-6;
     const Vec3 m = (t[0] + t[1] + t[2]) / 3;
@@ -88,7 +88,8 @@ struct SurfaceDistance::Tree {
   BoxTree boxes;
 
  private:
-  /// A ray may graze an edge, hence more than one direction; none of them is along an axis or a diagonal.
+  /// Whether a ray crosses the surface an odd number of times. A ray may touch an edge, so several directions are
+  /// tried, none along an axis or a diagonal.
   bool odd_crossings(const Vec3& p, const Fast::Vector_3& direction) const {
     return boxes.number_of_intersected_primitives(Fast::Ray_3(fast(p), direction)) % 2 == 1;
   }
@@ -167,7 +168,7 @@ Deviation SurfaceDistance::largest(const std::vector<Corners>& triangles, const 
     double bound = std::min(distance + reach, std::sqrt(convex));
     if (bound <= enough() && distance <= found.largest) return;
     if (search.outside_only && tree_->inside(p)) {
-      // a way to the outside crosses the surface, so at most what is left of it leads away from there
+      // A path to the outside crosses the surface, so at most the rest of `reach` leads away from there.
       bound = std::min(bound, reach - distance);
       if (bound > enough() && tree_->clear_of(t)) return;
     } else if (distance > found.largest) {
@@ -177,7 +178,7 @@ Deviation SurfaceDistance::largest(const std::vector<Corners>& triangles, const 
     if (bound > enough()) open.push({bound, t, nearest});
   };
   for (const auto& t : triangles) consider(t, nullptr);
-  constexpr int k_most_cuts = 4'000'000;  // some seconds; what is then still open is told as unmeasured
+  constexpr int k_most_cuts = 4'000'000;  // takes some seconds; the remaining triangles are reported as unmeasured
   int cuts = 0;
   while (!open.empty() && open.top().bound > enough() && found.largest <= search.ceiling && cuts++ < k_most_cuts) {
     const Open worst = open.top();
@@ -190,7 +191,8 @@ Deviation SurfaceDistance::largest(const std::vector<Corners>& triangles, const 
 }
 
 double asymmetry(const TriangleMesh& mesh) {
-  constexpr double k_skin = 1e-6, k_precision = 2e-6, k_slack = 0.02;  // of the size, twice, and of what is found
+  constexpr double k_skin = 1e-6, k_precision = 2e-6,
+                   k_slack = 0.02;  // two shares of the size, and a share of the found distance
   const double size = box_of(mesh).sizes().maxCoeff();
   std::vector<Corners> images = corners_of(mesh);
   const SurfaceDistance surface(images);

@@ -10,15 +10,15 @@ namespace nilas {
 /// Corners of a triangle [m].
 using Corners = std::array<Vec3, 3>;
 
-/// Its triangles by their corners, wound as they are [m].
+/// The triangles of a mesh by their corners, with their winding [m].
 std::vector<Corners> corners_of(const TriangleMesh& mesh);
 
-/// How exactly the largest distance over all points of some triangles is sought.
+/// Settings of the search for the largest distance over all points of some triangles.
 struct DistanceSearch {
-  double precision = 0;       ///< above 0: the largest may be this much larger than found [m]
+  double precision = 0;       ///< if above 0, the result may be too small by this much [m]
   bool outside_only = false;  ///< leave out points inside the surface, which then must be closed
-  double floor = 0;           ///< whatever is below is as good as 0 [m]
-  double slack = 0;           ///< share of the largest found that it may be larger
+  double floor = 0;           ///< smaller distances count as 0 [m]
+  double slack = 0;           ///< the result may be too small by this share
   double ceiling = std::numeric_limits<double>::infinity();  ///< stop once the largest exceeds this [m]
 };
 
@@ -31,14 +31,14 @@ class SurfaceDistance {
   SurfaceDistance(const SurfaceDistance&) = delete;
   SurfaceDistance& operator=(const SurfaceDistance&) = delete;
 
-  /// Of a point from the surface [m].
+  /// Distance of a point from the surface [m].
   double at(const Vec3& p) const;
-  /// The same of a point outside a closed surface; 0 inside [m].
+  /// The same for a point outside a closed surface; 0 inside [m].
   double outside(const Vec3& p) const;
-  /// What of the triangles lies further than `skin` [m] from every face of the surface in the same plane.
+  /// The parts of the triangles farther than `skin` [m] from every face of the surface in the same plane.
   std::vector<Corners> without_shared_faces(const std::vector<Corners>& triangles, double skin) const;
-  /// The largest distance from the surface of any point of the triangles, by halving those that may hold a larger one;
-  /// `unmeasured` is how much larger it may be. What some millions of halvings leave open is counted there too.
+  /// The largest distance from the surface of any point of the triangles. Triangles that may contain a larger distance
+  /// are halved. `unmeasured` is the possible excess, including what some millions of halvings leave open.
   Deviation largest(const std::vector<Corners>& triangles, const DistanceSearch& search) const;
 
  private:

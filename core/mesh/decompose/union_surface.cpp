@@ -6,10 +6,10 @@ namespace nilas {
 
 namespace {
 
-/// A part as planes and box.
+/// A convex piece as planes and box.
 struct Region {
   Region(const TriangleMesh& part, double grown) : box(box_of(part)) {
-    constexpr double k_same = 1e-9;  // of the normal: triangles of one plane
+    constexpr double k_same = 1e-9;  // share of the normal: triangles of one plane
     for (const auto& c : corners_of(part)) {
       const Vec3 n = (c[1] - c[0]).cross(c[2] - c[0]).normalized();
       const HalfSpace plane{n, n.dot(c[0]) + grown};
@@ -23,7 +23,7 @@ struct Region {
   Eigen::AlignedBox3d box;
 };
 
-/// The side of the plane that `sign` names.
+/// The part of the loop on the side of the plane that `sign` names.
 Loop clipped(const Loop& loop, const std::vector<double>& heights, double sign) {
   Loop out;
   for (std::size_t i = 0; i < loop.size(); ++i) {

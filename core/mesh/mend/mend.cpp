@@ -12,7 +12,7 @@ namespace nilas {
 
 namespace {
 
-/// As a reader of the written file will see it.
+/// The mesh as it will be read back from the written file.
 TriangleMesh as_stored(const SurfaceMesh& mesh) {
   const TriangleMesh rounded = rounded_to_float(triangles_of(mesh));
   Weld weld;
@@ -24,7 +24,7 @@ TriangleMesh as_stored(const SurfaceMesh& mesh) {
   return weld.take();
 }
 
-/// All steps once, but for what rounding at their end breaks.
+/// One pass of all steps. The mesh may still have faults that the final rounding causes.
 TriangleMesh remade(const PolygonSoup& soup, const MendSettings& settings, bool backs_are_copies, MendedMesh& notes) {
   WeldedSoup welded = mesh_of_soup(soup, settings.gap, backs_are_copies, notes);
   close_borders(welded, settings, notes);
@@ -34,7 +34,7 @@ TriangleMesh remade(const PolygonSoup& soup, const MendSettings& settings, bool 
   return mesh;
 }
 
-/// What keeps a mesh from being a solid's, with the places.
+/// The faults that keep a mesh from being that of a solid, with their places.
 std::vector<MeshNote> faults_of(const TriangleMesh& mesh) {
   std::vector<MeshNote> faults;
   if (const MeshDefects left = find_defects(mesh); !left.sound()) {
@@ -61,7 +61,7 @@ void settle(const MendSettings& settings, MendedMesh& result) {
     PolygonSoup soup{result.mesh.vertices, {}};
     for (const auto& t : result.mesh.triangles) soup.polygons.push_back({t[0], t[1], t[2]});
     result.mesh = remade(soup, settings, false, result);
-    if (!result.open.empty()) result.open = std::move(faults);  // nearer to the file than what mending them met
+    if (!result.open.empty()) result.open = std::move(faults);  // closer to the file than the faults that mending met
   }
 }
 
@@ -103,15 +103,15 @@ void demand_few_corners(const PolygonSoup& soup) {
   }
 }
 
-/// Below it a double cannot tell points apart.
+/// Relative distance below which a double cannot distinguish points.
 double least_gap(const PolygonSoup& soup) {
-  constexpr double k_least = 1e-12;  // of the furthest coordinate
+  constexpr double k_least = 1e-12;  // share of the largest coordinate
   double furthest = 0;
   for (const auto& p : soup.points) furthest = std::max(furthest, p.cwiseAbs().maxCoeff());
   return k_least * furthest;
 }
 
-/// One way of mending: what came of it, or why nothing did.
+/// The result of one method of mending, or why there is none.
 struct Attempt {
   std::optional<MendedMesh> mesh;
   std::exception_ptr refused;

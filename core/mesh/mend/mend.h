@@ -1,5 +1,5 @@
 #pragma once
-/// Makes a closed, outward, manifold triangle mesh free of self-intersections of what a drawing program exported.
+/// Makes a closed, outward, manifold triangle mesh without self-intersections from the export of a drawing program.
 #include <string>
 
 #include "core/geometry/mesh.h"
@@ -7,25 +7,25 @@
 
 namespace nilas {
 
-/// One kind of fault with its places: mended, or beyond mending.
+/// One kind of fault with its places: mended, or not mendable.
 struct MeshNote {
   std::string what;
   std::size_t count = 0;
-  std::vector<Vec3> places;  ///< at most `k_most_places` of them [m]
+  std::vector<Vec3> places;  ///< places of the fault, at most `k_most_places` [m]
   static constexpr std::size_t k_most_places = 200;
 };
 
-/// How much of what is wrong may be mended; both are lengths of the mesh given.
+/// Limits of mending, as lengths in the given mesh.
 struct MendSettings {
   double gap = 0;           ///< points this close are one, and cracks this wide are closed [m]
   double largest_hole = 0;  ///< holes up to this distance across are filled [m]
 };
 
-/// What mending made of a mesh, and its account of it.
+/// The result of mending, with an account of the faults.
 struct MendedMesh {
-  TriangleMesh mesh;           ///< as good as it got; sound where `open` is empty
-  std::vector<MeshNote> done;  ///< what was mended, in this order
-  std::vector<MeshNote> open;  ///< what is left
+  TriangleMesh mesh;           ///< mended mesh; sound if `open` is empty
+  std::vector<MeshNote> done;  ///< mended faults, in the order of mending
+  std::vector<MeshNote> open;  ///< remaining faults
 };
 
 /// Welds, drops faces that are double or without area, winds all faces alike and outward, closes T-junctions, cracks

@@ -22,7 +22,7 @@ enum class Number { i8, u8, i16, u16, i32, u32, f32, f64 };
 struct Property {
   std::string name;
   Number type = Number::f32;
-  std::optional<Number> length;  ///< of a list: type of its length
+  std::optional<Number> length;  ///< only for a list: type of its length
 };
 
 struct Element {
@@ -126,7 +126,7 @@ class BinaryData {
   BinaryData(std::string_view bytes, std::size_t start, bool swapped, const std::string& file)
       : bytes_(bytes), start_(start), swapped_(swapped), file_(file) {}
 
-  /// What is read next: faults name it.
+  /// The item that is read next, named in faults.
   void enter(const Element& element, long long number) {
     element_ = &element;
     number_ = number;

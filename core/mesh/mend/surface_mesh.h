@@ -1,5 +1,5 @@
 #pragma once
-/// CGAL's mesh as this folder uses it. Includes CGAL, so stays within the folder's sources.
+/// CGAL's mesh type for this folder. Includes CGAL, so include it in this folder's sources only.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -11,7 +11,7 @@ namespace nilas {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
-/// What is said where mending leaves nothing.
+/// The message where mending leaves nothing.
 inline constexpr const char* k_nothing_left = "nothing that encloses a volume is left";
 
 inline Kernel::Point_3 to_point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
@@ -20,8 +20,8 @@ inline Vec3 to_vec(const Kernel::Point_3& p) { return {p.x(), p.y(), p.z()}; }
 /// Turns off what CGAL prints beside the exceptions it throws.
 void silence_cgal();
 
-/// What `work` returns. Whatever CGAL throws, or ours about what CGAL left, becomes an InputError of the text `failed`:
-/// the mesh is to blame.
+/// Returns the result of `work`. Any exception of CGAL, or ours about CGAL's result, becomes an InputError with the
+/// text `failed`, because the mesh is the cause.
 template <class Work>
 auto by_cgal(const char* failed, const Work& work) {
   silence_cgal();
@@ -47,10 +47,10 @@ Vec3 middle(const SurfaceMesh& mesh, SurfaceMesh::Face_index face);
 
 /// Whether faces meet elsewhere than at shared corners and edges.
 bool crosses_itself(const SurfaceMesh& mesh);
-/// Between the middles of such faces, a place for each pair [m].
+/// Places midway between the centres of such faces, one per pair [m].
 std::vector<Vec3> crossings(const SurfaceMesh& mesh);
 
-/// Adds to the note of these words, which several rounds may find, or begins it; nothing where the count is 0.
+/// Adds to the note with this text, which several rounds may find, or starts it; does nothing where the count is 0.
 void add_note(std::vector<MeshNote>& notes, std::string what, std::size_t count, const std::vector<Vec3>& places);
 
 /// A mesh made of loose polygons.

@@ -1,4 +1,4 @@
-/// From loose polygons to a mesh: one winding, triangles only.
+/// Makes a mesh from loose polygons: consistent winding, triangles only.
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
@@ -18,7 +18,7 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 using Points = std::vector<Kernel::Point_3>;
 using Polygons = std::vector<std::vector<std::size_t>>;
 
-/// For each point the first one that lies within `gap` of it, sought among those that stand for themselves.
+/// The representative of each point: the first representative within `gap` of it.
 std::vector<std::size_t> stand_ins(const std::vector<Vec3>& points, double gap) {
   using Cell = std::array<long long, 3>;
   std::map<Cell, std::vector<std::size_t>> cells;
@@ -54,7 +54,7 @@ std::vector<Vec3> places_of(const Points& points, const Polygons& polygons, cons
   return places;
 }
 
-/// The loops with each corner's stand-in.
+/// The loops with each corner replaced by its representative.
 void rename(Polygons& polygons, const std::vector<std::size_t>& stand_in) {
   for (auto& loop : polygons)
     for (auto& v : loop) v = stand_in[v];

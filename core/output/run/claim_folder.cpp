@@ -71,7 +71,8 @@ void remove_frames_after(const fs::path& folder, long step) {
   remove_where(folder, [&](const std::string& name) { return step_of_frame(name).value_or(step) > step; });
 }
 
-/// Whether a file holds a contact problem of a later step than `step`. worst.hdf5 counts unless `worst` is a step.
+/// Whether a file holds a contact problem to remove: one of a later step than `step`, a half-written one, last.hdf5 or
+/// a kept worst one. worst.hdf5 is one of them only where `worst` < 0.
 bool is_problem_after(const std::string& name, long step, long worst) {
   static const std::regex pattern(R"((last|worst|worst-\d{8,18}|step-(\d{8,18}))\.hdf5(\.part)?)");
   std::smatch match;

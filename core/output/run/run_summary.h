@@ -48,9 +48,8 @@ struct RunSummary {
   std::array<double, k_num_phases> phase_ms = no_phases();  ///< mean over the steps, 0 for a phase without work [ms]
   std::optional<LoadSpan> window;                           ///< window of the vessel's loads
   std::optional<bool> touched;                              ///< whether ice touched the vessel; empty without a vessel
-  std::vector<std::pair<std::string, LoadStatistics>>
-      loads;  ///< statistics by channel, in the order of vessel.csv [N or N m]
-  std::map<std::string, LoadErrorFigures> load_errors;  ///< error estimates by channel
+  std::vector<std::pair<std::string, LoadStatistics>> loads;  ///< by channel, in the order of vessel.csv [N or N m]
+  std::map<std::string, LoadErrorFigures> load_errors;        ///< error estimates by channel
 
   bool exists() const { return !status.empty(); }
   /// Statistics of a channel; null where the run has no such channel.

@@ -32,8 +32,7 @@ struct ContactScene {
   double max_speed = 1.0;  ///< largest speed of the correction [m/s]
   Detection detection = Detection::continuous;
   NarrowPhase narrow_phase = NarrowPhase::nilas;
-  double margin =
-      0;  ///< largest gap of contacts in the problem [m]; 0: the distance that the bodies can move in the step
+  double margin = 0;  ///< largest gap of contacts [m]; 0: the distance that bodies can move in the step
   bool gyroscopic = true;
   double axes_deg = 0;  ///< turns the contact tangents about the normal
   bool warm_start = true;

@@ -22,10 +22,9 @@ struct VaryScene {
   FloeProperty property = FloeProperty::thickness;
   SpreadKind distribution = SpreadKind::normal;
   double cov = 0;
-  double mean = 0;                ///< mean of a strength, in its unit; 0: that of the ice
-  double correlation_length = 0;  ///< [m]; 0: one value per floe
-  std::vector<std::pair<FloeProperty, double>>
-      correlations;  ///< correlations of the normal scores with other properties
+  double mean = 0;                                            ///< mean of a strength, in its unit; 0: that of the ice
+  double correlation_length = 0;                              ///< [m]; 0: one value per floe
+  std::vector<std::pair<FloeProperty, double>> correlations;  ///< of the normal scores with other properties
   int line = 0;
 
   bool operator==(const VaryScene&) const = default;

@@ -7,7 +7,7 @@
 
 namespace nilas {
 
-/// Steps per period below which the implicit treatment of the vessel damps modes on its cells.
+/// Steps per period below which the stiff block of a vessel damps modes on its cells.
 constexpr double k_least_steps_on_cells = 4;
 
 struct NaturalPeriod {

@@ -16,8 +16,8 @@ namespace nilas {
 struct ReferenceVesselLoads {
   Wrench contact, hydro;
   Vec3 ice = Vec3::Zero();  ///< the contact force that floes exert
-  std::vector<Wrench>
-      on_parts;  ///< contact load on each part about its centre of mass, contacts within the vessel included
+  /// Contact load on each part about its centre of mass, contacts within the vessel included.
+  std::vector<Wrench> on_parts;
   std::optional<CarriageLoads> carriage;  ///< only for a towed vessel
 
   ReferenceVesselLoads(int num_parts, bool towed);

@@ -108,9 +108,8 @@ struct BodyTwist {
 /// cells they are also the speeds at the step's end (exponential_mode.h). With theta, the displacement is that from the
 /// middle pose of this step to that of the next: theta h in this step, the rest in the next.
 struct VesselBlock {
-  MatX
-      mass;  ///< n x n, effective, symmetric positive definite; its inverse is the response of the speeds to an impulse
-  VecX f;    ///< n entries: mass * (mean speeds without contact)
+  MatX mass;  ///< n x n, symmetric positive definite; the inverse is the speeds' response to an impulse
+  VecX f;     ///< n entries: mass * (mean speeds without contact)
   BodyTwist hull;
   std::vector<BodyTwist> parts;  ///< same order as the model's parts
 };

@@ -13,10 +13,9 @@ namespace nilas {
 /// The joint between vessel and carriage. The carriage's frame C has its origin at the joint point and turns with its
 /// yaw.
 struct TreeJoint {
-  Pose in_B;          ///< pose of the joint's outboard frame J, which coincides with C at zero coordinates
-  double height = 0;  ///< Z of C's origin in G [m]
-  std::vector<int>
-      axes;  ///< coordinates in rising order: 0..2 body-fixed X-Y-Z angles of J in C, 3..5 position of J in C
+  Pose in_B;              ///< pose of the joint's outboard frame J, which coincides with C at zero coordinates
+  double height = 0;      ///< Z of C's origin in G [m]
+  std::vector<int> axes;  ///< in rising order: 0..2 body-fixed X-Y-Z angles of J in C, 3..5 position of J in C
 };
 
 /// A load cell between vessel and carriage. Its tension is -stiffness s - damping s' with s = shortening . coordinates.
