@@ -39,7 +39,7 @@ class Assembly {
   }
 
  private:
-  /// The system that a body belongs to, and its place there.
+  /// The articulated system that a body belongs to, and its entry there.
   std::pair<const ArticulatedBlock*, const ArticulatedBody*> articulated(int body) const {
     for (const auto& block : articulated_)
       for (const auto& one : block.bodies)
@@ -151,7 +151,7 @@ void Assembly::reserve_contacts(std::size_t count) {
   out_.speed_asked.reserve(count);
 }
 
-/// Of sign * u = C^T (v + w x r), r from the centre of mass.
+/// The rows of sign * u = C^T (v + w x r), where r leads from the centre of mass to p.
 TwistRows Assembly::twist_rows(int body, const Mat3& C, const Vec3& p, double sign) const {
   TwistRows rows;
   const Vec3 r = p - bodies_.p_GB[static_cast<std::size_t>(body)];
@@ -159,7 +159,7 @@ TwistRows Assembly::twist_rows(int body, const Mat3& C, const Vec3& p, double si
   return rows;
 }
 
-/// Appends the rows of one side of a contact at p; returns what its prescribed motion adds to u.
+/// Appends the rows of one side of a contact at p. Returns what the body's prescribed motion adds to u.
 Vec3 Assembly::add_side(int body, const Mat3& C, const Vec3& p, double sign) {
   if (bodies_.motion[static_cast<std::size_t>(body)] == Motion::fixed) return Vec3::Zero();
   const TwistRows rows = twist_rows(body, C, p, sign);
@@ -182,7 +182,7 @@ bool Assembly::are_joined(const ContactPoint& point) const {
   return a >= 0 && a == out_.block_of_body[static_cast<std::size_t>(point.b)];
 }
 
-/// The same for two bodies of one system.
+/// Appends the rows of a contact between two bodies of one system. Returns what their prescribed motion adds to u.
 Vec3 Assembly::add_joined_sides(const ContactPoint& point, const Mat3& C) {
   const ArticulatedBody &a = *articulated(point.a).second, &b = *articulated(point.b).second;
   const TwistRows on_a = twist_rows(point.a, C, point.p, -1), on_b = twist_rows(point.b, C, point.p, 1);
@@ -245,7 +245,7 @@ void Assembly::add_contact(const ContactPoint& point, const FrictionPairs& frict
   out_.C.push_back(C);
 }
 
-/// Rows of u = C^T w for one side, n columns; adds what its prescribed motion gives to `w`.
+/// The rows of u = C^T w for one side, with n columns. Adds the contribution of its prescribed motion to `w`.
 MatX Assembly::moment_rows(int body, const Mat3& C, double sign, Vec3& w) const {
   const auto i = static_cast<std::size_t>(body);
   if (bodies_.motion[i] == Motion::fixed) return MatX(3, 0);
@@ -267,7 +267,7 @@ void Assembly::add_moment(int c, const ContactPoint& point, const FrictionPairs&
     rows_b += rows_a;
     rows_a = MatX(3, 0);
   }
-  constexpr std::uint64_t k_moment = 0x6d6f6d656e74;  // apart from the names of features
+  constexpr std::uint64_t k_moment = 0x6d6f6d656e74;  // keeps the key of a moment distinct from the keys of features
   out_.problem.add_moment(c, rows_a, rows_b, pair.rolling, mix(point.key, k_moment));
   out_.problem.w.tail<3>() = w;
   out_.C.push_back(C);

@@ -12,7 +12,7 @@ namespace nilas {
 
 namespace {
 
-/// The step's contact graph with what stands still taken out, and the points that crush: there bodies may overlap.
+/// The step's contact graph without immovable bodies and without points that crush, where bodies may overlap.
 ContactProblem movable_graph(const AssembledContacts& contacts, const std::vector<ContactPoint>& points) {
   ContactProblem graph;
   graph.block_offset = contacts.problem.block_offset;
@@ -27,7 +27,7 @@ ContactProblem movable_graph(const AssembledContacts& contacts, const std::vecto
   return graph;
 }
 
-/// The groups with something to move and a depth beyond `smallest` [m].
+/// The groups that have a movable body and a depth above `smallest` [m].
 std::vector<std::vector<int>> groups_to_correct(const ContactProblem& graph, const std::vector<ContactPoint>& points,
                                                 double smallest) {
   const auto is_deep = [&](const ContactPoint& c) { return -c.gap > smallest; };
@@ -49,21 +49,21 @@ double least_speed(const ContactPoint& point, const CorrectionSettings& settings
   return std::min(settings.erp * (depth - settings.slop) / settings.h, settings.max_speed);  // NaN for a NaN
 }
 
-constexpr int k_size = 6;  ///< of a rigid body's block
+constexpr int k_size = 6;  ///< number of velocities of a rigid body's block
 
-/// One contact's normal row on the mass-scaled velocities of its two bodies; zero for a side that stands still.
+/// The normal row of one contact on the mass-scaled velocities of its two bodies. The row of an immovable side is zero.
 struct NormalRow {
   Vec6 a = Vec6::Zero(), b = Vec6::Zero();
   double w = 0;      ///< W_NN [1/kg]
-  double least = 0;  ///< speed of separation asked for [m/s]
+  double least = 0;  ///< required speed of separation [m/s]
   double r = 0;      ///< [N s]
   int first_a = 0, first_b = 0;
 };
 
-/// The motion of one group, from rest.
+/// Solves for the motion of one group, starting from rest.
 class GroupCorrection {
  public:
-  /// `z`: mass-scaled velocities of all blocks and six more that no row moves.
+  /// `z`: mass-scaled velocities of all blocks, followed by six entries that stay zero and stand for an immovable side.
   GroupCorrection(const ContactProblem& step, const MassInverse& masses, VecX& z)
       : step_(step), masses_(masses), z_(z) {}
 
@@ -76,7 +76,7 @@ class GroupCorrection {
     rows_.push_back(row);
   }
 
-  /// Largest |dr| W of a sweep over all rows.
+  /// Sweeps once over all rows and returns the largest |dr| W [m/s].
   double sweep() {
     double largest = 0;
     for (NormalRow& row : rows_) {
@@ -92,7 +92,7 @@ class GroupCorrection {
     return largest;
   }
 
-  /// Largest min(W r, u_N - least), the natural map of the normal direction [m/s].
+  /// Returns the largest |min(W r, u_N - least)|, the natural-map residual of the normal direction [m/s].
   double residual() const {
     double worst = 0;
     for (const NormalRow& row : rows_) {
@@ -120,8 +120,8 @@ class GroupCorrection {
   std::vector<NormalRow> rows_;
 };
 
-/// The groups' normal rows as a problem of their own: M v = H r, 0 <= u_N - least, perpendicular to r_N >= 0, over the
-/// free bodies of the step's problem, whose blocks come first.
+/// The normal rows of the groups as a problem of their own: M v = H r and 0 <= u_N - least, perpendicular to r_N >= 0.
+/// It covers the free bodies of the step's problem, whose blocks come first.
 ContactProblem correction_problem(const AssembledContacts& contacts, const ContactProblem& graph,
                                   const std::vector<std::vector<int>>& groups, const std::vector<ContactPoint>& points,
                                   const CorrectionSettings& settings) {
@@ -168,7 +168,7 @@ PositionCorrection position_correction(const AssembledContacts& contacts, const 
   PositionCorrection out;
   out.v = VecX::Zero(step.num_velocities());
   const ContactProblem graph = movable_graph(contacts, points);
-  // a speed below the tolerance would be met by standing still
+  // a speed below the tolerance is already reached at rest
   const double smallest = settings.slop + settings.tolerance * settings.h / settings.erp;
   const auto groups = settings.erp > 0 ? groups_to_correct(graph, points, smallest) : std::vector<std::vector<int>>{};
   if (groups.empty()) return out;
@@ -195,7 +195,7 @@ PositionCorrection position_correction(const AssembledContacts& contacts, const 
     for (std::size_t k = 0; k < group.size(); ++k)
       impulses[3 * static_cast<Eigen::Index>(group[k])] = correction.impulse(k);
   }
-  // v = M^-1 H r of the free bodies, from the impulses alone
+  // v = M^-1 H r of the free bodies follows from the impulses alone, without the rounding of the sweeps
   for (int c = 0; c < step.num_contacts(); ++c)
     if (impulses[3 * static_cast<Eigen::Index>(c)] > 0)
       add_impulse(step, c, impulses.segment<3>(3 * static_cast<Eigen::Index>(c)), out.v.data());

@@ -42,7 +42,7 @@ static std::unique_ptr<ContactSolver> make_siconos(const SolverSettings& shared)
 }
 #endif
 
-/// What builds the solver that a scene asks for by this name.
+/// Builds the solver that a scene asks for by this name.
 static std::unique_ptr<ContactSolver> make_named(SolverName name, const SolverSettings& settings) {
   switch (name) {
     case SolverName::pgs:
@@ -84,7 +84,7 @@ static SolverEntry entry_of(SolverName name) {
           name};
 }
 
-/// Other people's solvers, where this build has them.
+/// The solvers of other projects, where this build has them.
 static std::vector<SolverEntry> peer_entries() {
   return {
 #ifdef NILAS_PEER_SOLVERS
@@ -139,7 +139,8 @@ const SolverEntry& find_solver(const std::string& name) {
 }
 
 const SolverEntry& find_solver(SolverName name) {
-  return solver_registry().at(static_cast<std::size_t>(name));  // they begin with these, in their order
+  return solver_registry().at(
+      static_cast<std::size_t>(name));  // the registry begins with the solvers of scenes, in the order of SolverName
 }
 
 void demand_law(const SolverEntry& entry, Law law) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Solvers by name: what `nilas solvers` lists and what a scene may ask for.
+/// Registry of the solvers by name, for `nilas solvers` and for scenes.
 #include <functional>
 #include <memory>
 #include <optional>
@@ -13,22 +13,25 @@ namespace nilas {
 
 struct SolverEntry {
   std::string name;
-  std::string summary;  ///< one sentence: what it is, cost per iteration, when to use
+  std::string summary;  ///< one sentence: method, cost per iteration, when to use it
   std::vector<Law> laws;
   std::function<std::unique_ptr<ContactSolver>(const SolverSettings&)> make;
-  bool moments = false;                      ///< see SolverTraits
-  bool order_free = false;                   ///< see SolverTraits
-  std::optional<SolverName> in_scenes = {};  ///< how a scene asks for it; none of those for comparison only
+  bool moments = false;     ///< see SolverTraits
+  bool order_free = false;  ///< see SolverTraits
+  std::optional<SolverName> in_scenes =
+      {};  ///< the name by which a scene asks for it; empty for solvers for comparison only
 };
 const std::vector<SolverEntry>& solver_registry();
-/// Throws InputError naming the nearest solver.
+/// Finds a solver by its name. Throws InputError for an unknown name, and suggests the nearest one.
 const SolverEntry& find_solver(const std::string& name);
 const SolverEntry& find_solver(SolverName name);
 
-/// Throws InputError naming the solver's laws, and the solvers that take this one, where the entry does not.
+/// Throws InputError where the solver does not take the law. The message names the solver's laws and the solvers that
+/// take this law.
 void demand_law(const SolverEntry& entry, Law law);
 
-/// Throws InputError naming what is allowed where solver or law does not go with rolling and spinning friction.
+/// Throws InputError where the solver or the law does not support rolling and spinning friction. The message names what
+/// is allowed.
 void demand_moments(const SolverEntry& entry, Law law);
 
 }  // namespace nilas

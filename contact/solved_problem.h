@@ -1,5 +1,5 @@
 #pragma once
-/// A contact problem together with its solution and the bodies that it was about.
+/// A contact problem with its solution and the bodies it concerns.
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -11,23 +11,23 @@
 
 namespace nilas {
 
-/// A body where it touched another; it may have broken since.
+/// A body at the time of the contact; it may have broken since.
 struct TouchingBody {
   std::int64_t id = 0;
-  double inverse_mass = 0;  ///< 0 of a fixed one [1/kg]
+  double inverse_mass = 0;  ///< 0 for a fixed body [1/kg]
 };
 
-/// A step's contact problem and what its solver made of it; of a step that was cut, the last part with contacts.
+/// A step's contact problem and its solution. For a step cut into substeps: those of the last substep with contacts.
 struct SolvedProblem {
   ContactProblem problem;
   ContactSolution solution;
-  std::vector<ContactPoint> points;                   ///< where the contacts were found
+  std::vector<ContactPoint> points;                   ///< the contact points, at the poses where they were found
   std::vector<std::array<TouchingBody, 2>> touching;  ///< per point, a and b
   std::vector<double> d;                              ///< per contact, as from `measure` [1/kg]
   std::vector<Vec3> impulses;                         ///< per point, on body b, in G [N s]
   std::vector<Vec3> couples;         ///< per point, on body b, in G [N m s]; empty without rolling friction
-  Vec3 vessel_p = Vec3::Zero();      ///< its centre of mass where the contacts were found, in G [m]
-  Mat3 vessel_R = Mat3::Identity();  ///< its attitude there
+  Vec3 vessel_p = Vec3::Zero();      ///< the vessel's centre of mass when the contacts were found, in G [m]
+  Mat3 vessel_R = Mat3::Identity();  ///< the vessel's attitude at that time
 };
 
 }  // namespace nilas

@@ -11,31 +11,33 @@ namespace nilas {
 
 /// Linear and angular velocities of all bodies at the same instant, in G.
 struct Velocities {
-  std::vector<Vec3> v;  ///< of the centre of mass [m/s]
+  std::vector<Vec3> v;  ///< velocities of the centres of mass [m/s]
   std::vector<Vec3> w;  ///< [rad/s]
 };
 
-/// One velocity step at the pose where the contacts were found. Body k takes part when it moves.
+/// One velocity step at the pose where the contacts were found. Body k takes part where it can move.
 struct StepMotion {
-  double h = 0;              ///< [s]
-  std::vector<Vec3> p;       ///< centres of mass where the contacts were found [m]
-  std::vector<Mat3> R;       ///< attitudes R_GB there
-  Velocities before, after;  ///< around the impulses, at that pose; of a vessel on a carriage: at both ends of the step
+  double h = 0;         ///< [s]
+  std::vector<Vec3> p;  ///< centres of mass where the contacts were found [m]
+  std::vector<Mat3> R;  ///< attitudes R_GB there
+  Velocities before,
+      after;  ///< before and after the impulses, at that pose; for a vessel on a carriage: at both ends of the step
   std::vector<ContactPoint> points;
   std::vector<Vec3> impulses;         ///< per point, on body b, in G [N s]
-  std::vector<Vec3> normal_impulses;  ///< the part of it along the normal
-  std::vector<double> speed_asked;    ///< per point: u_N that the stabilisation asked of the velocity step [m/s]
+  std::vector<Vec3> normal_impulses;  ///< their components along the normal
+  std::vector<double> speed_asked;    ///< per point: the u_N that the stabilisation asked of the velocity step [m/s]
   std::vector<Vec3> couples;          ///< per point, on body b, in G [N m s]; empty without rolling friction
 };
 
-/// Velocity of body B's point relative to body A's at a contact point.
+/// The velocity of body B relative to body A at a contact point, in G [m/s].
 Vec3 relative_velocity(const StepMotion& motion, const Velocities& velocities, std::size_t contact);
 
-/// The contact points where the bodies' present poses have carried them: each body's point moves with it, the normal
-/// with the mean of both, and the gap is what lies between.
+/// The contact points, carried along with the bodies to their present poses. Each body's point moves with the body, the
+/// normal turns with the mean of both bodies, and the gap is the distance along it.
 std::vector<ContactPoint> carried_points(const StepMotion& motion, const Bodies& bodies);
 
-/// Sum of the contact impulses on one body about its centre of mass at the pose of the step's contacts [N s, N m s].
+/// The sum of the contact impulses on one body, about its centre of mass at the pose of the step's contacts [N s, N m
+/// s].
 Wrench contact_impulse_on(const StepMotion& motion, int body);
 
 }  // namespace nilas

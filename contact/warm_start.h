@@ -1,6 +1,6 @@
 #pragma once
-/// Last step's impulses, found again by contact key. They are kept in G: the tangents of a contact may turn from step
-/// to step, since another axis of its body may have become the better one.
+/// Last step's impulses, found again by contact key. They are stored in G, because the tangents of a contact may turn
+/// from step to step: t1 follows the body axis that is least parallel to the normal.
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -12,8 +12,8 @@ namespace nilas {
 
 class WarmStart {
  public:
-  /// 3 nc impulses: those of last step for keys that persist, zero for new contacts. `frames`: of the contacts now,
-  /// with orthonormal columns n, t1, t2 in G.
+  /// Returns 3 nc impulses: those of the last step for keys that persist, zero for new contacts. `frames` are those of
+  /// the present contacts, with orthonormal columns n, t1, t2 in G.
   VecX guess(const std::vector<std::uint64_t>& keys, const std::vector<Mat3>& frames) const;
   void keep(const std::vector<std::uint64_t>& keys, const std::vector<Mat3>& frames, const VecX& r);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Contact problems by hand: rigid bodies and the contacts between them.
+/// Building blocks of hand-made contact problems: rigid bodies and the contacts between them.
 #include <vector>
 
 #include "contact/problem/problem.h"
@@ -12,22 +12,22 @@ struct RigidBody {
   double mass = 1;
   Mat3 inertia = Mat3::Identity();  ///< in G, about the centre of mass
   Vec3 p = Vec3::Zero();            ///< centre of mass
-  Vec3 v = Vec3::Zero();            ///< free velocities, before contact
+  Vec3 v = Vec3::Zero();            ///< velocities without contact, v [m/s] and w [rad/s]
   Vec3 w = Vec3::Zero();
 };
 
 Mat6 mass_matrix(const RigidBody& body);
 
-/// Adds the block and its free momentum.
+/// Adds the body's block and its momentum without contact. Returns the index of the block.
 int add_body(ContactProblem& problem, const RigidBody& body);
 
-/// A frame with the given unit normal; `turn` rotates the tangents [rad].
+/// Returns a contact frame with the given unit normal; `turn` rotates the tangents [rad].
 Mat3 frame_of(const Vec3& n, double turn = 0);
 
-/// Rows of u = +-C^T (v + w x (point - p)).
+/// Returns the rows of u = sign C^T (v + w x (point - p)).
 MatX body_rows(const Mat3& frame, const Vec3& point, const Vec3& p, double sign);
 
-/// A contact between bodies a and b (-1: fixed), both listed in `bodies` with their block equal to their index.
+/// Adds a contact between bodies a and b (-1: fixed). Each body's block has the index of the body in `bodies`.
 int add_contact(ContactProblem& problem, const std::vector<RigidBody>& bodies, int a, int b, const Vec3& point,
                 const Mat3& frame, double mu);
 

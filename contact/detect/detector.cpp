@@ -19,10 +19,11 @@ namespace nilas {
 
 namespace {
 
-/// Stretches of the pair list per thread, so that a stretch with many hull contacts does not keep the others waiting.
+/// Number of stretches of the pair list per thread: several, so that a stretch with many hull contacts does not delay
+/// the others.
 constexpr std::ptrdiff_t k_stretches_per_thread = 8;
 
-/// What one stretch of the pair list works with and finds, in cache lines of its own.
+/// Storage and results of one stretch of the pair list, in cache lines of its own.
 struct alignas(64) Stretch {
   AxisSearchRoom room;
   std::vector<ContactPoint> points;
@@ -40,10 +41,10 @@ struct alignas(64) Stretch {
   }
 };
 
-/// Where a pair's points stand.
+/// The place of a pair's points in the list of its stretch.
 struct FoundPoints {
   int stretch = 0, count = 0;
-  bool left = false;  ///< to the caller
+  bool left = false;  ///< the pair is left to the caller
   std::ptrdiff_t first = 0;
   double left_depth = 0;  ///< see PairContacts
 };
@@ -55,7 +56,8 @@ struct PartsOnTheirWay {
   double width = 0, way = 0;
 };
 
-/// No point of the one goes as far as the balls around both are apart.
+/// Returns whether no point of one part moves as far against the other as the distance between the bounding balls of
+/// both.
 bool stay_apart(const Bodies& bodies, const PartsOnTheirWay& pair) {
   const auto centre = [&](const Part& part) -> Vec3 {
     return bodies.p_GB[part.body] + bodies.R_GB[part.body] * part.centre;
@@ -64,7 +66,7 @@ bool stay_apart(const Bodies& bodies, const PartsOnTheirWay& pair) {
   return (centre(*pair.b) - centre(*pair.a)).norm() - radii > pair.way;
 }
 
-/// A search among numbers that are none need not end.
+/// A search with poses that are not finite might never end.
 void demand_finite(const Bodies& bodies, int threads) {
   parallel_chunks(bodies.size(), k_chunk, threads, [&](std::ptrdiff_t, std::ptrdiff_t first, std::ptrdiff_t last) {
     for (std::ptrdiff_t b = first; b < last; ++b)
@@ -81,17 +83,18 @@ struct ContactDetector::Implementation {
   BroadPhase broad;
   FclShapes fcl;
   PairMemories now, before;
-  std::vector<std::ptrdiff_t> last_starts;  ///< where the last pairs of each first body begin
-  std::vector<int> order;                   ///< in which the pairs are searched
+  std::vector<std::ptrdiff_t>
+      last_starts;         ///< per body: where its pairs as first body begin in the pairs of the last call
+  std::vector<int> order;  ///< order in which the pairs are searched
   std::vector<Stretch> stretches;
   std::vector<FoundPoints> found;
-  std::vector<std::pair<int, int>> left_out;  ///< bodies that the caller looks after
+  std::vector<std::pair<int, int>> left_out;  ///< pairs of bodies that are left to the caller
   DetectorCounts counts;
 
   void forget_all();
   void learn_bodies(const Bodies& bodies);
   void index_last_pairs();
-  /// Moves out what the pair had at the last call, if it was there.
+  /// Moves out the pair's memory of the last call, if it has one.
   PairMemory take_remembered(const PartPair& pair);
   void list_pairs(const Bodies& bodies, double margin);
   void search_pairs(const Bodies& bodies, const std::vector<double>& margins, const PairFilter& left);
@@ -111,7 +114,7 @@ void ContactDetector::Implementation::forget_all() {
   narrow = kept_narrow;
 }
 
-/// The tree is made anew where bodies are gone, as it is for new bodies.
+/// Rebuilds the tree when bodies are gone. New bodies are added to it.
 void ContactDetector::Implementation::learn_bodies(const Bodies& bodies) {
   demand_finite(bodies, threads);
   if (const std::vector<int> new_part = known.forget_gone(bodies); !new_part.empty()) {
@@ -186,16 +189,17 @@ void ContactDetector::Implementation::add_up_counts() {
   for (const Stretch& stretch : stretches) counts += stretch.counts;
 }
 
-/// Whether the parts of a pair, whose contact is for other parts, are so far in each other that those may not have it
-/// either. Near the end of a seam parts overlap a little along it without being in each other's way.
+/// Returns whether the parts of a pair that leaves its contact to other parts overlap so deep that those may not have
+/// it either. Near the end of a seam, parts may overlap a little along it without obstructing each other.
 bool ContactDetector::Implementation::is_deep(std::size_t i) const {
-  constexpr double k_deep_share = 0.25;  // of the thinner body
+  constexpr double k_deep_share = 0.25;  // share of the thickness of the thinner body
   return found[i].left_depth >
          k_deep_share * std::min(known.thickness[now.pairs[i].body_a], known.thickness[now.pairs[i].body_b]);
 }
 
-/// Of two bodies so deep in each other that each of their pairs of parts, [first, last), leaves the contact to another:
-/// the shallowest way out of one pair, and what the others have along it.
+/// Finds the points of two bodies that overlap so deep that each of their pairs of parts, [first, last), leaves the
+/// contact to another pair. The pair with the smallest penetration keeps its axis, and the others keep the points they
+/// have along it.
 void ContactDetector::Implementation::find_deep(const Bodies& bodies, std::size_t first, std::size_t last,
                                                 double margin, std::vector<ContactPoint>& points) {
   AxisSearchRoom room;
@@ -230,7 +234,7 @@ std::vector<ContactPoint> ContactDetector::Implementation::collect(const Bodies&
   for (const Stretch& stretch : stretches) count += stretch.points.size();
   std::vector<ContactPoint> points;
   points.reserve(count);
-  std::size_t of_bodies = 0;  // where the points of the present two bodies begin
+  std::size_t of_bodies = 0;  // where the points of the present pair of bodies begin
   double touches = 0;
   std::size_t first_pair = 0;
   bool left = false;
@@ -278,7 +282,7 @@ std::vector<ContactPoint> ContactDetector::detect(const Bodies& bodies, double m
 std::vector<ContactPoint> ContactDetector::detect(const Bodies& bodies, const std::vector<double>& own_reach,
                                                   double margin, const PairFilter& left) {
   NILAS_DEMAND(own_reach.size() == static_cast<std::size_t>(bodies.size()));
-  // pairs farther apart are not listed, however far one that is pushed could reach
+  // pairs farther apart than the two largest reaches together cannot close, even by chains of pushes
   std::vector<double> farthest = own_reach;
   farthest.resize(std::max<std::size_t>(farthest.size(), 2), 0);
   std::partial_sort(farthest.begin(), farthest.begin() + 2, farthest.end(), std::greater<>());

@@ -9,13 +9,14 @@ namespace nilas {
 
 namespace {
 
-/// A point of the surfaces nearer than this to one of FCL's is the same contact [of the smaller part's radius].
+/// A point of the surfaces nearer than this to one of FCL's points is the same contact [share of the smaller part's
+/// radius].
 constexpr double k_same_place = 1e-3;
 
-/// Contacts in the frame of one part: FCL's own first.
+/// Contacts in the frame of one part. FCL's own contacts come first.
 struct Manifold {
   std::vector<LocalContact> contacts;
-  double deepest = 0;  ///< gap of FCL's deepest [m]
+  double deepest = 0;  ///< gap of FCL's deepest contact [m]
 
   explicit Manifold(const std::vector<FclContact>& found) : deepest(found.front().gap) {
     int name = 0;
@@ -24,7 +25,7 @@ struct Manifold {
       deepest = std::min(deepest, contact.gap);
     }
   }
-  /// Unless one of FCL's is there.
+  /// Adds the contact unless one of FCL's lies at the same place.
   void complete(LocalContact contact, double same_place) {
     const bool is_there = std::any_of(contacts.begin(), contacts.end(), [&](const LocalContact& c) {
       return c.feature.kind == FeatureKind::witness && (c.p - contact.p).norm() <= same_place;
@@ -34,7 +35,7 @@ struct Manifold {
   }
 };
 
-/// The parts' surfaces along FCL's normal.
+/// Adds the points of the parts' surfaces along FCL's normal.
 void add_surfaces(const PairView& pair, const FclContact& deepest, AxisSearchRoom& room, PairMemory& memory,
                   Manifold& manifold) {
   Axis axis;
@@ -53,7 +54,7 @@ void add_surfaces(const PairView& pair, const FclContact& deepest, AxisSearchRoo
 
 bool hides(const Part& part, const Vec3& x, const Vec3& outward) { return part.cover && part.cover->hides(x, outward); }
 
-/// In the frame of `host`, with normals from it to `guest`.
+/// Contacts in the frame of `host`, with normals from it to `guest`.
 struct HostedContacts {
   const Bodies& bodies;
   const Part& host;
@@ -64,7 +65,8 @@ struct HostedContacts {
            hides(guest, host_in_guest.point(c.p + 0.5 * c.gap * c.n), -(host_in_guest.R * c.n));
   }
 
-  /// Of two parts, `a` and `b` in the order of their bodies; false when none is left.
+  /// Appends the contacts that are not hidden, with a and b in the order of their bodies. Returns false when none is
+  /// left.
   bool add(const std::vector<LocalContact>& contacts, std::vector<ContactPoint>& points) const {
     const bool host_is_a = host.body < guest.body;
     const Part &a = host_is_a ? host : guest, &b = host_is_a ? guest : host;

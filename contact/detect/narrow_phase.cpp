@@ -17,12 +17,13 @@ namespace nilas {
 
 namespace {
 
-/// A point on a gently curved patch has the normal of its own place: along one normal for all, what slides over a bow
-/// would sink into it by the sine of the difference. Steeper faces belong to ridges, whose normal is the pair's.
+/// A point on a gently curved patch has the normal of its own place. With one normal for all points, a body that slides
+/// over a bow would sink into it by the sine of the difference. Steeper faces belong to ridges, where the pair's normal
+/// serves.
 const double k_most_slope = std::tan(k_grown_angle);
 
-/// The memory's axis sets a pair aside only when it clears the margin by more than rounding, so that the pair would
-/// have had no contact without it either.
+/// The remembered axis dismisses a pair only where it clears the margin by more than rounding. Without the memory the
+/// pair would then have no contact either.
 bool separated_by_memory(const Bodies& bodies, const Part& a, const Part& b, double margin, const PairMemory& memory) {
   const Vec3& n = memory.separating;
   const Vec3 n_a = bodies.R_GB[a.body].transpose() * n;
@@ -34,7 +35,8 @@ bool separated_by_memory(const Bodies& bodies, const Part& a, const Part& b, dou
 
 using Points = std::vector<ContactPoint>;
 
-/// Two features of one pair with the same name would need a collision of 64 bits; then the later one is renamed.
+/// Sorts points by key. Two features of one pair have the same key only if 64 bits collide; then the later key is
+/// raised by one.
 void order_by_key(std::span<ContactPoint> points) {
   std::sort(points.begin(), points.end(), [](const ContactPoint& p, const ContactPoint& q) { return p.key < q.key; });
   for (std::size_t i = 1; i < points.size(); ++i)
@@ -65,7 +67,7 @@ void primitive_pair(const Bodies& bodies, const Part& a, const Part& b, double m
   }
 }
 
-/// Depth by which the parts overlap where their contact is left to others, else 0.
+/// Returns the depth by which the parts overlap where their contact is left to others [m], else 0.
 double polytope_or_cylinder_pair(const Bodies& bodies, const Part& a, const Part& b, double margin,
                                  const PairSearch& search, AxisSearchRoom& room, PairMemory& memory,
                                  AxisSearchCounts& counts, Points& points, bool alone) {
@@ -81,7 +83,7 @@ double polytope_or_cylinder_pair(const Bodies& bodies, const Part& a, const Part
     memory.separating = R * axis.n;
     return 0;
   }
-  bool across = false;  // images of each other that touch along the axis across the plane between them
+  bool across = false;  // mirror images that touch along the axis across the plane between them
   if (are_images(bodies, a, b)) {
     const Axis own = axis_across(bodies, pair);
     if (own.s > margin) return 0;
@@ -105,7 +107,7 @@ double polytope_or_cylinder_pair(const Bodies& bodies, const Part& a, const Part
     point.p = bodies.p_GB[a.body] + R * x;
     point.n = n_G;
     point.gap = p.gap;
-    const bool deepest = p.gap <= axis.s + pair.tolerance;  // there the axis itself is the normal
+    const bool deepest = p.gap <= axis.s + pair.tolerance;  // at the deepest point the axis itself is the normal
     if (across) {
       point.p.y() = middle_plane(bodies, a, b);
       point.n = Vec3(0, std::copysign(1.0, n_G.y()), 0);
@@ -113,7 +115,8 @@ double polytope_or_cylinder_pair(const Bodies& bodies, const Part& a, const Part
                p.slope.u * p.slope.u + p.slope.v * p.slope.v <= k_most_slope * k_most_slope) {
       const Vec3 n = plane.n - p.slope.u * plane.t1 - p.slope.v * plane.t2;
       point.n = R * n.normalized();
-      point.gap = std::max(p.gap / n.norm(), axis.s);  // no place is nearer than the axis separates
+      point.gap =
+          std::max(p.gap / n.norm(), axis.s);  // no place of the surfaces is nearer than the separation along the axis
     }
     point.key = contact_key(key, p.feature);
   }
@@ -124,7 +127,7 @@ double polytope_or_cylinder_pair(const Bodies& bodies, const Part& a, const Part
 
 namespace {
 
-/// Nilas' own contacts of a pair that its memory does not separate.
+/// Finds contacts by Nilas' own search, for a pair that its memory does not separate.
 PairContacts find_exact_contacts(const Bodies& bodies, const Part& a, const Part& b, double margin,
                                  const PairSearch& search, AxisSearchRoom& room, PairMemory& memory, Points& points,
                                  bool alone) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Contact points of one candidate pair of parts.
+/// Finds the contact points of one candidate pair of parts.
 #include <vector>
 
 #include "contact/detect/broad/contact_key.h"
@@ -10,22 +10,25 @@
 
 namespace nilas {
 
-/// What a pair keeps from call to call.
+/// The memory of a pair from call to call.
 struct PairMemory {
-  Vec3 separating = Vec3::Zero();  ///< axis that separated the pair by more than the margin, in G; zero: none known
+  Vec3 separating =
+      Vec3::Zero();  ///< axis that separated the pair by more than the margin, in G; zero where none is known
   RememberedAxis contact_axis;
-  std::vector<Feature> kept;  ///< what met at the points that spread best, then at deeper ones; none below four points
+  std::vector<Feature>
+      kept;  ///< features of the points that spread best, then of deeper points; empty below four points
 };
 
 struct PairContacts {
-  int count = 0;             ///< points added
-  bool closed_form = false;  ///< a pair with a plane or a sphere, by Nilas
+  int count = 0;             ///< number of points added
+  bool closed_form = false;  ///< a pair with a plane or a sphere, solved by Nilas in closed form
   bool separated_by_memory = false;
-  double left_depth = 0;  ///< of the overlap of parts whose contact is for other parts of the two bodies, else 0 [m]
+  double left_depth =
+      0;  ///< depth of parts that overlap but leave their contact to other parts of the two bodies, else 0 [m]
   AxisSearchCounts search;
 };
 
-/// Who searches.
+/// The narrow phase that searches a pair, and FCL's shapes.
 struct PairSearch {
   NarrowPhase narrow;
   FclShapes& fcl;

@@ -7,7 +7,7 @@ namespace nilas {
 
 namespace {
 
-/// Whether the parts have the features that made the axis.
+/// Returns whether the parts have the features that made the axis.
 bool is_of(const RememberedAxis& axis, const Part& a, const Part& b) {
   const auto has = [](const auto& features, int i) { return i >= 0 && static_cast<std::size_t>(i) < features.size(); };
   switch (axis.kind) {

@@ -1,5 +1,5 @@
 #pragma once
-/// What the pairs of parts remember of a detector's last call.
+/// The memories of the pairs of parts from a detector's last call.
 #include <vector>
 
 #include "contact/detect/broad/broad_phase.h"
@@ -16,7 +16,7 @@ struct PairMemories {
   /// Drops the pairs of parts that are gone; `new_part` is that of KnownParts::forget_gone.
   void forget_gone(const std::vector<int>& new_part, const std::vector<Part>& parts);
   void save(StateWriter out) const;
-  /// Throws InputError when the state is one of other parts.
+  /// Throws InputError when the state belongs to other parts.
   void restore(const std::vector<Part>& parts, const StateReader& in);
 };
 

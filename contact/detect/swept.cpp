@@ -11,26 +11,26 @@ namespace nilas {
 
 namespace {
 
-/// Parts nearer than so many of the pair's tolerances touch.
+/// Parts nearer than this many of the pair's tolerances touch.
 constexpr double k_touching = 4;
-/// FCL's direction is used while it separates by this share of the smaller part: nearer, the rounding of its nearest
-/// points turns it by too much.
+/// FCL's direction is used while it separates by more than this share of the smaller part. Nearer than that, the
+/// rounding of FCL's nearest points turns it by too much.
 constexpr double k_near = 1e-3;
-/// An advance goes to where the bound on the separation is left with this share of it: closer would be lost on the
-/// bound's own slack.
+/// An advance ends where this share of the bound on the separation is left. Going closer gains nothing, because the
+/// bound itself is not sharp.
 constexpr double k_left = 1e-3;
 constexpr int k_most_cuts = 60;
-/// A pair that needs more is one that goes along at the tolerance: it counts as touching.
+/// A pair that needs more advances moves along the surface at the tolerance, and counts as touching.
 constexpr int k_most_advances = 10000;
 
-/// Heights along n of one part's points, as bounds over the time ahead: h + rate t + bend t^2.
+/// Bounds on the heights along n of one part's points over the time ahead: h + rate t + bend t^2.
 struct Heights {
   Eigen::ArrayXd h, rate, bend;
 
   double largest(double t) const { return (h + t * (rate + t * bend)).maxCoeff(); }
 };
 
-/// Vertices have exact rates; |n_across_turn| |turn x r| bounds the second derivative.
+/// Fills the heights of vertices. Their rates are exact; |n x turn| |turn x r| bounds the second derivative.
 void vertex_heights(const Part& part, const Mat3& R, const Vec3& turn, const Vec3& n, Heights& out) {
   const auto& x = part.facets->vertices;
   const auto along = [&](const Vec3& g) -> Eigen::ArrayXd {
@@ -49,8 +49,8 @@ void vertex_heights(const Part& part, const Mat3& R, const Vec3& turn, const Vec
   out.bend = 0.5 * speed * n.cross(turn).norm() * off_axis;
 }
 
-/// A sphere's centre moves as a vertex; of a cylinder the whole extent changes by at most what its farthest point
-/// turns.
+/// Fills the heights of a sphere or cylinder. A sphere's centre moves like a vertex. The extent of a cylinder changes
+/// at most by the path of its farthest point.
 void round_heights(const Part& part, const Mat3& R, const Vec3& turn, const Vec3& n, Heights& out) {
   out.h.resize(1);
   out.rate.resize(1);
@@ -116,7 +116,7 @@ class Advance {
     }
   }
 
-  /// In A's frame; s below the resolution only when no axis separates by more.
+  /// Returns a separating axis in A's frame. Its s is below the resolution only when no axis separates by more.
   Axis separating_axis() {
     if (a_.kind == PartKind::plane) return of_plane(b_in_a_, b_, 1);
     if (b_.kind == PartKind::plane) return of_plane(b_in_a_.inverse(), a_, -1);
@@ -149,11 +149,11 @@ class Advance {
     return axis;
   }
 
-  /// A host's direction to its guest as one from A to B, in A's frame; sign -1: B is the host.
+  /// Converts a direction from host to guest into one from A to B, in A's frame. sign -1: B is the host.
   Vec3 in_a(const Vec3& n, double sign) const { return sign > 0 ? n : Vec3(-(b_in_a_.R * n)); }
 
-  /// The parts cannot touch within this share of the step, at most `rest`. The bound on the separation is concave in
-  /// time: a chord of it lies below, so its root is safe, and halving the rest makes the chord short.
+  /// Returns a share of the step, at most `rest`, within which the parts cannot touch. The bound on the separation is
+  /// concave in time. A chord of it lies below it, so the root of the chord is safe. Halving `rest` shortens the chord.
   double safe_time(const Axis& axis, double rest) {
     const Vec3 n = R_a_ * axis.n;
     const bool turning_plane = (a_.kind == PartKind::plane && !motion_a_.turn.isZero(0)) ||
@@ -192,7 +192,7 @@ class Advance {
     out.on_b = out.on_a + axis.s * out.n;
   }
 
-  /// On A's surface, in A's frame.
+  /// Returns the point on A's surface where the parts meet, in A's frame.
   Vec3 meeting_point(const Axis& axis) {
     if (b_.kind == PartKind::sphere) return b_in_a_.point(b_.centre) - (b_.radius + axis.s) * axis.n;
     if (a_.kind == PartKind::sphere) return a_.centre + a_.radius * axis.n;
@@ -208,7 +208,7 @@ class Advance {
     return sum / static_cast<double>(room_.facing.points.size());
   }
 
-  /// Middle of what lies highest along n, in the part's frame.
+  /// Returns the middle of the points that are highest along n, in the part's frame.
   Vec3 supporting_point(const Part& part, const Vec3& n) {
     Vec3 sum = Vec3::Zero();
     if (!part.facets) {
@@ -228,9 +228,9 @@ class Advance {
   FclShapes& fcl_;
   AxisSearchRoom& room_;
   SoughtOverlap overlap_;
-  double depth_ = 0;  ///< sought [m]
+  double depth_ = 0;  ///< the sought depth [m]
   Mat3 R_a_, R_b_;
-  Vec3 between_;  ///< from A's origin to B's, in G
+  Vec3 between_;  ///< vector from A's origin to B's, in G
   RelativePose b_in_a_;
   double size_ = 0, tolerance_ = 0;
   Heights above_a_, below_b_;

@@ -17,13 +17,13 @@ namespace nilas {
 
 namespace {
 
-/// A part may move this far before its box is made anew: so many margins, since a margin is about the way of the
-/// fastest body in one step, but within these shares of its radius. A box lasts some steps and few pairs are listed in
-/// vain.
+/// Distance that a part may move before its box is made again, in margins, and its limits as shares of the part's
+/// radius. A margin is about the path of the fastest body in one step. So a box lasts some steps, and few pairs are
+/// listed in vain.
 constexpr double k_allowed_margins = 4.0;
 constexpr double k_least_allowed_radii = 0.01;
 constexpr double k_most_allowed_radii = 0.05;
-/// Pieces of the tree per thread, and parts that make a piece worth its while.
+/// Number of pieces of the tree per thread, and the least number of parts per piece.
 constexpr std::size_t k_pieces_per_thread = 16;
 constexpr std::size_t k_parts_per_piece = 32;
 
@@ -46,7 +46,7 @@ Box box_of(const Bodies& bodies, const Part& part) {
   return box;
 }
 
-/// One part's fattened box in the tree, and the pose it was made for.
+/// The fattened box of one part in the tree, and the pose for which it was made.
 struct Leaf : fcl::CollisionObjectd {
   explicit Leaf(std::shared_ptr<fcl::Boxd> box) : CollisionObject(box), shape(std::move(box)) {}
 
@@ -56,10 +56,10 @@ struct Leaf : fcl::CollisionObjectd {
   std::shared_ptr<fcl::Boxd> shape;
   Vec3 p = Vec3::Zero();
   Mat3 R = Mat3::Zero();
-  double fat = -1;   ///< what was added on every side [m]
-  double reach = 0;  ///< of the part from the body's origin [m]
+  double fat = -1;   ///< amount added on every side [m]
+  double reach = 0;  ///< largest distance of the part from the body's origin [m]
 
-  /// Bound on the way of any point of the part since the box was made.
+  /// A bound on the distance that any point of the part has moved since the box was made [m].
   double way(const Bodies& bodies) const {
     return (bodies.p_GB[body] - p).norm() + (bodies.R_GB[body] - R).norm() * reach;
   }
@@ -94,10 +94,10 @@ std::unique_ptr<Leaf> make_leaf(const Bodies& bodies, const Part& part, int inde
   return leaf;
 }
 
-/// The leaf of an entry of FCL's tree.
+/// Returns the leaf of an entry of FCL's tree.
 const Leaf* leaf_of(void* entry) { return static_cast<const Leaf*>(static_cast<fcl::CollisionObjectd*>(entry)); }
 
-/// A pair, and which one it is of those that the tree comes upon.
+/// A pair, and its index in the order in which the tree finds pairs.
 struct WalkedPair {
   PartPair pair;
   int place = 0;
@@ -109,12 +109,12 @@ struct BroadPhase::Tree {
   fcl::DynamicAABBTreeCollisionManagerd manager;
   std::vector<std::unique_ptr<Leaf>> leaves;
   std::vector<int> planes;
-  std::vector<char> refitted;  ///< per leaf, by the last call of refit
+  std::vector<char> refitted;  ///< per leaf: whether the last call of refit changed it
   std::size_t known_parts = 0;
-  std::vector<std::vector<PartPair>> lists;  ///< of the pieces of the tree, and one of the pairs with planes
-  std::vector<WalkedPair> sorted;            ///< all of them
+  std::vector<std::vector<PartPair>> lists;  ///< the pairs of each piece of the tree, and at last the pairs with planes
+  std::vector<WalkedPair> sorted;            ///< the pairs of all lists
 
-  /// Calls fit(leaf) for each part that is new and no plane.
+  /// Adds the parts that are new and no planes, and calls fit(leaf) for each.
   template <class Fit>
   void add_new_parts(const Bodies& bodies, const std::vector<Part>& parts, const Fit& fit);
   std::vector<fcl::AABBd> boxes() const;
@@ -143,7 +143,7 @@ void BroadPhase::Tree::add_new_parts(const Bodies& bodies, const std::vector<Par
   manager.setup();
 }
 
-/// Of each leaf as the tree has it: FCL leaves a box in the tree as it is when the new one lies within it.
+/// The box of each leaf as the tree has it. FCL keeps the old box in the tree where the new one lies within it.
 std::vector<fcl::AABBd> BroadPhase::Tree::boxes() const {
   if (leaves.empty()) return {};
   using Node = fcl::detail::NodeBase<fcl::AABBd>;
@@ -179,7 +179,7 @@ void BroadPhase::Tree::refit(const Bodies& bodies, const std::vector<Part>& part
   if (!moved.empty()) manager.update(moved);
 }
 
-/// What DynamicAABBTreeCollisionManager::collide() finds, by several threads.
+/// Lists the pairs that DynamicAABBTreeCollisionManager::collide() finds, with several threads.
 void BroadPhase::Tree::list_tree_pairs(int threads) {
   const std::size_t wanted =
       threads > 1 ? std::min(k_pieces_per_thread * static_cast<std::size_t>(threads), leaves.size() / k_parts_per_piece)
@@ -187,7 +187,7 @@ void BroadPhase::Tree::list_tree_pairs(int threads) {
   const std::vector<NodePair> pieces = cut_into_pieces(manager.getTree().getRoot(), wanted);
   lists.resize(pieces.size() + 1);
   parallel_pieces(static_cast<std::ptrdiff_t>(pieces.size()), threads, [&](std::ptrdiff_t k) {
-    std::vector<PartPair> list = std::move(lists[k]);  // alone in its cache lines
+    std::vector<PartPair> list = std::move(lists[k]);  // local, so that no other thread writes to its cache lines
     list.clear();
     meet_leaves(pieces[k], [&](void* one, void* other) {
       const Leaf *a = leaf_of(one), *b = leaf_of(other);
@@ -219,9 +219,9 @@ void BroadPhase::Tree::list_plane_pairs(const Bodies& bodies, const std::vector<
   }
 }
 
-/// By the first body into buckets, and within those.
+/// Sorts the pairs into buckets by the first body, and then within each bucket.
 void BroadPhase::Tree::sort_pairs(int bodies, int threads) {
-  std::vector<std::size_t> ends(static_cast<std::size_t>(bodies) + 1, 0);  // of the buckets
+  std::vector<std::size_t> ends(static_cast<std::size_t>(bodies) + 1, 0);  // ends of the buckets
   for (const auto& list : lists)
     for (const PartPair& pair : list) ++ends[pair.body_a + 1];
   std::partial_sum(ends.begin(), ends.end(), ends.begin());

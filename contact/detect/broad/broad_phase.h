@@ -1,6 +1,6 @@
 #pragma once
-/// Pairs of parts that may touch: FCL's dynamic tree of boxes. Boxes are fattened so that the tree changes little from
-/// step to step.
+/// Lists the pairs of parts that may touch, by FCL's dynamic tree of boxes. Boxes are fattened so that the tree changes
+/// little from step to step.
 #include <memory>
 #include <vector>
 
@@ -10,7 +10,7 @@
 
 namespace nilas {
 
-/// Two bodies, and the places of two of their parts in the list of parts.
+/// Two bodies, and the indices of two of their parts in the list of parts.
 struct PartPair {
   int body_a = 0, body_b = 0;
   int part_a = 0, part_b = 0;
@@ -25,16 +25,17 @@ class BroadPhase {
   BroadPhase(BroadPhase&&) noexcept;
   BroadPhase& operator=(BroadPhase&&) noexcept;
 
-  /// All pairs of parts of different bodies, at least one of which can move, that may be nearer than `margin` [m]; no
-  /// pair of planes. `parts` may only grow from call to call. In rising order by bodies, then by parts.
-  /// `walk`: places of the pairs in the order in which the tree comes upon them. There neighbours in space follow each
-  /// other, so that a part's geometry is still in the cache when its next pair asks for it.
+  /// Lists all pairs of parts of different bodies that may be nearer than `margin` [m] and of which at least one can
+  /// move. Pairs of planes are left out. `parts` may only grow from call to call. The order rises by bodies, then by
+  /// parts.
+  /// `walk`: indices of the pairs in the order in which the tree finds them. Neighbours in space follow each other
+  /// there, so that a part's geometry is still in the cache when its next pair needs it.
   void list_pairs(const Bodies& bodies, const std::vector<Part>& parts, double margin, int threads,
                   std::vector<PartPair>& pairs, std::vector<int>& walk);
 
-  /// The boxes, and the poses they were made for.
+  /// Saves the boxes and the poses for which they were made.
   void save(StateWriter out) const;
-  /// Goes on with them, before the first call of list_pairs(). Throws InputError when they are not those of `parts`.
+  /// Restores saved boxes, before the first call of list_pairs(). Throws InputError when they are not those of `parts`.
   void restore(const Bodies& bodies, const std::vector<Part>& parts, const StateReader& in);
 
  private:

@@ -9,20 +9,21 @@
 namespace nilas {
 
 struct ContactPoint {
-  int a = -1;      ///< body index, the lower id
-  int b = -1;      ///< body index
+  int a = -1;      ///< index of the body with the lower id
+  int b = -1;      ///< index of the other body
   int part_a = 0;  ///< convex part of A
   int part_b = 0;
   Vec3 p = Vec3::Zero();   ///< midway between the two surfaces, in G [m]
   Vec3 n = Vec3::UnitX();  ///< unit normal from A to B, in G
   double gap = 0;          ///< signed distance along n: > 0 apart, < 0 penetration [m]
-  double force_limit = std::numeric_limits<double>::infinity();  ///< of the normal force, where ice crushes [N]
-  double pressure = 0;    ///< of the ice that the normal force crushes there, 0 where none does [Pa]
-  double compliance = 0;  ///< of such a point: u_N + c r_N replaces u_N [m/(s N s)]
+  double force_limit =
+      std::numeric_limits<double>::infinity();  ///< limit of the normal force, finite where ice crushes [N]
+  double pressure = 0;    ///< pressure of the ice that the normal force crushes, 0 where none does [Pa]
+  double compliance = 0;  ///< compliance of such a point: u_N + c r_N replaces u_N [m/(s N s)]
   std::uint64_t key =
-      0;  ///< from the ids of bodies, parts and touching features: stable while the features stay the same
+      0;  ///< hash of the ids of bodies, the parts and the touching features; it lasts as long as the features do
 
-  /// Ice that crushes: no rebound, and no position correction.
+  /// Returns whether ice crushes here; then there is no rebound and no position correction.
   bool crushes() const { return std::isfinite(force_limit); }
 };
 

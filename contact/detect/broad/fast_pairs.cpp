@@ -9,7 +9,8 @@ namespace nilas {
 
 namespace {
 
-/// How far a body's points go by its turn; nothing that turns about the centre of a ball moves its surface.
+/// The distance that a body's points move by its rotation [m]. A sphere that turns about its centre does not move its
+/// surface.
 double turning_way(const Bodies& bodies, const FastMotion& motion, std::size_t b) {
   const Shape& shape = *bodies.shape[b];
   if (bodies.motion[b] == Motion::fixed || shape.kind == ShapeKind::sphere) return 0;
@@ -38,7 +39,7 @@ double relative_way(const Bodies& bodies, const FastMotion& motion, int a, int b
          turning_way(bodies, motion, j);
 }
 
-/// The box of a body's ball on its way, seen from the mean of all.
+/// The box around a body's bounding ball along its path, relative to the mean motion of all bodies.
 struct SweptBox {
   Vec3 low, high;
   int body = 0;

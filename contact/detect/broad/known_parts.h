@@ -11,18 +11,19 @@ namespace nilas {
 
 /// Parts in the order of the bodies; those of one body follow each other.
 struct KnownParts {
-  std::vector<std::int64_t> ids;  ///< of the bodies
+  std::vector<std::int64_t> ids;  ///< ids of the bodies
   std::vector<std::shared_ptr<const Shape>> shapes;
-  std::vector<double> thickness;  ///< per body: of the widest of the balls inside its parts [m]
+  std::vector<double> thickness;  ///< per body: diameter of the largest ball inside its parts [m]
   std::vector<Part> parts;
-  std::vector<double> touching;  ///< per part: others of its body nearer than this touch it [m]; 0 where there are none
+  std::vector<double>
+      touching;  ///< per part: distance below which other parts of its body touch it, 0 without other parts [m]
 
-  /// Drops the parts of bodies that are gone or have another shape; returns each part's new place, -1: gone. Empty
-  /// where all are there. Demands that the bodies stand in the order in which they came.
+  /// Drops the parts of bodies that are gone or have another shape. Returns each part's new index, -1 for one that is
+  /// gone; empty where none is gone. Demands that the bodies stand in the order in which they came.
   std::vector<int> forget_gone(const Bodies& bodies);
-  /// Adds the parts of the bodies behind the known ones.
+  /// Adds the parts of the bodies that follow the known ones.
   void add_new(const Bodies& bodies);
-  /// First and past the last part of a body.
+  /// Returns the range of a body's parts: the first, and the one past the last.
   std::pair<std::vector<Part>::const_iterator, std::vector<Part>::const_iterator> of_body(int body) const;
 
  private:

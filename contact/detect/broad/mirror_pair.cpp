@@ -10,7 +10,7 @@ namespace {
 
 using Vertices = std::vector<std::tuple<double, double, double>>;
 
-/// In an order of their own; `sign` of y.
+/// Returns the vertices with y times `sign`, sorted by coordinates.
 Vertices sorted_vertices(const Part& part, double sign) {
   Vertices out;
   for (const Vec3& x : part.facets->polytope->vertices) out.emplace_back(x.x(), sign * x.y() + 0.0, x.z());
@@ -18,8 +18,8 @@ Vertices sorted_vertices(const Part& part, double sign) {
   return out;
 }
 
-/// Share of the smaller part's size, and angle, within which poses count as images [-, rad]. What rounding and the
-/// solver's tolerance add to a mirrored scene is far below it, and such a turn of the normal is too small to matter.
+/// Share of the smaller part's size, and angle, within which poses count as images [-, rad]. Rounding and the solver's
+/// tolerance change a mirrored scene by far less. Such a turn of the normal is too small to matter.
 constexpr double k_same = 1e-6;
 
 bool poses_are_images(const Bodies& bodies, const Part& a, const Part& b) {
@@ -52,7 +52,7 @@ double middle_plane(const Bodies& bodies, const Part& a, const Part& b) {
 }
 
 bool serves_instead(const Axis& across, const Axis& best) {
-  constexpr double k_most_overlap = 2;  // of the least
+  constexpr double k_most_overlap = 2;  // multiple of the least overlap
   return across.s >= k_most_overlap * std::min(best.s, 0.0);
 }
 

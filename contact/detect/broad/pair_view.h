@@ -1,6 +1,6 @@
 #pragma once
-/// Two convex parts at their present poses, seen from part A's body frame, where all of a pair's search is done: no
-/// digits are lost far from the origin.
+/// Two convex parts at their present poses, seen from part A's body frame. The whole search of a pair is done in that
+/// frame, so that no digits are lost far from the origin.
 #include <algorithm>
 #include <limits>
 
@@ -8,7 +8,7 @@
 
 namespace nilas {
 
-/// x_to = R x_from + p.
+/// A pose of one frame in another: x_to = R x_from + p.
 struct RelativePose {
   Mat3 R = Mat3::Identity();
   Vec3 p = Vec3::Zero();
@@ -27,14 +27,14 @@ struct PairView {
   const Part& b;
   RelativePose b_in_a;
   RelativePose a_in_b;
-  double margin = 0;     ///< gaps below it are contacts [m]
+  double margin = 0;     ///< gaps below this are contacts [m]
   double size = 0;       ///< bounding radius of the smaller part [m]
   double tolerance = 0;  ///< lengths below it are rounding or unevenness of the surfaces [m]
 };
 
-/// Lengths are trusted to this share of the smaller part ...
+/// Resolution of lengths, as a share of the smaller part ...
 constexpr double k_length_resolution = 1e-10;
-/// ... and to this share of the larger one, about 50 units in the last place.
+/// ... and as a share of the larger one, about 50 units in the last place.
 constexpr double k_coordinate_rounding = 1e-14;
 
 inline PairView view_pair(const Part& a, const Part& b, const RelativePose& b_in_a, double margin) {
@@ -47,20 +47,20 @@ inline PairView view_pair(const Part& a, const Part& b, const RelativePose& b_in
   return pair;
 }
 
-/// Separation of the pair along the unit vector n from A to B, in A's frame: least n . x over B minus largest over A
-/// [m].
+/// Returns the separation of the pair along the unit vector n from A to B, in A's frame: the least n . x over B minus
+/// the largest over A [m].
 inline double separation(const PairView& pair, const Vec3& n) {
   return n.dot(pair.b_in_a.p) - extent(pair.b, -(pair.b_in_a.R.transpose() * n)) - extent(pair.a, n);
 }
 
-/// Whether the line of centres separates the pair.
+/// Returns whether the line of centres separates the pair.
 inline bool likely_apart(const PairView& pair) {
   const Vec3 line = pair.b_in_a.point(pair.b.centre) - pair.a.centre;
   return !line.isZero(0) && separation(pair, line.normalized()) > 0;
 }
 
-/// What a candidate axis was made from. `unnamed`: an axis of the last call that no feature makes again, since a
-/// cylinder has none or since it was not proven.
+/// The features that made a candidate axis. `unnamed`: an axis of the last call that no feature makes again, because a
+/// cylinder has none or because it was not proven.
 enum class AxisKind { face_a, face_b, edges, direction, unnamed };
 
 /// A direction in A's frame, from A to B, and the separation along it.
@@ -68,7 +68,7 @@ struct Axis {
   Vec3 n = Vec3::UnitX();
   double s = -std::numeric_limits<double>::infinity();  ///< [m]
   AxisKind kind = AxisKind::direction;
-  int feature_a = -1;  ///< face for face_a, edge for edges
+  int feature_a = -1;  ///< index of the face for face_a, of the edge for edges
   int feature_b = -1;
   bool proven = false;  ///< set by find_axis: no other axis is better by more than the pair's tolerance
 };
