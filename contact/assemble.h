@@ -46,9 +46,9 @@ struct AssemblySettings {
 /// The contact problem, and the data that lead from it back to the bodies.
 struct AssembledContacts {
   ContactProblem problem;
-  std::vector<Mat3> C;  ///< per contact: columns n, t1, t2 in G; the impulse on body B is C r. For a moment: the same
-                        ///< columns times its lengths; the couple on body B is C r
-  std::vector<double> speed_asked;  ///< per point: the u_N that the stabilisation asks for, 0 for none [m/s]
+  std::vector<Mat3> C;  ///< contact frames: columns n, t1, t2 in G; the impulse on body B is C r. For a moment: the
+                        ///< same columns times its lengths; the couple on body B is C r
+  std::vector<double> speed_asked;  ///< u_N that the stabilisation asks for at each point, 0 for none [m/s]
   std::vector<int> block_of_body;   ///< -1 for a body that no contact touches or that has no coordinate of its own.
                                     ///< Bodies of one system share a block, and all have it once one of them is touched
   int first_articulated_block =

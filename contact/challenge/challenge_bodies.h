@@ -10,7 +10,7 @@ namespace nilas::challenge {
 /// A free rigid body of a hand-built problem.
 struct RigidBody {
   double mass = 1;
-  Mat3 inertia = Mat3::Identity();  ///< in G, about the centre of mass
+  Mat3 inertia = Mat3::Identity();  ///< inertia about the centre of mass, in G
   Vec3 p = Vec3::Zero();            ///< centre of mass
   Vec3 v = Vec3::Zero();            ///< velocities without contact, v [m/s] and w [rad/s]
   Vec3 w = Vec3::Zero();

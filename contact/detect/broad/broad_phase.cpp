@@ -109,7 +109,7 @@ struct BroadPhase::Tree {
   fcl::DynamicAABBTreeCollisionManagerd manager;
   std::vector<std::unique_ptr<Leaf>> leaves;
   std::vector<int> planes;
-  std::vector<char> refitted;  ///< per leaf: whether the last call of refit changed it
+  std::vector<char> refitted;  ///< whether the last call of refit changed a leaf
   std::size_t known_parts = 0;
   std::vector<std::vector<PartPair>> lists;  ///< the pairs of each piece of the tree, and at last the pairs with planes
   std::vector<WalkedPair> sorted;            ///< the pairs of all lists

@@ -13,10 +13,10 @@ namespace nilas {
 struct KnownParts {
   std::vector<std::int64_t> ids;  ///< ids of the bodies
   std::vector<std::shared_ptr<const Shape>> shapes;
-  std::vector<double> thickness;  ///< per body: diameter of the largest ball inside its parts [m]
+  std::vector<double> thickness;  ///< diameter of the largest ball inside a part of each body [m]
   std::vector<Part> parts;
   std::vector<double>
-      touching;  ///< per part: distance below which other parts of its body touch it, 0 without other parts [m]
+      touching;  ///< distance below which other parts of the same body touch a part, 0 without other parts [m]
 
   /// Drops the parts of bodies that are gone or have another shape. Returns each part's new index, -1 for one that is
   /// gone; empty where none is gone. Demands that the bodies stand in the order in which they came.

@@ -21,7 +21,7 @@ Columns columns(const std::vector<Vec3>& points) {
   return m;
 }
 
-/// One side of an edge: the edge by its vertices, the face and the place in the face's loop.
+/// One side of an edge: the two vertices of the edge, the face, and the place in the face's loop.
 using EdgeSide = std::tuple<int, int, int, int>;
 
 std::vector<EdgeSide> edge_sides(const ConvexPolytope& polytope) {
@@ -104,7 +104,7 @@ double roughness(const ConvexPolytope& polytope, const FacetedGeometry& facets) 
 /// Directions are sorted into the cells of a cube's faces, k_cells x k_cells each.
 constexpr int k_cells = 4;
 constexpr int k_cube_faces = 6;
-/// Up to here trying all vertices is quicker than walking over the surface.
+/// Number of vertices up to which trying them all is quicker than walking over the surface.
 constexpr int k_few_vertices = 48;
 
 int cell_along(double ratio) {
@@ -145,7 +145,7 @@ int highest_vertex(const FacetedGeometry& facets, const Vec3& n) {
 
 double height(const FacetedGeometry& facets, int v, const Vec3& n) { return n.dot(facets.polytope->vertices[v]); }
 
-/// Walks uphill along edges; on a convex surface the top it finds is the highest.
+/// Walks along edges to higher vertices. On a convex surface the top it finds is the highest.
 int climb(const FacetedGeometry& facets, const Vec3& n) {
   int top = facets.start_vertices[direction_cell(n)];
   double highest = height(facets, top, n);

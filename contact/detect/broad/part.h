@@ -1,6 +1,6 @@
 #pragma once
-/// Convex parts of bodies, prepared for contact search: the same geometry as core/geometry/shape.h with what a search
-/// asks of it again and again laid out for it.
+/// Convex parts of bodies, prepared for contact search. The geometry is that of core/geometry/shape.h, laid out for
+/// what a search reads repeatedly.
 #include <array>
 #include <memory>
 #include <span>
@@ -17,10 +17,10 @@ enum class PartKind { polytope, cylinder, sphere, plane };
 
 /// Edge of a polytope with the faces on its two sides.
 struct PartEdge {
-  int v0 = 0, v1 = 0;  ///< in an order that a mirrored part shares, but for an edge that is its own image
+  int v0 = 0, v1 = 0;  ///< vertices, in an order that a mirrored part shares, except for an edge that is its own image
   int f0 = 0, f1 = 0;
-  Vec3 along = Vec3::Zero();   ///< from v0 to v1 [m]
-  Vec3 middle = Vec3::Zero();  ///< of the edge, the same bits from either end [m]
+  Vec3 along = Vec3::Zero();   ///< vector from v0 to v1 [m]
+  Vec3 middle = Vec3::Zero();  ///< middle of the edge, the same bits from either end [m]
   Vec3 arc = Vec3::Zero();     ///< normal of f1 x normal of f0, across the plane of the edge's normals
 };
 
@@ -47,40 +47,40 @@ struct FacetedGeometry {
   NumberLists face_vertices;  ///< loops, counter-clockwise from outside
   NumberLists face_edges;     ///< edge k joins loop vertices k and k + 1
   NumberLists vertex_faces, vertex_edges;
-  NumberLists smooth_neighbours;    ///< faces across an edge that turn by less than twice the patch angle
+  NumberLists smooth_neighbours;  ///< neighbours across an edge whose normals differ by less than twice the patch angle
   std::vector<int> start_vertices;  ///< support vertex per cell of directions; empty where all vertices are tried
-  double roughness = 0;             ///< how far vertices stand off the plane of their face or over a neighbour's [m]
+  double roughness = 0;  ///< largest distance of vertices from the plane of their face or above a neighbour's [m]
 };
 
 /// One convex part of one body. Points and directions are in the body's frame.
 struct Part {
-  int body = -1;  ///< index
-  int index = 0;  ///< of the part within its body
+  int body = -1;  ///< index of the body
+  int index = 0;  ///< index of the part within its body
   PartKind kind = PartKind::polytope;
   std::unique_ptr<const FacetedGeometry> facets;  ///< polytope only
-  std::shared_ptr<const PartCover> cover;         ///< of parts that touch others of their body; null for the rest
-  double radius = 0;                              ///< sphere, cylinder [m]
-  double half_height = 0;                         ///< cylinder, axis z [m]
-  Vec3 centre = Vec3::Zero();                     ///< a point inside
-  double bounding_radius = 0;                     ///< about `centre`; infinite for a plane [m]
-  double inner_radius = 0;                        ///< of a ball about `centre` inside the part [m]
+  std::shared_ptr<const PartCover> cover;  ///< cover of a part that touches others of its body; null for the rest
+  double radius = 0;                       ///< sphere, cylinder [m]
+  double half_height = 0;                  ///< cylinder, axis z [m]
+  Vec3 centre = Vec3::Zero();              ///< a point inside
+  double bounding_radius = 0;              ///< bounding radius about `centre`; infinite for a plane [m]
+  double inner_radius = 0;                 ///< radius of a ball about `centre` inside the part [m]
 };
 
 /// Faces within this angle of the contact normal belong to one patch of surface [rad]: a curved hull's facets turn by a
 /// degree or two each, the faces of a floe by more.
 constexpr double k_patch_angle = 5.0 * k_deg;
-/// A patch grows over gentle edges up to faces that turn by this much [rad]: a floe across a curved bow touches at both
-/// its ends, where the bow faces elsewhere.
+/// A patch grows over gentle edges up to faces that turn by this much [rad]. A floe across a curved bow touches at both
+/// its ends, where the bow has other normals.
 constexpr double k_grown_angle = 25.0 * k_deg;
 
-/// The contact parts of body b, which must keep its shape for as long as the parts live.
+/// Returns the contact parts of body b. The body must keep its shape for as long as the parts live.
 std::vector<Part> make_parts(const Bodies& bodies, int b);
 
-/// Largest n . x over the part, n of any length. Not for planes.
+/// Returns the largest n . x over the part, for n of any length. Not for planes.
 double extent(const Part& part, const Vec3& n);
-/// A vertex of the polytope where n . x is largest.
+/// Returns a vertex of the polytope where n . x is largest.
 int support_vertex(const FacetedGeometry& facets, const Vec3& n);
-/// All vertices where n . x is within `tolerance` [m] of the largest, in rising order.
+/// Lists all vertices where n . x is within `tolerance` [m] of the largest, in rising order.
 void support_vertices(const FacetedGeometry& facets, const Vec3& n, double tolerance, std::vector<int>& out);
 
 /// Supporting points of a cylinder in direction n: one of a rim, both ends of a side line, or a cap's centre.
@@ -88,7 +88,8 @@ struct CylinderSupport {
   std::array<Vec3, 2> points;
   int count = 1;
 };
-/// Heights that differ by less than `tolerance` [m] are equal; n is a unit vector.
+/// Returns the supporting points in the direction of the unit vector n. Heights that differ by less than `tolerance`
+/// [m] count as equal.
 CylinderSupport cylinder_support(const Part& part, const Vec3& n, double tolerance);
 
 }  // namespace nilas

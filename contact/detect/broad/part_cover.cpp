@@ -12,7 +12,8 @@ namespace {
 
 /// Parts nearer than this share of the largest one's size touch [-]: vertices of STL files are rounded to 6e-8 of it.
 constexpr double k_touching = 1e-6;
-/// Directions this share of the way from one face's normal to the other's stand for those next to the face [-].
+/// Share of the rotation from one face's normal to the other's, which gives the directions that stand for those next to
+/// the face [-].
 constexpr double k_beside_face = 1e-4;
 
 using Loop = std::vector<Vec3>;
@@ -23,7 +24,7 @@ double area_of(const Loop& loop) {
   return 0.5 * twice.norm();
 }
 
-/// Of a segment, which is a loop to and fro from one of its ends.
+/// Returns the length of a segment, given as a loop from one end to the other and back.
 double length_of(const Loop& loop) {
   double square = 0;
   for (const Vec3& x : loop) square = std::max(square, (x - loop.front()).squaredNorm());
@@ -45,8 +46,8 @@ std::pair<Loop, Loop> split(const Loop& loop, const Vec3& n, double offset) {
   return sides;
 }
 
-/// Adds to `out` what of a convex loop (or, with two points, a segment) lies outside the part: all of it as it is where
-/// the part takes nothing away.
+/// Adds to `out` the pieces of a convex loop (or, with two points, of a segment) that lie outside the part. The loop
+/// stays whole where the part takes nothing away.
 void subtract(const CoveringPart& part, double tolerance, Loop loop, std::vector<Loop>& out) {
   const ConvexPolytope& polytope = *part.facets->polytope;
   const std::size_t before = out.size();
@@ -61,7 +62,7 @@ void subtract(const CoveringPart& part, double tolerance, Loop loop, std::vector
   out.push_back(std::move(loop));
 }
 
-/// What of a convex loop at height n . x is not hidden for the normal n.
+/// Returns the pieces of a convex loop, at height n . x, that are not hidden for the normal n.
 std::vector<Loop> shown(const PartCover& cover, const Loop& loop, const Vec3& n) {
   std::vector<Loop> left{loop}, next;
   for (const CoveringPart& part : cover.parts) {

@@ -20,17 +20,17 @@ Vec3 mean_free_velocity(const Bodies& bodies) {
   return sum.value() / std::max(free, 1.0);
 }
 
-/// What bodies can reach by themselves and when others push them.
+/// The distances that bodies can reach by themselves and when others push them.
 class Reach {
  public:
   Reach(const Bodies& bodies, const std::vector<double>& own) : bodies_(bodies), own_(own), pushed_(own) {}
 
-  /// Hands reach on from one to the other across a gap, both ways; true when either gained.
+  /// Hands reach on across a gap in both directions. Returns whether either body gained.
   bool hand_on(int a, int b, double gap) {
     const bool to_b = push(a, b, gap);
     return push(b, a, gap) || to_b;
   }
-  /// No gap as large as this can close between the two.
+  /// Returns the gap from which on a gap between the two cannot close [m].
   double between(int a, int b) const {
     return std::max(pushed_[index(a)] + own_[index(b)], own_[index(a)] + pushed_[index(b)]);
   }
@@ -58,7 +58,7 @@ class Reach {
 std::vector<double> own_reach(const Bodies& bodies, const Wrenches& loads, double h, double share) {
   const Vec3 mean = mean_free_velocity(bodies);
   std::vector<double> reach(static_cast<std::size_t>(bodies.size()));
-  // at first the radii, in a loop short enough that the reads of many shapes overlap
+  // the radii are read first, in a loop short enough that the reads of many shapes overlap
   for (std::size_t b = 0; b < reach.size(); ++b)
     reach[b] = bodies.motion[b] == Motion::fixed ? 0 : bodies.shape[b]->bounding_radius;
   for (std::size_t b = 0; b < reach.size(); ++b) {
@@ -73,7 +73,7 @@ std::vector<double> own_reach(const Bodies& bodies, const Wrenches& loads, doubl
   return reach;
 }
 
-// repeated relaxation ends in both, because every hop loses a share of the reach
+// The repeated relaxation ends in both functions below, because every transfer loses a share of the reach.
 
 std::vector<double> pair_margins(const Bodies& bodies, const std::vector<double>& own,
                                  const std::vector<PartPair>& pairs, double least, double most, int threads) {

@@ -1,5 +1,6 @@
 #pragma once
-/// Leaves of FCL's tree of boxes whose boxes overlap. The search falls into pieces that several threads can take.
+/// Finds the leaves of FCL's tree of boxes whose boxes overlap. The search is divided into pieces that several threads
+/// can take.
 #include <fcl/broadphase/detail/node_base.h>
 #include <fcl/math/bv/AABB.h>
 
@@ -10,13 +11,13 @@ namespace nilas {
 
 using TreeNode = fcl::detail::NodeBase<fcl::AABBd>;
 
-/// All pairs of a leaf under `a` and one under `b`; with a == b all pairs of two leaves under it.
+/// Stands for all pairs of a leaf under `a` and one under `b`; with a == b for all pairs of two leaves under it.
 struct NodePair {
   const TreeNode* a = nullptr;
   const TreeNode* b = nullptr;
 };
 
-// FCL's own tests of nodes and boxes are calls into the library.
+// Inline, because FCL's own tests of nodes and boxes are calls into the library.
 inline bool is_leaf(const TreeNode& node) { return node.children[1] == nullptr; }
 
 inline bool overlap(const fcl::AABBd& a, const fcl::AABBd& b) {
@@ -25,7 +26,8 @@ inline bool overlap(const fcl::AABBd& a, const fcl::AABBd& b) {
 
 inline bool is_pair_of_leaves(const NodePair& pair) { return pair.a != pair.b && is_leaf(*pair.a) && is_leaf(*pair.b); }
 
-/// Calls visit(NodePair) for the parts of a pair that is none of two leaves; the larger box is opened, as in FCL.
+/// Calls visit(NodePair) for the pairs into which a pair opens that is none of two leaves. The larger box is opened, as
+/// in FCL.
 template <class Visit>
 void open_pair(const NodePair& pair, const Visit& visit) {
   const auto [a, b] = pair;
@@ -56,7 +58,8 @@ void meet_leaves(const NodePair& pair, const Meet& meet) {
     meet(pair.a->data, pair.b->data);
 }
 
-/// The pairs of all leaves under `root` (null: none) in at least `wanted` pieces, as far as there are so many.
+/// Divides the pairs of all leaves under `root` (null: none) into at least `wanted` pieces, as far as there are so
+/// many.
 inline std::vector<NodePair> cut_into_pieces(const TreeNode* root, std::size_t wanted) {
   std::vector<NodePair> pieces, parts;
   if (root != nullptr) pieces.push_back({root, root});

@@ -1,4 +1,4 @@
-/// Proofs that an axis is the best one, from what the surfaces along it show.
+/// Proves that an axis is the best one, from the points of the surfaces along it.
 #include <algorithm>
 #include <cmath>
 
@@ -9,13 +9,13 @@ namespace nilas {
 
 namespace {
 
-/// How far, in depths, the Minkowski difference's face of two crossing edges must reach: its neighbours may then turn
-/// by up to 2 atan(8) = 166 degrees before their planes come nearer.
+/// Required reach, in depths, of the Minkowski difference's face of two crossing edges. Its neighbours may then turn by
+/// up to 2 atan(8) = 166 degrees before their planes come nearer.
 constexpr double k_crossing_reach = 8.0;
-/// How far, in depths, both parts together must reach along the axis from the crossing on, so that the planes that turn
-/// farther stay away too: 1 + 1 / cos(180 - 166 degrees), rounded up.
+/// Required reach of both parts together along the axis, in depths, from the crossing on. Planes that turn farther then
+/// stay away too: 1 + 1 / cos(180 - 166 degrees), rounded up.
 constexpr double k_crossing_thickness = 2.04;
-/// How far, in depths, a point of a gentle slope must lie from the other faces.
+/// Required distance of a point of a gentle slope from the other faces, in depths.
 constexpr double k_slope_reach = 2.0;
 
 /// The part whose face is the axis, and points of the other part in its frame.
@@ -24,7 +24,7 @@ struct FaceOwner {
   int face;
   RelativePose a_in_own;
 
-  /// How far inside all other faces a point lies.
+  /// Returns how far inside all other faces a point lies [m].
   double inset(const Vec3& point_in_a) const {
     const Vec3 x = a_in_own.point(point_in_a);
     double highest = -std::numeric_limits<double>::infinity();
@@ -34,10 +34,10 @@ struct FaceOwner {
   }
 };
 
-/// A point of the other part that lies as deep under the face as any, and at least as deep under all other faces, is
-/// the centre of a ball of that depth inside the owner: along no direction do the parts overlap less. Where the other
-/// part slopes over the face, a point `rise` above its deepest one, but `reach` inside the other faces, bounds the
-/// depth along all directions by depth (1 - (rise / reach)^2 / 2).
+/// Proves the axis of a face. Take a point of the other part that lies as deep under the face as any, and at least as
+/// deep under all other faces. It is the centre of a ball of that depth inside the owner, so the parts overlap less
+/// along no direction. Where the other part slopes over the face, take a point `rise` above its deepest one, but
+/// `reach` inside the other faces. It bounds the depth along all directions by depth (1 - (rise / reach)^2 / 2).
 bool face_is_proven(const PairView& pair, const Axis& axis, const FacingSurfaces& facing) {
   const bool of_a = axis.kind == AxisKind::face_a;
   const FaceOwner owner =
@@ -59,7 +59,7 @@ bool face_is_proven(const PairView& pair, const Axis& axis, const FacingSurfaces
   return reach >= (k_slope_reach - 1) * depth && 0.5 * depth * rise * rise <= pair.tolerance * reach * reach;
 }
 
-/// How far a part reaches from a point of its surface along the unit vector d, both in its frame.
+/// Returns how far a part reaches from a point of its surface along the unit vector d, both in its frame [m].
 double reach_inside(const FacetedGeometry& facets, const Vec3& x, const Vec3& d) {
   double reach = std::numeric_limits<double>::infinity();
   for (std::size_t f = 0; f < facets.polytope->normals.size(); ++f) {

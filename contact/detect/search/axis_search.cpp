@@ -13,11 +13,11 @@ namespace nilas {
 
 namespace {
 
-/// All edges that face each other are combined while there are at most so many pairs (about 2 us).
+/// Largest number of pairs of facing edges up to which all are combined at once (about 2 us).
 constexpr std::size_t k_few_edge_pairs = 500;
-/// The same as a last resort (about 100 us).
+/// The same limit as a last resort (about 100 us).
 constexpr std::size_t k_most_edge_pairs = 20000;
-/// Steps from one axis to a better one near it; two or three do.
+/// Largest number of steps from one axis to a better one near it; two or three are enough.
 constexpr int k_most_steps = 8;
 
 class AxisSearch {
@@ -60,7 +60,7 @@ class AxisSearch {
     try_facing_edges(k_most_edge_pairs);
   }
 
-  /// FCL's direction with the separation along it; k_no_bound without an answer.
+  /// Returns FCL's direction with the separation along it; k_no_bound without an answer.
   Axis ask_fcl(FclShapes& fcl) {
     Axis asked;
     ++counts_.fcl_queries;
@@ -76,7 +76,7 @@ class AxisSearch {
     return asked;
   }
 
-  /// Separation along the better of the two faces whose normals are nearest to a direction [m].
+  /// Returns the separation along the better of the two faces whose normals are nearest to a direction [m].
   double best_face_near(const Axis& direction) const {
     if (direction.s == k_no_bound) return k_no_bound;
     const auto nearest = [](const FacetedGeometry& facets, const Vec3& n) {
@@ -102,7 +102,8 @@ class AxisSearch {
     return settled();
   }
 
-  /// True when best_ separates by more than the margin or is proven; lays the surfaces along it otherwise.
+  /// Returns whether best_ separates by more than the margin or is proven. If it does not separate, lays the surfaces
+  /// along it over each other.
   bool settled() {
     if (best_.s > pair_.margin) return true;
     face_each_other(pair_, best_, room_.facing);
@@ -119,8 +120,8 @@ class AxisSearch {
     return points.empty() ? nullptr : &*std::min_element(points.begin(), points.end(), nearer);
   }
 
-  /// A corner that stands out beyond the rim of a face: the edges seen to cross where the surfaces come nearest give
-  /// the axis at once. Most pairs that no face settles are of this kind.
+  /// Tries the two edges that are seen to cross where the surfaces come nearest, as at a corner that stands out beyond
+  /// the rim of a face. Most pairs that no face settles are of this kind.
   bool try_shown_crossing() {
     const OverlayPoint* nearest = nearest_shown();
     if (nearest == nullptr || nearest->feature.kind != FeatureKind::crossing) return false;
@@ -132,7 +133,7 @@ class AxisSearch {
     return settled();
   }
 
-  /// Middle of the supporting vertices along n, in the part's frame.
+  /// Returns the middle of the supporting vertices along n, in the part's frame.
   Vec3 support_middle(const Part& part, const Vec3& n) {
     support_vertices(*part.facets, n, pair_.tolerance, room_.vertices);
     OrderFreeVectorSum sum;
@@ -140,7 +141,8 @@ class AxisSearch {
     return sum.value() / static_cast<double>(room_.vertices.size());
   }
 
-  /// Where the surfaces along best_ come nearest, or the middles of their supports when they show no common place.
+  /// Returns the points where the surfaces along best_ come nearest, or the middles of their supports when they have no
+  /// common place.
   NearPoints near_points() {
     if (const OverlayPoint* p = nearest_shown()) {
       const ContactPlane& plane = room_.facing.plane;
@@ -151,7 +153,7 @@ class AxisSearch {
     return {support_middle(pair_.a, best_.n), pair_.b_in_a.point(support_middle(pair_.b, n_b))};
   }
 
-  /// True when there were few enough to try them all: faces and edges together hold the best axis.
+  /// Returns whether the pairs were few enough to try them all. Faces and edges together hold the best axis.
   bool try_facing_edges(std::size_t most_pairs) {
     const NearPoints near = near_points();
     choose_facing_edges(pair_, best_.s, near, room_.edges);
@@ -166,7 +168,7 @@ class AxisSearch {
     return true;
   }
 
-  /// Edges near the support along `from`, from axis to axis as long as they improve.
+  /// Tries edges near the support along `from`, from axis to axis as long as they improve.
   bool follow_edges(Axis from) {
     for (int step = 0; step < k_most_steps; ++step) {
       choose_edges_along(pair_, from.n, room_.edges);

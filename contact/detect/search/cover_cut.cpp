@@ -12,7 +12,8 @@ int number_of(const Feature& feature) {
   return static_cast<int>(contact_key(0, feature) & k_positive_int);
 }
 
-/// Where the way from x, outside, to y, inside, enters the part inflated by `tolerance` [-].
+/// Returns where the segment from x, outside, to y, inside, enters the part inflated by `tolerance`, as a share of the
+/// segment [-].
 double entry(const CoveringPart& part, const Vec3& x, const Vec3& y, double tolerance) {
   const ConvexPolytope& polytope = *part.facets->polytope;
   double t = 0;
@@ -44,7 +45,7 @@ class AreaCut {
   }
 
  private:
-  /// As the contact will have it: of its own place on a gently curved surface.
+  /// Returns the normal that the contact will have: that of its own place on a gently curved surface.
   Vec3 normal_at(const OverlayPoint& p) const {
     const double steepest = std::tan(k_grown_angle);
     if (!curved_ || p.gap <= axis_.s + side_.pair.tolerance || std::hypot(p.slope.u, p.slope.v) > steepest)

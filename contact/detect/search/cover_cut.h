@@ -1,10 +1,10 @@
 #pragma once
-/// Contact points of parts that are pieces of larger bodies, less what lies inside those.
+/// Cuts contact points of parts that are pieces of larger bodies back to the surface of those bodies.
 #include "contact/detect/surface/manifold.h"
 
 namespace nilas {
 
-/// One part of a pair that touches others of its body.
+/// One part of a pair, where it touches others of its body.
 struct CoveredSide {
   const PairView& pair;
   bool of_a;
@@ -23,12 +23,12 @@ struct CoveredSide {
 /// replaced by the points where the area's outline comes out of it, with the gaps there. Call after face_each_other.
 void cut_covered(const CoveredSide& side, const Axis& axis, FacingSurfaces& facing);
 
-/// Takes out points below the side's own face that lie so deep that another part of its body offers a nearer way out
-/// there; that part has contacts of its own.
+/// Removes points below the side's own face that lie so deep that another part of its body offers a nearer exit there.
+/// That part has contacts of its own.
 void drop_dominated(const CoveredSide& side, FacingSurfaces& facing);
 
-/// Takes out points made by internal edges and vertices of the side: the body's surface runs on through them, and what
-/// ends its common area with the other body are points of other parts.
+/// Removes points made by internal edges and vertices of the side. The body's surface continues through them, and its
+/// common area with the other body ends at points of other parts.
 void drop_internal_features(const CoveredSide& side, FacingSurfaces& facing);
 
 }  // namespace nilas

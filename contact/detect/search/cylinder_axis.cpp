@@ -127,7 +127,8 @@ class CylinderSearch {
     return {pose.point(part.centre), pose.R.col(2), part.radius, part.half_height};
   }
 
-  /// `polytope` against `round`, in the polytope's frame and along the polytope's outward directions.
+  /// Tries the edges and vertices of `polytope` against `round`, in the polytope's frame and along the polytope's
+  /// outward directions.
   void try_edges_and_vertices(const Side& polytope, const Side& round) {
     const FacetedGeometry& facets = *polytope.part.facets;
     const RelativePose to_own = polytope.in_a.inverse();
@@ -156,7 +157,7 @@ class CylinderSearch {
     }
   }
 
-  /// The side of `straight` is an edge around which directions turn fully.
+  /// Tries the rims of `round` along the side of `straight`. That side is an edge around which directions turn fully.
   void try_rim_along_side(const Side& straight, const Side& round) {
     const RoundBody line = round_body(straight.part, straight.in_a), body = round_body(round.part, round.in_a);
     const Vec3 start = line.axis.unitOrthogonal();
@@ -172,7 +173,7 @@ class CylinderSearch {
     try_direction(climb_between_rims(a, b, best.n).n);
   }
 
-  /// From the best axis to exact ones near it.
+  /// Steps from the best axis to exact ones near it.
   void improve() {
     for (int step = 0; step < k_most_steps; ++step) {
       const double before = best_.s;

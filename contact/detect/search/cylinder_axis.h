@@ -1,10 +1,10 @@
 #pragma once
-/// The best axis of a cylinder with a polytope or another cylinder.
+/// Finds the best axis of a cylinder with a polytope or another cylinder.
 #include "contact/detect/search/axis_search.h"
 
 namespace nilas {
 
-/// As find_axis, but no axis is remembered beyond that there was one. Candidates: faces and caps, the perpendiculars
+/// Works like find_axis, but remembers only whether there was an axis. Candidates: faces and caps, the perpendiculars
 /// from the cylinder's axis and rims to the other part's supporting vertices and edges, and FCL's direction when the
 /// best of them is not proven.
 Axis find_cylinder_axis(const PairView& pair, const RememberedAxis& remembered, FclShapes& fcl, bool ask_first,

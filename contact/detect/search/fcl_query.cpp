@@ -53,7 +53,7 @@ struct Query {
   fcl::Transform3d pose_b = fcl::Transform3d::Identity();
 };
 
-/// FCL gives the nearest points of the parts; of parts that overlap it says so by a distance below zero.
+/// Returns FCL's nearest points. Parts that overlap have a distance below zero.
 fcl::DistanceResultd nearest_points(const Query& query) {
   fcl::DistanceRequestd request(true, false);
   request.gjk_solver_type = fcl::GST_LIBCCD;
@@ -82,7 +82,7 @@ Vec3 penetration_normal(const Query& query) {
   return result.numContacts() > 0 ? Vec3(result.getContact(0).normal) : Vec3(Vec3::Zero());
 }
 
-/// Contacts that FCL can give of one pair; of convex parts it gives one.
+/// Largest number of contacts that FCL can give for one pair; for convex parts it gives one.
 constexpr std::size_t k_most_contacts = 8;
 
 std::optional<Vec3> unit(const Vec3& direction) {
@@ -95,7 +95,7 @@ std::optional<Vec3> unit(const Vec3& direction) {
 
 struct FclShapes::Store {
   std::mutex mutex;
-  std::map<std::tuple<int, int, int>, Geometry> geometry;  ///< by body, part and exponent of the scale
+  std::map<std::tuple<int, int, int>, Geometry> geometry;  ///< geometry by body, part and exponent of the scale
 
   Geometry find(const Part& part, int exponent) {
     const std::lock_guard<std::mutex> lock(mutex);
@@ -112,11 +112,11 @@ FclShapes& FclShapes::operator=(FclShapes&&) noexcept = default;
 
 namespace {
 
-/// A pair as FCL is asked about it, and the way back.
+/// A pair in FCL's scaled frame, and the transformation back.
 struct ScaledQuery {
   Query query;
   double scale = 1;
-  Vec3 origin = Vec3::Zero();  ///< of FCL's frame in A's [m]
+  Vec3 origin = Vec3::Zero();  ///< origin of FCL's frame in A's [m]
 
   Vec3 in_a(const Vec3& x) const { return x / scale + origin; }
 };

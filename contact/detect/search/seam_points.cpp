@@ -11,7 +11,8 @@ namespace nilas {
 
 namespace {
 
-/// Normals that differ by less are those of one plane [rad]: ten times what the rounding of STL files turns a face.
+/// Normals that differ by less belong to one plane [rad]: ten times the angle by which the rounding of STL files turns
+/// a face.
 constexpr double k_one_plane = 1e-5;
 const double k_gentle_cosine = std::cos(2.0 * k_patch_angle);
 

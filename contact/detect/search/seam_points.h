@@ -1,5 +1,5 @@
 #pragma once
-/// Points that several parts of a body share where their surfaces run on from one to the next.
+/// Joins points that several parts of a body share where their surfaces continue from one to the next.
 #include <cstddef>
 #include <vector>
 
@@ -8,10 +8,10 @@
 
 namespace nilas {
 
-/// The points from place `first` on are those of two bodies, from several pairs of parts. Of two pairs' points at the
-/// same place, within `touching` [m], whose normals differ gently one stays, with the mean normal; and where surfaces
-/// of several pairs lie in one plane their points are reduced as those of one pair are (keep_spread_points), since what
-/// lies on the seam between them holds up nothing that the corners do not. The order of the points is kept.
+/// Joins the points of two bodies from index `first` on, which come from several pairs of parts. Points of two pairs at
+/// the same place, within `touching` [m], whose normals differ gently become one with the mean normal. Where surfaces
+/// of several pairs lie in one plane, their points are reduced like those of one pair (keep_spread_points). The reason
+/// is that points on the seam hold up nothing that the corners do not. The order of the points is kept.
 void join_at_seams(const Bodies& bodies, double touching, double margin, std::size_t first,
                    std::vector<ContactPoint>& points);
 

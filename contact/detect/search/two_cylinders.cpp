@@ -16,7 +16,8 @@ Vec3 supporting_point(const RoundBody& body, const Vec3& n) {
   return body.radius / length * across + (up < 0 ? -body.half_height : body.half_height) * body.axis;
 }
 
-/// Second derivatives of the extent by n, n not along the axis. The first are the supporting point.
+/// Returns the second derivatives of the extent by n, for n not along the axis. The first derivatives are the
+/// supporting point.
 Mat3 curvature_of_extent(const RoundBody& body, const Vec3& n) {
   const Vec3 across = n - n.dot(body.axis) * body.axis;
   const double length = std::max(across.norm(), 1e-12);
@@ -24,7 +25,7 @@ Mat3 curvature_of_extent(const RoundBody& body, const Vec3& n) {
   return body.radius / length * (Mat3::Identity() - out * out.transpose() - body.axis * body.axis.transpose());
 }
 
-/// Directions through a convex polygon on a face of the cube of side 2.
+/// The directions through a convex polygon on a face of the cube of side 2.
 using Polygon = std::vector<Vec3>;
 
 std::vector<Polygon> cube() {
@@ -37,7 +38,7 @@ std::vector<Polygon> cube() {
   return faces;
 }
 
-/// Any line through it leaves at most 1 - 1/e = 63 % of the polygon on one side [Gruenbaum 1960].
+/// Returns the centroid. Any line through it leaves at most 1 - 1/e = 63 % of the polygon on one side [Gruenbaum 1960].
 Vec3 centroid(const Polygon& polygon) {
   Vec3 sum = Vec3::Zero();
   double area = 0;

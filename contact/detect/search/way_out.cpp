@@ -12,12 +12,13 @@ namespace nilas {
 
 namespace {
 
-/// Of the axes that separate most so many are tried.
+/// Number of the axes with the largest separation that are tried.
 constexpr int k_most_tries = 64;
 /// More pairs of edges than this are left out (about 100 us).
 constexpr std::size_t k_most_edge_pairs = 20000;
 
-/// Along the normals of the faces at a right-angled edge its crossing with another leaves by 0.7 of the depth or more.
+/// Factor by which an exit must be shorter to count as much shorter. Along the normals of the faces at a right-angled
+/// edge, a crossing leaves by 0.7 of the depth or more.
 constexpr double k_much_shorter = 0.2;
 
 class WayOut {
@@ -28,7 +29,8 @@ class WayOut {
       if ((of_a ? pair.a : pair.b).cover) sides_.push_back({pair, of_a});
   }
 
-  /// Takes out of room_.facing, which has the surfaces along the axis, what the whole bodies do not show.
+  /// Removes from room_.facing, which has the surfaces along the axis, the points that the whole bodies do not show.
+  /// Returns whether the axis serves.
   bool serves(const Axis& axis) {
     bool own_face = false;
     for (const CoveredSide& side : sides_) {
@@ -39,7 +41,7 @@ class WayOut {
         return false;
       }
     }
-    // of an axis that is not the two parts' best only what the surfaces show is known to be there
+    // an axis that is not the two parts' best is known to be there only where the surfaces show it
     if (searching_ && !own_face && room_.facing.smallest_gap > axis.s + pair_.tolerance) return false;
     const std::size_t shown = room_.facing.points.size();
     for (const CoveredSide& side : sides_) {
@@ -50,7 +52,7 @@ class WayOut {
     if (room_.facing.points.empty() && (own_face || shown > 0)) return false;
     if (searching_ && !alone_ && offers_nearer_way(axis)) return false;
     for (const CoveredSide& side : sides_) drop_internal_features(side, room_.facing);
-    // the place where the axis tells the depth is then none of this pair's
+    // the place that has the depth of the axis is then none of this pair's
     if ((own_face && searching_) || room_.facing.points.size() < shown)
       room_.facing.smallest_gap = -std::numeric_limits<double>::infinity();
     return true;
@@ -81,7 +83,7 @@ class WayOut {
   }
   void lay(const Axis& axis) { face_each_other(pair_, axis, room_.facing); }
 
-  /// Whether the part reaches as far as the axis tells at a place of the whole body's surface.
+  /// Returns whether the part reaches the support along the axis at a place of the whole body's surface.
   bool shows_support(const CoveredSide& side, const Axis& axis) {
     const Vec3 n = side.outward(axis.n);
     bool seen = false;
@@ -114,8 +116,8 @@ class WayOut {
     return false;
   }
 
-  /// Whether the middle of the contact could leave the part that owns the face by a shorter way than the axis, or, of
-  /// crossing edges, either part by a much shorter one.
+  /// Returns whether the middle of the contact could leave the part that owns the face by a shorter path than the axis.
+  /// For crossing edges: either part by a much shorter one.
   bool offers_nearer_way(const Axis& axis) const {
     OrderFreeVectorSum on_a, on_b;
     OrderFreeSum gaps;
@@ -181,7 +183,7 @@ class WayOut {
   const PairView& pair_;
   AxisSearchRoom& room_;
   bool apart_, alone_;
-  bool searching_ = false;  ///< the axis at work need not be the best of the two parts by themselves
+  bool searching_ = false;  ///< the axis that is tried need not be the best of the two parts by themselves
   std::vector<CoveredSide> sides_;
 };
 

@@ -8,7 +8,7 @@ namespace nilas {
 
 namespace {
 
-/// Leaves those whose measure is within `tie` of the largest.
+/// Keeps the axes whose measure is within `tie` of the largest.
 template <class Measure>
 void keep_largest(std::vector<Axis>& rivals, double tie, const Measure& measure) {
   double largest = -std::numeric_limits<double>::infinity();

@@ -1,6 +1,6 @@
 #pragma once
-/// Which of many axes separates a pair best, with ties broken by geometry alone: a mirrored pair makes the mirrored
-/// choice whatever the order in which its vertices and faces are listed.
+/// Chooses the axis that separates a pair best, with ties broken by geometry alone. A mirrored pair makes the mirrored
+/// choice, in whatever order its vertices and faces are listed.
 #include <algorithm>
 #include <limits>
 #include <vector>
@@ -12,8 +12,8 @@ namespace nilas {
 /// Relative difference below which two alignments count as equal.
 constexpr double k_alignment_tie = 1e-9;
 
-/// Takes the axes of a search as they come. The choice waits for the last of them: to be within a tolerance of each
-/// other is not transitive, so that choosing between two at a time would depend on their order.
+/// Takes the axes of a search one by one. The choice waits for the last of them, because being within a tolerance of
+/// each other is not transitive. A choice between two at a time would depend on their order.
 class AxisContest {
  public:
   /// `room`: storage, reused from search to search.
@@ -28,9 +28,9 @@ class AxisContest {
   /// The largest separation so far [m]; -infinity without any.
   double highest() const { return highest_; }
 
-  /// Of the axes within the pair's tolerance of the largest separation: the nearest to the line of centres, then the
-  /// nearest to A's x axis, then to its y axis, then the one towards x, then towards z. Of axes that coincide: a face
-  /// rather than edges. A default axis without any.
+  /// Returns the choice among the axes within the pair's tolerance of the largest separation. It is the nearest to the
+  /// line of centres, then the nearest to A's x axis, then to its y axis, then the one towards x, then towards z. Of
+  /// axes that coincide, a face goes before edges. A default axis without any.
   Axis winner();
 
  private:

@@ -11,7 +11,8 @@ namespace nilas {
 
 namespace {
 
-/// Edges whose directions differ by less than this sine make no axis of their own [-]: rounding decides its direction.
+/// Edges whose directions differ by less than this sine make no axis of their own [-], because rounding decides its
+/// direction.
 constexpr double k_parallel_sine = 1e-12;
 
 EdgeInA own_edge(const FacetedGeometry& facets, int e) {
@@ -38,8 +39,9 @@ struct OtherPart {
   double inner_radius;
 };
 
-/// Edges of a part that face the other part; see choose_facing_edges. A point's heights over both faces of an edge
-/// bound what it separates along the directions between their normals, by the larger one while neither is above zero.
+/// Chooses the edges of a part that face the other part; see choose_facing_edges. A point's heights over both faces of
+/// an edge bound its separation along the directions between their normals. The bound is the larger height while
+/// neither is above zero.
 void facing_edges(const FacetedGeometry& facets, const OtherPart& other, double at_least, EdgeChoice& edges) {
   const auto heights_of = [&facets](const Vec3& p) {
     return facets.normals.col(0) * p.x() + facets.normals.col(1) * p.y() + facets.normals.col(2) * p.z() -
@@ -87,7 +89,7 @@ void take_edges_of_b(const PairView& pair, EdgeChoice& edges) {
   for (int e : edges.chosen) edges.of_b.push_back(moved_edge(*pair.b.facets, e, pair.b_in_a));
 }
 
-/// True where some direction is outward for edge a of A and inward for edge b of B.
+/// Returns whether some direction is outward for edge a of A and inward for edge b of B.
 bool normal_arcs_cross(const EdgeInA& a, const EdgeInA& b) {
   const double b0 = b.n0.dot(a.arc), b1 = b.n1.dot(a.arc);
   if (b0 * b1 >= 0) return false;
@@ -111,7 +113,7 @@ void for_each_crossing(const EdgeChoice& edges, const Use& use) {
     }
 }
 
-/// Nearest points of p0 + t d0 and p1 + u d1, least <= t, u <= 1.
+/// Returns the nearest points of p0 + t d0 and p1 + u d1, least <= t, u <= 1.
 NearestOnSegments nearest_between(const Vec3& p0, const Vec3& d0, const Vec3& p1, const Vec3& d1, double least) {
   const Vec3 r = p0 - p1;
   const double a = d0.squaredNorm(), e = d1.squaredNorm();

@@ -9,7 +9,7 @@ namespace nilas {
 
 namespace {
 
-/// Point of y, in y's frame, where n . x is largest.
+/// Returns the point of y, in y's frame, where n . x is largest.
 Vec3 support_point(const Part& y, const Vec3& n) {
   if (y.facets) return y.facets->polytope->vertices[support_vertex(*y.facets, n)];
   return cylinder_support(y, n, 0).points[0];
@@ -31,7 +31,7 @@ struct FaceSearch {
   }
 };
 
-/// Heights of a point over all faces.
+/// Returns the heights of a point over all faces.
 auto heights_of(const FacetedGeometry& facets, const Vec3& p) {
   return facets.normals.col(0) * p.x() + facets.normals.col(1) * p.y() + facets.normals.col(2) * p.z() - facets.offsets;
 }
@@ -82,7 +82,7 @@ void search_few_faces(const FaceSearch& search, const Bounds& bounds, AxisContes
   }
 }
 
-/// As above, with a list of the faces still in question.
+/// Searches many faces like search_few_faces, with a list of the faces still in question.
 void search_many_faces(const FaceSearch& search, const Bounds& bounds, AxisContest& contest) {
   const FacetedGeometry& facets = *search.x().facets;
   Eigen::ArrayXd bound = heights_of(facets, search.y_in_x().point(search.y().centre)) - search.y().inner_radius;

@@ -1,14 +1,14 @@
 #pragma once
-/// The face normal along which two parts are farthest apart, or overlap least.
+/// Finds the face normal along which two parts are farthest apart, or overlap least.
 #include <vector>
 
 #include "contact/detect/broad/pair_view.h"
 
 namespace nilas {
 
-/// Exact over all face normals of both polytopes (a cylinder or sphere has none); s is -infinity when there are none.
-/// Stops at the first axis with s > `enough` [m]. Some face is known to separate by at least `least` [m], so that those
-/// bounded below it are not tried.
+/// Returns the best axis over all face normals of both polytopes, exactly. s is -infinity when there are none, as for a
+/// cylinder or sphere. Stops at the first axis with s > `enough` [m]. Some face is known to separate by at least
+/// `least` [m], so faces bounded below that are not tried.
 /// `room`: storage.
 Axis best_face_axis(const PairView& pair, double enough, std::vector<Axis>& room,
                     double least = -std::numeric_limits<double>::infinity());

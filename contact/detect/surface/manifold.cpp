@@ -12,7 +12,8 @@ namespace nilas {
 
 namespace {
 
-/// Of two loops equally in front A's is the window, so that names of points do not change with rounding [cosine].
+/// Tolerance within which two loops are equally in front [cosine]. A's loop is then the window, so that names of points
+/// do not change with rounding.
 constexpr double k_same_alignment = 1e-6;
 
 void lay_over(const SurfaceLoop& a, const SurfaceLoop& b, double tolerance, FacingSurfaces& facing) {
@@ -28,8 +29,8 @@ void lay_over(const SurfaceLoop& a, const SurfaceLoop& b, double tolerance, Faci
 /// Supporting edges whose directions differ by less than this sine meet along a length, not at a crossing [-].
 constexpr double k_parallel_sine = 1e-6;
 
-/// Points that two neighbouring faces share come once, the lower one; on the seam itself with the mean of both slopes.
-/// Equal gaps are put in an order that a mirrored pair shares.
+/// Keeps once, and as the lower one, each point that two neighbouring faces share. On the seam itself it gets the mean
+/// of both slopes. Equal gaps are put in an order that a mirrored pair shares.
 void drop_repeated(double tolerance, std::vector<OverlayPoint>& points) {
   std::sort(points.begin(), points.end(), [](const OverlayPoint& p, const OverlayPoint& q) {
     if (p.feature != q.feature) return p.feature < q.feature;
@@ -84,8 +85,9 @@ SupportSet support_set(const PatchView& view, const ContactPlane& plane, double 
 
 Vec3 in_plane(const LoopCorner& c) { return {c.u, c.v, 0}; }
 
-/// The corner nearest to where the features meet, whichever comes first in the numbers of its part: a corner that met
-/// alone keeps its name when the edge beside it joins in, and so does its image. In the middle the lower number.
+/// Returns the vertex nearest to where the features meet, whatever the order of indices in its part. A corner that met
+/// alone then keeps its name when the edge next to it joins, and so does its image. Near the middle it is the lower
+/// index.
 int name_of(const SupportSet& set, const Vec3& meeting) {
   constexpr double k_middle_share = 1e-3;  // of the distance
   const LoopCorner* nearest = &set.corners.front();
@@ -98,7 +100,7 @@ int name_of(const SupportSet& set, const Vec3& meeting) {
   return nearest->vertex;
 }
 
-/// Place along p's segment in the middle of what lies beside q's [-].
+/// Returns the middle of the overlap of q's segment with p's, as a place along p's [-].
 double middle_of_overlap(const Vec3& p, const Vec3& along_p, const Vec3& q, const Vec3& along_q) {
   const double scale = along_p.squaredNorm();
   const double first = along_p.dot(q - p) / scale;
@@ -106,8 +108,8 @@ double middle_of_overlap(const Vec3& p, const Vec3& along_p, const Vec3& q, cons
   return 0.5 * (std::clamp(first, 0.0, 1.0) + std::clamp(last, 0.0, 1.0));
 }
 
-/// A chain of vertices along one line is the segment between its ends. They are put in an order that a mirrored pair
-/// shares, as all corners are.
+/// Reduces a chain of vertices along one line to its two ends. All corners are put in an order that a mirrored pair
+/// shares.
 void reduce_to_ends(SupportSet& set, double tolerance) {
   std::sort(set.corners.begin(), set.corners.end(), [](const LoopCorner& p, const LoopCorner& q) {
     return std::tuple(p.u, std::abs(p.v), p.v) < std::tuple(q.u, std::abs(q.v), q.v);
@@ -125,14 +127,14 @@ void reduce_to_ends(SupportSet& set, double tolerance) {
   set.corners = {first, last};
 }
 
-/// Where a vertex or an edge lies on a cap: at its point nearest to the cap's centre.
+/// Returns where a vertex or an edge touches a cap: its point nearest to the cap's centre.
 Vec3 point_on_cap(const LoopCorner& centre, const SupportSet& set) {
   const Vec3 p = in_plane(set.corners.front()), along = in_plane(set.corners.back()) - p;
   if (along.isZero(0)) return p;
   return p + std::clamp(along.dot(in_plane(centre) - p) / along.squaredNorm(), 0.0, 1.0) * along;
 }
 
-/// Where two supporting features (vertex, edge or more) meet in the contact plane.
+/// Returns where two supporting features (vertex, edge or more) meet in the contact plane.
 Vec3 meeting_point(const SupportSet& a, const SupportSet& b) {
   if (a.is_cap != b.is_cap) return a.is_cap ? point_on_cap(a.corners[0], b) : point_on_cap(b.corners[0], a);
   if (a.corners.size() == 2 && b.corners.size() == 2) {

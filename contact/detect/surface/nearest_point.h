@@ -1,18 +1,19 @@
 #pragma once
-/// The point of a part's surface nearest to a given point.
+/// Finds the point of a part's surface nearest to a given point.
 #include "contact/detect/broad/contact_key.h"
 #include "contact/detect/broad/part.h"
 
 namespace nilas {
 
 struct NearestPoint {
-  Vec3 point = Vec3::Zero();    ///< on the surface, in the part's frame
-  Vec3 normal = Vec3::UnitX();  ///< unit, outward, along the line through both points
+  Vec3 point = Vec3::Zero();    ///< point on the surface, in the part's frame
+  Vec3 normal = Vec3::UnitX();  ///< outward unit normal, along the line through both points
   double distance = 0;          ///< signed: < 0 when the given point is inside [m]
-  Feature feature;              ///< the face, edge or vertex it lies on
+  Feature feature;              ///< face, edge or vertex on which it lies
 };
 
-/// Exact for polytope, cylinder and sphere. Inside, the way out through the nearest face (cap, side).
+/// Returns the nearest point exactly, for a polytope, cylinder or sphere. For a point inside it is the one on the
+/// nearest face (cap, side).
 NearestPoint nearest_point(const Part& part, const Vec3& x);
 
 }  // namespace nilas
