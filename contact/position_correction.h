@@ -15,7 +15,7 @@ struct CorrectionSettings {
   double slop = 0;          ///< penetration left alone [m]
   double max_speed = 1;     ///< largest speed of separation [m/s]
   double tolerance = 1e-4;  ///< tolerance on u_N [m/s]; 1e-4 m/s is 1 um in a step of 0.01 s
-  int max_sweeps = 50;      ///< with `order_free`: limit of factorisations and of extragradient steps
+  int max_sweeps = 50;      ///< limit of sweeps, or with `order_free` of factorisations and of extragradient steps
   /// Uses newton-order-free instead of Gauss-Seidel. The bits then do not depend on the order of contacts and bodies. A
   /// mirror changes only signs.
   bool order_free = false;

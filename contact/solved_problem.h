@@ -22,10 +22,10 @@ struct SolvedProblem {
   ContactProblem problem;
   ContactSolution solution;
   std::vector<ContactPoint> points;                   ///< the contact points, at the poses where they were found
-  std::vector<std::array<TouchingBody, 2>> touching;  ///< per point, a and b
-  std::vector<double> d;                              ///< per contact, as from `measure` [1/kg]
-  std::vector<Vec3> impulses;                         ///< per point, on body b, in G [N s]
-  std::vector<Vec3> couples;         ///< per point, on body b, in G [N m s]; empty without rolling friction
+  std::vector<std::array<TouchingBody, 2>> touching;  ///< bodies a and b of each point
+  std::vector<double> d;                              ///< inverse mass scale of each contact, as from `measure` [1/kg]
+  std::vector<Vec3> impulses;                         ///< impulses at the points, on body b, in G [N s]
+  std::vector<Vec3> couples;         ///< couples at the points, on body b, in G [N m s]; empty without rolling friction
   Vec3 vessel_p = Vec3::Zero();      ///< the vessel's centre of mass when the contacts were found, in G [m]
   Mat3 vessel_R = Mat3::Identity();  ///< the vessel's attitude at that time
 };

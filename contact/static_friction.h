@@ -23,7 +23,7 @@ struct StaticFriction {
 
 struct StaticFrictionSolution {
   ContactSolution solution;   ///< `iterations` counts all rounds
-  SlippingContacts slipping;  ///< at this solution, for the next step
+  SlippingContacts slipping;  ///< contacts that slip at this solution, for the next step
   int rounds = 0;             ///< number of solves
 };
 

@@ -21,12 +21,13 @@ struct StepMotion {
   std::vector<Vec3> p;  ///< centres of mass where the contacts were found [m]
   std::vector<Mat3> R;  ///< attitudes R_GB there
   Velocities before,
-      after;  ///< before and after the impulses, at that pose; for a vessel on a carriage: at both ends of the step
+      after;  ///< velocities before and after the impulses, at that pose; for a vessel on a carriage: at both ends of
+              ///< the step
   std::vector<ContactPoint> points;
-  std::vector<Vec3> impulses;         ///< per point, on body b, in G [N s]
+  std::vector<Vec3> impulses;         ///< impulses at the points, on body b, in G [N s]
   std::vector<Vec3> normal_impulses;  ///< their components along the normal
-  std::vector<double> speed_asked;    ///< per point: the u_N that the stabilisation asked of the velocity step [m/s]
-  std::vector<Vec3> couples;          ///< per point, on body b, in G [N m s]; empty without rolling friction
+  std::vector<double> speed_asked;    ///< u_N that the stabilisation asked of the velocity step at each point [m/s]
+  std::vector<Vec3> couples;  ///< couples at the points, on body b, in G [N m s]; empty without rolling friction
 };
 
 /// The velocity of body B relative to body A at a contact point, in G [m/s].

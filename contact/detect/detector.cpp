@@ -84,7 +84,7 @@ struct ContactDetector::Implementation {
   FclShapes fcl;
   PairMemories now, before;
   std::vector<std::ptrdiff_t>
-      last_starts;         ///< per body: where its pairs as first body begin in the pairs of the last call
+      last_starts;         ///< places where the pairs of each first body begin in the pairs of the last call
   std::vector<int> order;  ///< order in which the pairs are searched
   std::vector<Stretch> stretches;
   std::vector<FoundPoints> found;

@@ -21,7 +21,7 @@ struct TimeOfImpact {
   double t = 1;  ///< share of the step; 0 where they touch (or overlap that deep) at the start, 1 without a hit
   Vec3 n = Vec3::UnitX();    ///< unit normal from A to B there, in G
   Vec3 on_a = Vec3::Zero();  ///< the points that meet, in G [m]
-  Vec3 on_b = Vec3::Zero();  ///< in G [m]
+  Vec3 on_b = Vec3::Zero();  ///< the point on B's surface, in G [m]
   double distance =
       0;  ///< distance of the parts there; at most the resolution of lengths unless they overlap at t = 0 [m]
   int advances = 0;  ///< number of advances

@@ -1,13 +1,5 @@
 #pragma once
-/// Frictional-contact problems in FCLIB format (HDF5), three-dimensional, local and global form.
-///
-///   /fclib_local   spacedim, W, vectors/{q,mu}        u = W r + q
-///   /fclib_global  spacedim, M, H, vectors/{f,w,mu}   M v = f + H r,  u = H^T v + w
-///   /fclib_global_rolling   the same with five rows (N, T1, T2, R1, R2) per contact and vectors/mu_r [m]
-///   info/{title,description,math_info}, /solution/{r,u,v}, /guesses/1/{r,u,v}
-///
-/// What FCLIB has no place for lies in vectors/{mu_static,force_limit,compliance}, absent where it says nothing.
-/// Solutions and guesses that are all zero are placeholders and count as absent.
+/// Data that FCLIB does not define lie in vectors/{mu_static,force_limit,compliance}; a list of defaults is absent.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -22,7 +14,7 @@ namespace nilas {
 struct FclibProblem {
   std::variant<LocalProblem, ContactProblem> problem;
   std::string title, description;
-  double asymmetry = 0;          ///< of W (local) or M (global): largest |A_ij - A_ji| over the largest |A_ij|
+  double asymmetry = 0;  ///< asymmetry of W (local) or M (global): largest |A_ij - A_ji| over the largest |A_ij|
   std::vector<int> dof_of_file;  ///< row of M in the file for each of our velocities; empty for the local form
   std::optional<VecX> guess;     ///< 3 nc impulses
   std::optional<VecX> solution;  ///< 3 nc impulses

@@ -37,7 +37,7 @@ namespace {
 /// The mirror sector of the polygon that a tangential vector lies in, with axes along and across its facet's normal.
 struct Sector {
   Vec2 out;      ///< outward normal of the facet
-  Vec2 along;    ///< along the facet
+  Vec2 along;    ///< unit vector along the facet
   double inner;  ///< distance of the facet from the centre of P
   double half;   ///< half length of the facet of P
 };

@@ -24,11 +24,11 @@ static double immovable_map(const ContactScale& scale, const Vec3& r, const Vec3
   return std::isfinite(expected) && r[0] == expected ? 0 : std::abs(u[0]);
 }
 
-/// Beside an impulse that would move its contact faster than this, rounding hides the velocities that the law speaks
-/// of.
+/// Speed above which an impulse that would move its contact hides u, the velocity of the law, in rounding [m/s].
 constexpr double k_largest_speed = 1e12;
 
-/// `map`, unless the impulse is beyond any answer: then d |r|, so that what runs away never counts as solved.
+/// Returns `map`, or d |r| where the impulse is beyond any answer, so that a diverging iteration never counts as
+/// solved.
 static double unless_beyond(const ContactScale& scale, const Vec3& r, double map) {
   const double speed = scale.d * r.cwiseAbs().maxCoeff();
   return speed > k_largest_speed ? speed : map;

@@ -17,7 +17,7 @@
 
 namespace nilas {
 
-/// What does not change of a contact while others do.
+/// The data of a contact that stay constant while other contacts change.
 struct ContactBlock {
   ContactBlock() = default;
   ContactBlock(const Mat3& w, double mu, double force_limit, double compliance);
@@ -45,7 +45,7 @@ constexpr double k_nearly_root = 1e-9;
 /// Enough within sweeps: what is left is the square of what the next visit of the contact would change anyway.
 constexpr double k_nearly_root_in_sweeps = 1e-2;
 
-/// Where to begin: the last answer for the same contact, or nothing.
+/// The start of the iteration: the last answer for the same contact, or zeros.
 struct ContactStart {
   double slip = 0;    ///< x of the last slipping state [1/kg]
   double normal = 0;  ///< last r_N [N s]
@@ -53,7 +53,7 @@ struct ContactStart {
 
 /// The impulse that answers b. A contact that closes and cannot yield gets its force limit, or 0 if it has none.
 Vec3 solve_contact(Law law, int facets, const ContactBlock& block, const Vec3& b, ContactStart& start);
-/// The same for Coulomb.
+/// Returns that impulse for Coulomb's law.
 Vec3 solve_coulomb(const ContactBlock& block, const Vec3& b, ContactStart& start, double nearly_root = k_nearly_root);
 
 /// r_T of the disc |r_T| <= radius that answers the tangential velocities `free` that r_T = 0 leaves.
@@ -64,7 +64,8 @@ Vec2 solve_disc(const ContactBlock& block, const Vec2& free, double radius, Cont
 Vec3 solve_moment(const ContactBlock& block, const Vec3& b, double normal, const Vec3& old, bool boxes,
                   ContactStart& start);
 
-/// As solve_contact, at the accuracy that sweeps need; exact where no last slip is known, so that a good guess is kept.
+/// Solves a contact like solve_contact, at the accuracy that sweeps need. It is exact where no last slip is known, so
+/// that a good guess is kept.
 inline Vec3 solve_in_sweep(Law law, int facets, const ContactBlock& block, const Vec3& b, ContactStart& start) {
   if (law == Law::coulomb && block.inverse_nn > 0)
     return solve_coulomb(block, b, start, start.slip > block.x_min ? k_nearly_root_in_sweeps : k_nearly_root);

@@ -14,7 +14,7 @@ double rolling_norm(const Vec3& moment) { return tangential_norm(moment); }
 
 /// The parts of a cone over the normal, each a disc of radius slope * r_N.
 struct Disc {
-  double length;  ///< of the vector to be projected
+  double length;  ///< length of the vector to be projected
   double slope;
 };
 

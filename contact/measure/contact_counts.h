@@ -1,5 +1,5 @@
 #pragma once
-/// What the contacts of an answer do.
+/// Counts the states of the contacts of a solution.
 #include "contact/problem/local_problem.h"
 
 namespace nilas {

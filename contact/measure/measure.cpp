@@ -51,7 +51,7 @@ static double creep(const ContactScale& scale, const Vec3& r, double slip) {
   return slip * std::max(0.0, 1 - tangential_norm(r) / bound);
 }
 
-/// How far one contact is from three laws.
+/// The natural-map residuals of one contact for three laws [m/s].
 struct Maps {
   double law = 0, natural = 0, ccp = 0;
 };
@@ -76,7 +76,7 @@ static void measure_contact(const Maps& maps, const ContactScale& scale, const V
   out.bipotential_J += bipotential(scale, r, u, slip);
 }
 
-/// What the moment adds to a contact's residuals beyond the maps.
+/// Adds the moment's share of a contact's residuals, except those of the maps.
 static void measure_moment(const ContactScale& scale, double r_n, const Vec3& r, const Vec3& u, Residuals& out) {
   const double largest = std::max(std::abs(r[0]), tangential_norm(r));
   keep_worst(out.cone_violation_m_s, scale.d * std::max(0.0, largest - r_n));

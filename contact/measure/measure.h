@@ -1,5 +1,6 @@
 #pragma once
-/// The one yardstick for any impulses on any problem, outside all solvers. Formulas: docs/theory/contact.md.
+/// The residuals by which any impulses on any problem are judged, independent of all solvers. Formulas:
+/// docs/theory/contact.md.
 #include "contact/problem/local_problem.h"
 #include "contact/problem/prepared_problem.h"
 #include "contact/problem/problem.h"
@@ -8,7 +9,7 @@ namespace nilas {
 
 /// d_a = trace(W_aa)/3 and m_a = 1/d_a scale impulses to velocities, so every length below is in m/s.
 struct Residuals {
-  double law_map_m_s = 0;      ///< of the law that was asked; every solver's stop
+  double law_map_m_s = 0;      ///< natural-map residual of the law asked for; every solver stops on it
   double natural_map_m_s = 0;  ///< max over contacts of the distance from exact Coulomb
   double natural_map_rms_m_s = 0;
   double ccp_map_m_s = 0;
@@ -21,15 +22,14 @@ struct Residuals {
   double momentum_sqrtJ = 0;
 };
 
-/// Residuals of impulses r with the velocities v that go with them.
+/// Returns the residuals of impulses r with the velocities v that belong to them.
 Residuals measure(const PreparedProblem& prepared, const VecX& r, const VecX& v);
 /// The same with v = M^-1 (f + H r).
 Residuals measure(const PreparedProblem& prepared, const VecX& r);
 
-/// Of a problem that nobody else has prepared.
+/// Prepares the problem first.
 Residuals measure(const ContactProblem& problem, const VecX& r, const VecX& v);
-/// The same, and d_a of every contact for what else is to be judged (contact/measure/impulse_residual.h); 0 of a
-/// moment.
+/// Returns also d_a of every contact for further judgements (contact/measure/impulse_residual.h); 0 for a moment.
 Residuals measure(const ContactProblem& problem, const VecX& r, const VecX& v, std::vector<double>& d);
 /// The same with v = M^-1 (f + H r).
 Residuals measure(const ContactProblem& problem, const VecX& r);

@@ -112,7 +112,7 @@ std::string in_words(double relative) {
   return text;
 }
 
-/// Down the ladder, always from the same guess.
+/// Runs down the ladder of relative tolerances, always from the same guess.
 ContactSolution climb(const LocalProblem& problem, const VecX& guess, const SiconosSettings& settings) {
   ContactSolution best;
   best.r = VecX::Zero(problem.q.size());

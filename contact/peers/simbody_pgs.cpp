@@ -11,7 +11,7 @@ namespace {
 
 /// A dense W of more takes over 72 MB.
 constexpr int k_most_contacts = 1000;
-/// Below this its stop on the change of the iterate is rounding.
+/// Smallest change of the iterate on which the solver can stop; below it the change is rounding.
 constexpr double k_least_change = 1e-15;
 
 SimTK::Matrix dense_operator(const LocalProblem& island) {

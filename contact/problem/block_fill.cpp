@@ -45,7 +45,8 @@ ColumnLists lists_of(int n, const ForEach& for_each) {
   return lists;
 }
 
-/// For each row in the order chosen: the blocks right of the diagonal that are given, on either side of it; unsorted.
+/// Lists, for each row in the order of elimination, the blocks right of the diagonal that are given on either side of
+/// it; unsorted.
 ColumnLists given_upper(const std::vector<int>& row_start, const std::vector<int>& column, const BlockFill& fill) {
   return lists_of(fill.size(), [&](const auto& use) {
     for (int i = 0; i < fill.size(); ++i)
@@ -96,7 +97,7 @@ void choose_tail(BlockFill& fill) {
   }
 }
 
-/// What lies inside the dense part is not listed.
+/// Removes blocks inside the dense part from the lists.
 void drop_tail(BlockFill& fill) {
   fill.upper.columns.resize(fill.upper.first(fill.tail));
   std::fill(fill.upper.start.begin() + fill.tail, fill.upper.start.end(), fill.upper.columns.size());

@@ -1,8 +1,8 @@
 #pragma once
-/// In which order the rows of a sparse matrix of 3 x 3 blocks are eliminated, and which blocks that fills. The pattern
-/// is made symmetric. The last rows, where fill leaves few zeros, form one dense matrix: in three-dimensional packings
-/// most of the work lies there. Sources: Liu 1990 (elimination trees); Amestoy, Davis, Duff 1996 (approximate minimum
-/// degree, Eigen's code).
+/// Finds the order in which the rows of a sparse matrix of 3 x 3 blocks are eliminated, and the blocks that this fills.
+/// The pattern is made symmetric. The last rows, where fill leaves few zeros, form one dense matrix, because in
+/// three-dimensional packings most of the work lies there. Sources: Liu 1990 (elimination trees); Amestoy, Davis, Duff
+/// 1996 (approximate minimum degree, Eigen's code).
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -21,7 +21,7 @@ struct ColumnLists {
 };
 
 struct BlockFill {
-  std::vector<int> place;   ///< of each given row in the order chosen
+  std::vector<int> place;   ///< place of each given row in the order of elimination
   std::vector<int> source;  ///< the inverse of that
   ColumnLists upper;        ///< right of the diagonal, rising; of rows before the tail
   ColumnLists lower;        ///< left of the diagonal and before the tail, rising

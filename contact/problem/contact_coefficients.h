@@ -12,7 +12,7 @@ const char* to_string(Law law);
 
 struct ContactCoefficients {
   Law law = Law::coulomb;
-  int facets = 8;  ///< of pyramid_k
+  int facets = 8;  ///< number of sides of pyramid_k
 
   std::vector<double> mu;           ///< nc, kinetic friction coefficient
   std::vector<double> mu_static;    ///< nc, >= mu

@@ -12,7 +12,7 @@
 
 namespace nilas {
 
-/// With the law and, per contact, friction, force limit, compliance and key of ContactCoefficients.
+/// ContactCoefficients adds the law and, per contact, friction, force limit, compliance and key.
 struct LocalProblem : ContactCoefficients {
   std::vector<int> row_start{0};  ///< nc + 1, into column and block
   std::vector<int> column;        ///< contact of each block of W, rising within a row; the diagonal is always there

@@ -32,14 +32,14 @@ class MassInverse {
     Mat3 root_inertia = Mat3::Zero();  ///< lower triangle, root^T root = I_G^-1
   };
   struct General {
-    Eigen::LLT<MatX> cholesky;  ///< of the lower triangle
+    Eigen::LLT<MatX> cholesky;  ///< factor of the lower triangle
     std::optional<Eigen::PartialPivLU<MatX>> lu;
   };
   void add_rigid_body(const ContactProblem::ConstMatrix& mass, int block);
   void add_general(const ContactProblem::ConstMatrix& mass, int block);
   void mark_bad(int block);
 
-  std::vector<int> slot_;  ///< per block: k >= 0 in rigid_bodies_, ~k in general_
+  std::vector<int> slot_;  ///< slot of each block: k >= 0 in rigid_bodies_, ~k in general_
   std::vector<RigidBody> rigid_bodies_;
   std::vector<General> general_;
   int first_bad_block_ = -1;

@@ -16,7 +16,7 @@ class PreparedProblem {
   const MassInverse& masses() const { return masses_; }
   /// nc, d_a = trace(W_aa)/3 of each row triple, moments among them [1/kg].
   const std::vector<double>& inverse_mass_scales() const { return scales_; }
-  /// As find_islands gives them.
+  /// The islands that find_islands returns.
   const std::vector<std::vector<int>>& islands() const { return islands_; }
 
  private:

@@ -1,11 +1,5 @@
 #pragma once
-/// One step's contact problem: a value that a solver needs nothing beside.
-///
-///   M v = f + H r,   u = H^T v + w,   u_hat = u + mu |u_T| n,   K* contains u_hat, perpendicular to r in K
-///
-/// Letters and ordering as in FCLIB's global form, normal first: (N, T1, T2) per contact.
-/// r acts on body B and -r on body A; the normal points from A to B; u_N > 0 separates.
-/// Sizes: nb blocks, nv = sum of block sizes, nc contacts, 3 nc rows.
+/// One step's contact problem: a value that holds all that a solver needs.
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -15,7 +9,7 @@
 
 namespace nilas {
 
-/// With the law and, per contact, friction, force limit, compliance and key of ContactCoefficients.
+/// ContactCoefficients adds the law and, per contact, friction, force limit, compliance and key.
 struct ContactProblem : ContactCoefficients {
   /// One contact row triple between two blocks; a block index of -1 is a prescribed or fixed side.
   struct Pair {
@@ -41,9 +35,9 @@ struct ContactProblem : ContactCoefficients {
   /// Rolling and spinning friction: the moment (S, R1, R2) about a contact's normal and tangents, divided by its
   /// lengths, is a row triple of its own (contact/law/moment_cone.h). Empty where no contact has one.
   struct Moment {
-    int contact = -1;    ///< of a moment: whose normal impulse bounds it, a lower index
-    int moment = -1;     ///< of a contact: its moment
-    double rolling = 0;  ///< of a moment: the length that R1, R2 are divided by, 0 without rolling friction [m]
+    int contact = -1;    ///< contact whose normal impulse bounds this moment, a lower index; -1 for a contact
+    int moment = -1;     ///< moment of this contact, -1: none
+    double rolling = 0;  ///< length by which R1 and R2 of a moment are divided, 0 without rolling friction [m]
     bool operator==(const Moment&) const = default;
   };
   std::vector<Moment> moments;  ///< empty or nc
@@ -52,7 +46,7 @@ struct ContactProblem : ContactCoefficients {
   bool is_moment(int c) const { return has_moments() && moments[static_cast<std::size_t>(c)].contact >= 0; }
   /// Index of the moment of contact c, -1: none.
   int moment_of(int c) const { return has_moments() ? moments[static_cast<std::size_t>(c)].moment : -1; }
-  /// Without the moments, which num_contacts counts too.
+  /// Returns the number of contacts without moments; num_contacts() counts moments too.
   int num_points() const;
 
   int num_blocks() const { return static_cast<int>(block_offset.size()) - 1; }

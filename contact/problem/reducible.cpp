@@ -9,9 +9,9 @@ namespace nilas {
 
 namespace {
 
-/// Of W: 360 MB.
+/// Largest number of blocks of W that are formed: 360 MB.
 constexpr double k_most_blocks = 5e6;
-/// Up to so many contacts the factors of W are taken to be small enough; beyond, what they fill is counted.
+/// Number of contacts up to which the factors of W are taken to be small enough; above it their fill is counted.
 constexpr std::size_t k_small_island = 20000;
 /// Blocks right of the diagonal: 1.5 GB in newton, half of it in admm and ipm.
 constexpr std::size_t k_most_fill = 8000000;

@@ -13,7 +13,7 @@ namespace nilas {
 /// or a great heap, are left to these.
 bool is_reducible(const ContactProblem& problem, const std::vector<int>& contacts);
 
-/// What to say of an island that is not: its contacts, and who solves it.
+/// Returns a message about an island that is not reducible, with its number of contacts and the solvers that take it.
 std::string not_reducible_message(const std::vector<int>& contacts);
 
 }  // namespace nilas

@@ -1,5 +1,5 @@
 #pragma once
-/// What a solve is asked for besides its problem, and what it gives back.
+/// The settings of a solve besides its problem, and its result.
 #include <string>
 #include <vector>
 
@@ -20,12 +20,12 @@ struct ContactSolution {
   SolveStatus status = SolveStatus::numerical_error;
   int iterations = 0;
   std::vector<double> history;  ///< law_map_m_s after each iteration, when asked for
-  std::string message;          ///< what failed and at which contact key; for auto what it used; else empty
+  std::string message;          ///< message of a failure with its contact key; for auto also the rungs used; else empty
 };
 
 /// Settings that all solvers share; a solver's own settings are a struct in its header.
 struct SolverSettings {
-  /// On law_map_m_s; 0: sweeps do all max_iterations, others continue until they stall [m/s].
+  /// Tolerance on law_map_m_s [m/s]. At 0, sweeps do all max_iterations, and other solvers continue until they stall.
   double tolerance = defaults::k_tolerance;
   int max_iterations = defaults::k_max_iterations;
   double max_seconds = 0;  ///< stop with iteration_limit after this wall time; 0: no limit [s]

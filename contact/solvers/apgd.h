@@ -28,10 +28,10 @@ class ApgdSolver final : public ContactSolver {
   explicit ApgdSolver(const ApgdSettings& settings) : settings_(settings) {}
   using ContactSolver::solve;
   std::string name() const override { return "apgd"; }
-  /// As EgSolver's.
+  /// Solves with the same statuses as EgSolver::solve.
   ContactSolution solve(const PreparedProblem& problem, const VecX& guess) const override;
   ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;
-  /// As a stage of a solve that runs.
+  /// Solves as a stage of a solve in progress, within `budget`.
   ContactSolution solve(const PreparedProblem& problem, const VecX& guess, const Budget& budget) const;
 
  private:

@@ -27,7 +27,7 @@ constexpr double k_warm_weight = 1e-5;
 constexpr double k_cold_weight = 1e-3;
 constexpr double k_wary_weight = 1e-2;
 
-/// What the rungs did, for the message.
+/// The work of the rungs, for the message.
 class Log {
  public:
   void add(const std::string& rung, const char* unit, int iterations) {
@@ -57,15 +57,15 @@ class Log {
 
 bool known_to_admm_and_ipm(Law law) { return law == Law::coulomb || law == Law::ccp || law == Law::frictionless; }
 
-/// What a climb starts from: no impulses at all, or a guess from outside, and whether the first sweeps are behind it.
+/// The start of a climb: `cold` without a guess, `swept` after the first sweeps.
 struct Start {
   bool cold = true, swept = false;
 };
 
-/// Zeros tell nothing: a scene's first step guesses them.
+/// Returns whether the guess is empty or zero, as in a scene's first step.
 bool is_cold(const VecX& guess) { return guess.size() == 0 || guess.isZero(0); }
 
-/// Where the climb of one island has come.
+/// The state of the climb of one island.
 struct Height {
   const LocalProblem& island;
   const AutoSettings& settings;
@@ -73,14 +73,15 @@ struct Height {
   Log& log;
   ContactSolution best;      ///< impulses, with the status of the last rung and the iterations of all
   double map = 0;            ///< law_map of the best impulses [m/s]
-  bool is_hopeless = false;  ///< no rung can do it
+  bool is_hopeless = false;  ///< no rung can solve the island
 
   bool goes_on() const {
     return best.status != SolveStatus::converged && !is_hopeless && budget.allows(best.iterations);
   }
   Budget stage(int most_iterations) const { return budget.after(best.iterations).capped(most_iterations); }
 
-  /// Keeps what a rung found where it is no worse. A rung that fails is no reason to stop, unless no other could do it.
+  /// Keeps the impulses of a rung where they are no worse. A rung that fails does not end the climb, unless no other
+  /// rung could solve the island.
   void take(const char* rung, const char* unit, const ContactSolution& found) {
     log.add(rung, unit, found.iterations);
     best.iterations += found.iterations;
@@ -101,7 +102,8 @@ void sweep(const char* rung, int sweeps, Height& at) {
   at.take(rung, "sweeps", NsgsSolver({.shared = at.settings.shared}).solve(at.island, at.best.r, at.stage(sweeps)));
 }
 
-/// Sweeps hardly moved it, and much of it sticks already: what slips or opens keeps admm busy for long.
+/// Returns whether the sweeps hardly reduced the residual and much of the island sticks. Contacts that slip or open
+/// would cost admm many iterations.
 bool is_stiff(const Height& at) {
   int sticking = 0;
   for (int c = 0; c < at.island.num_contacts(); ++c) {
@@ -116,7 +118,7 @@ bool is_stiff(const Height& at) {
 
 void alternate(Height& at) {
   AdmmSettings settings{.shared = at.settings.shared};
-  settings.first_exponent = 0;  // what sticks wants a lower penalty than admm starts with by itself
+  settings.first_exponent = 0;  // sticking contacts need a lower penalty than admm's own first one
   settings.least_fall = at.settings.stiff_least_fall;
   at.take("admm", "iterations", AdmmSolver(settings).solve(at.island, {}, at.stage(at.budget.iterations())));
 }
@@ -131,7 +133,7 @@ void follow_friction(Height& at) {
   NewtonSettings settings{.shared = at.settings.shared};
   settings.max_factorisations = at.settings.path_factorisations;
   settings.plunge = settings.fall = 0.1;  // a slower fall, good in jams, loses the path in piles of spheres
-  settings.shared.keep_history = false;   // of other problems than this one
+  settings.shared.keep_history = false;   // its history would be of other problems than this one
   at.take("friction continuation", "iterations",
           continue_in_friction(at.island, settings, at.stage(at.budget.iterations())));
 }
@@ -223,7 +225,7 @@ SolveStatus solve_without_w(const ContactProblem& problem, const std::vector<int
   return found.status;
 }
 
-/// What the first sweeps of a problem with bodies may spend.
+/// Returns the budget of the first sweeps of a problem with bodies.
 Budget first_rung(const ContactProblem& problem, bool cold, const AutoSettings& settings, const Budget& budget) {
   if (problem.has_moments()) return budget;  // with moments the ladder has one rung
   int sweeps = settings.first_sweeps;
@@ -232,7 +234,7 @@ Budget first_rung(const ContactProblem& problem, bool cold, const AutoSettings& 
   return budget.capped(sweeps);
 }
 
-/// What was used, after what failed.
+/// Writes the message: first the failure, then the rungs used.
 void describe(const Log& log, ContactSolution& solution) {
   const std::string failure = solution.status == SolveStatus::numerical_error ? solution.message + "; " : "";
   solution.message = failure + log.text();

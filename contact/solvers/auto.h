@@ -1,5 +1,6 @@
 #pragma once
-/// The default: climbs a ladder of solvers until the tolerance holds, island by island, and says what it used.
+/// The default: climbs a ladder of solvers, island by island, until the tolerance is reached, and reports the rungs
+/// used.
 ///
 ///   0  the guess itself, measured
 ///   1  nsgs, 20 sweeps: enough for loose contact, and the state of most contacts for the next rung. Problems with
@@ -8,16 +9,17 @@
 ///   2  from cold, where those sweeps left more than a hundredth of the residual of no impulses and three contacts in
 ///      ten stick, as in tall stacks: admm from no impulses, one factorisation, as long as two iterations leave less
 ///      than a fifth
-///   3  newton with little proximal weight where a guess came in, with more from cold
+///   3  newton: little proximal weight for a local problem with a guess, else more
 ///   4  nsgs, 500 sweeps from the best so far, then newton with more weight
 ///   5  continuation in friction (continuation.h), for laws with friction
 ///   6  ipm (laws coulomb, ccp, frictionless), then newton from there
 ///
 /// Islands whose W is too large to be formed or factorised (contact/problem/reducible.h) have rung 1, then half of the
 /// iterations nsgs and half apgd. Problems with rolling or spinning friction have rung 1 alone, without its limit.
-/// Every rung but the second starts from the best impulses so far in law_map_m_s, and the best ever seen are returned.
-/// What decides is the residual, and for rung 2 the share that sticks. Cost: that of nsgs for loose fields, one to two
-/// dozen factorisations of the contacts that carry impulses for stacks, jams and mass ratios. Laws: all.
+/// Every rung except 2 and 5, which start from no impulses, starts from the best impulses so far in law_map_m_s. The
+/// best of all rungs are returned. What decides is the residual, and for rung 2 the share that sticks. Cost: that of
+/// nsgs for loose fields, one to two dozen factorisations of the contacts that carry impulses for stacks, jams and mass
+/// ratios. Laws: all.
 ///
 /// Nominal tolerances: 1e-6 m/s in simulations, 1e-10 m/s as a reference. `message` names each rung that was used, on
 /// how many islands, and the most iterations that one island took of it.
@@ -28,14 +30,14 @@ namespace nilas {
 struct AutoSettings {
   SolverSettings shared;  ///< max_iterations counts sweeps and factorisations of an island together
   int first_sweeps = 20;
-  int warm_sweeps = 250;          ///< of rung 1 with bodies and a guess, at most half of all iterations
-  double stiff_share = 0.01;      ///< of the residual of no impulses: more than this sends an island to rung 2 ...
+  int warm_sweeps = 250;          ///< sweeps of rung 1 with bodies and a guess, at most half of all iterations
+  double stiff_share = 0.01;      ///< share of the residual of no impulses above which an island goes to rung 2 ...
   double sticking_share = 0.3;    ///< ... where at least this share of its contacts sticks
   double stiff_least_fall = 0.2;  ///< AdmmSettings::least_fall there
   int more_sweeps = 500;
-  int first_factorisations = 80;   ///< of newton in rung 3 and after ipm
-  int more_factorisations = 400;   ///< of newton in rung 4
-  int path_factorisations = 1500;  ///< of newton for each friction of rung 5
+  int first_factorisations = 80;   ///< factorisations of newton in rung 3 and after ipm
+  int more_factorisations = 400;   ///< factorisations of newton in rung 4
+  int path_factorisations = 1500;  ///< factorisations of newton for each friction of rung 5
   int ipm_factorisations = 200;
 };
 

@@ -8,9 +8,9 @@ namespace nilas {
 
 namespace {
 
-constexpr double k_first_share = 0.2;  ///< of mu, at the start
-constexpr double k_first_step = 0.1;   ///< of the share
-constexpr double k_least_step = 1e-3;  ///< below it the path counts as lost
+constexpr double k_first_share = 0.2;  ///< share of mu at the start
+constexpr double k_first_step = 0.1;   ///< first step of the share
+constexpr double k_least_step = 1e-3;  ///< step of the share below which the path counts as lost
 constexpr double k_longer = 1.5, k_shorter = 0.4;
 constexpr int k_sweeps = 200;
 
@@ -25,7 +25,7 @@ LocalProblem with_friction(const LocalProblem& island, double share) {
 ContactSolution continue_in_friction(const LocalProblem& island, const NewtonSettings& settings, const Budget& budget) {
   ContactSolution out =
       NsgsSolver({.shared = settings.shared}).solve(with_friction(island, k_first_share), {}, budget.capped(k_sweeps));
-  std::string failure;  ///< of the last solve
+  std::string failure;  ///< message of the last solve
   double solved = 0, share = k_first_share, step = k_first_step;
   while (solved < 1 && step >= k_least_step) {
     out.status = SolveStatus::iteration_limit;

@@ -1,13 +1,6 @@
 #pragma once
-/// Continuation in friction: where newton finds no way at the full coefficients, the solution is followed from small
-/// ones.
-///
-///   s = 0.2:  200 sweeps of nsgs, then newton, with s mu for mu;  s <- s + h from the solution at s, h grows by half
-///   after a success and shrinks to 0.4 h after a failure, until s = 1 or h < 1e-3
-///
-/// Small friction is easy: the law comes near a convex problem, and Gauss-Seidel and Newton agree on it. Cost: a few to
-/// a few dozen solves by newton of some hundred factorisations each. For piles with large mu and redundant contacts.
-/// Source: Allgower & Georg 1990 (numerical continuation).
+/// Continuation in friction. Where newton does not converge at the full coefficients, the solution is followed from
+/// small ones.
 #include "contact/solvers/newton.h"
 
 namespace nilas {

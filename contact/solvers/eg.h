@@ -35,7 +35,7 @@ class EgSolver final : public ContactSolver {
   /// Throws InputError for the law pyramid, whose bounds depend on r_N.
   ContactSolution solve(const PreparedProblem& problem, const VecX& guess) const override;
   ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;
-  /// As a stage of a solve that runs.
+  /// Solves as a stage of a solve in progress, within `budget`.
   ContactSolution solve(const PreparedProblem& problem, const VecX& guess, const Budget& budget) const;
 
  private:

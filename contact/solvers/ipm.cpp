@@ -26,7 +26,7 @@ constexpr int k_plain_after = 5;
 constexpr int k_inner_limit = 60;
 constexpr double k_halved = 0.5;
 
-/// What the outer loop adds to q for given impulses.
+/// Returns what the outer loop adds to q for given impulses.
 VecX offset(const MassScaled& problem, const VecX& r) {
   const VecX u = problem.w * r + problem.q;
   VecX sum = problem.skew ? VecX(problem.w * r - problem.symmetric * r) : VecX(VecX::Zero(r.size()));

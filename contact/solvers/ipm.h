@@ -22,7 +22,7 @@ namespace nilas {
 
 struct IpmSettings {
   SolverSettings shared;       ///< max_iterations counts factorisations, inner and Newton's
-  int max_rounds = 60;         ///< of the outer loop
+  int max_rounds = 60;         ///< most rounds of the outer loop
   int stall_rounds = 20;       ///< window of the stall rule (best_impulses.h), in rounds; share 0.5
   int finish_iterations = 20;  ///< Newton's factorisations per round; 0: none
 };

@@ -15,7 +15,7 @@ class IslandOperator {
   int facets() const { return facets_; }
   const std::vector<ContactScale>& scales() const { return scales_; }
 
-  int threads() const { return threads_; }  ///< for work on all contacts
+  int threads() const { return threads_; }  ///< threads for work on all contacts
 
   /// u: 3 nc compliant velocities of the impulses r. O(nc), or O(blocks of W) on a local problem.
   virtual void velocities(const VecX& r, VecX& u) = 0;

@@ -3,8 +3,8 @@
 ///
 /// Sums over contacts are OrderFreeSums, Newton's steps are solved to so many digits that rounding them forgets the
 /// order of elimination (rounded_solve.h), and the residual is its own. Where Newton stops above the tolerance,
-/// eg-order-free goes on from there, and Newton once more from where that ends. The proximal weight does not fall below
-/// 1e-8, so that the systems of hyperstatic contact stay regular enough for that.
+/// eg-order-free continues from there, and then Newton once more. The proximal weight does not fall below 1e-8, so that
+/// the systems of hyperstatic contact stay regular enough for that.
 ///
 /// Laws: coulomb, ccp, pyramid-k, frictionless. Nominal tolerance 1e-6 m/s. Islands are solved apart; cost per
 /// iteration about three times that of newton.
@@ -17,7 +17,8 @@ class OrderFreeNewtonSolver final : public ContactSolver {
   explicit OrderFreeNewtonSolver(const SolverSettings& shared) : shared_(shared) {}
   using ContactSolver::solve;
   std::string name() const override { return "newton-order-free"; }
-  /// As newton. iterations: factorisations of the island that took most, and steps of eg-order-free.
+  /// Solves with the statuses of newton. iterations: factorisations of the island that took most, and steps of
+  /// eg-order-free.
   ContactSolution solve(const PreparedProblem& problem, const VecX& guess) const override;
   /// The order of contacts does not show here either; Newton alone.
   ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;

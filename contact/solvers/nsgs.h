@@ -29,7 +29,7 @@ class NsgsSolver final : public ContactSolver {
   /// `message` says which.
   ContactSolution solve(const PreparedProblem& problem, const VecX& guess) const override;
   ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;
-  /// As a stage of a solve that runs.
+  /// Solves as a stage of a solve in progress, within `budget`.
   ContactSolution solve(const PreparedProblem& problem, const VecX& guess, const Budget& budget) const;
   ContactSolution solve(const LocalProblem& problem, const VecX& guess, const Budget& budget) const;
 

@@ -44,7 +44,7 @@ ContactSolution nothing_solved(int num_contacts) {
   return whole;
 }
 
-/// What makes a problem unfit for any solver; empty: nothing.
+/// Returns what makes a problem unfit for any solver; empty for a fit one.
 std::string unfit(const LocalProblem& problem, const VecX& guess) {
   bool finite = problem.q.allFinite() && guess.allFinite();
   for (const Mat3& block : problem.block) finite = finite && block.allFinite();
@@ -80,7 +80,7 @@ void confirm(const Problem& problem, double tolerance, ContactSolution& solution
     solution.status = SolveStatus::stalled;
 }
 
-/// So that where time runs out it is the hardest island that lacks it.
+/// Sorts the islands by size, so that the hardest island is the one left unsolved when time runs out.
 std::vector<std::vector<int>> smallest_first(std::vector<std::vector<int>> islands) {
   std::stable_sort(islands.begin(), islands.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
   return islands;

@@ -1,5 +1,5 @@
 #pragma once
-/// What every contact solver is: a pure function from a problem and a guess to a solution.
+/// The interface of all contact solvers: a pure function from a problem and a guess to a solution.
 #include <functional>
 #include <initializer_list>
 #include <memory>
@@ -22,7 +22,7 @@ class ContactSolver {
   virtual ContactSolution solve(const PreparedProblem& problem, const VecX& guess) const = 0;
   /// The same for a problem without bodies; `v` stays empty.
   virtual ContactSolution solve(const LocalProblem& problem, const VecX& guess) const = 0;
-  /// Of a problem that nobody else has prepared.
+  /// Prepares the problem and solves it.
   ContactSolution solve(const ContactProblem& problem, const VecX& guess) const {
     return solve(PreparedProblem(problem), guess);
   }
@@ -36,8 +36,8 @@ using IslandSolve = std::function<ContactSolution(const LocalProblem& island, co
 /// calling `solve` where problem or guess hold numbers that are not finite, a mass that is not positive definite or a
 /// negative diagonal of W. Throws ContractError for a guess of the wrong size.
 ContactSolution solve_islands(const LocalProblem& problem, const VecX& guess, const IslandSolve& solve);
-/// Of a problem with bodies only the islands given (contact/problem/islands.h) are reduced, one at a time, and solved;
-/// all other contacts keep the impulses of `guess`.
+/// Solves a problem with bodies. Only the islands given (contact/problem/islands.h) are reduced, one at a time, and
+/// solved. All other contacts keep the impulses of `guess`.
 ContactSolution solve_islands(const PreparedProblem& problem, const std::vector<std::vector<int>>& islands,
                               const VecX& guess, const IslandSolve& solve);
 
@@ -55,7 +55,7 @@ class IslandSolver : public ContactSolver {
   using ContactSolver::solve;
   ContactSolution solve(const PreparedProblem& problem, const VecX& guess) const final;
   ContactSolution solve(const LocalProblem& problem, const VecX& guess) const final;
-  /// As a stage of a solve that runs.
+  /// Solves as a stage of a solve in progress, within `budget`.
   ContactSolution solve(const LocalProblem& problem, const VecX& guess, const Budget& budget) const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// One solver, and where it fails a second one from what the first left: on_failure="retry".
+/// A solver and, where it fails, a second one that continues from the first one's impulses: on_failure="retry".
 #include "contact/solvers/solver.h"
 
 namespace nilas {
@@ -10,7 +10,8 @@ class WithRetry final : public ContactSolver {
       : first_(std::move(first)), second_(std::move(second)) {}
   using ContactSolver::solve;
   std::string name() const override { return first_->name(); }
-  /// The better of the two by law_map_m_s; `iterations` of both; the message says that the second was asked.
+  /// Returns the better of the two by law_map_m_s. `iterations` counts both, and the message says that the second was
+  /// used.
   ContactSolution solve(const PreparedProblem& problem, const VecX& guess) const override;
   ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;
 

@@ -95,7 +95,7 @@ std::optional<Vec3> unit(const Vec3& direction) {
 
 struct FclShapes::Store {
   std::mutex mutex;
-  std::map<std::tuple<int, int, int>, Geometry> geometry;  ///< geometry by body, part and exponent of the scale
+  std::map<std::tuple<int, int, int>, Geometry> geometry;  ///< keys: body, part and exponent of the scale
 
   Geometry find(const Part& part, int exponent) {
     const std::lock_guard<std::mutex> lock(mutex);

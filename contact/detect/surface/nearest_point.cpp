@@ -18,7 +18,7 @@ NearestPoint on_sphere(const Part& part, const Vec3& x) {
   return nearest;
 }
 
-/// Below this share of the radius a point counts as on the surface, where the line to its nearest point has no
+/// Share of the radius below which a point counts as on the surface, where the line to its nearest point has no
 /// direction.
 constexpr double k_rounding = 1e-14;
 
@@ -39,7 +39,7 @@ NearestPoint on_cylinder(const Part& part, const Vec3& x) {
   return {x - beyond_cap * axial, axial, beyond_cap, k_cap};
 }
 
-/// Nearest point of an edge with its name: the edge's or that of an end.
+/// Returns the nearest point of an edge, with the feature: the edge or one of its ends.
 NearestPoint on_edge(const FacetedGeometry& facets, int e, const Vec3& x) {
   const PartEdge& edge = facets.edges[e];
   const Vec3& start = facets.polytope->vertices[edge.v0];
@@ -64,7 +64,7 @@ bool projects_inside(const ConvexPolytope& polytope, int face, const Vec3& x) {
   return true;
 }
 
-/// Outside: the faces that x can see are the only ones that count.
+/// Returns the nearest point for x outside the polytope. Only the faces that x can see count.
 NearestPoint outside_polytope(const FacetedGeometry& facets, const Eigen::ArrayXd& heights, const Vec3& x) {
   const ConvexPolytope& polytope = *facets.polytope;
   NearestPoint best;

@@ -23,7 +23,7 @@ double twice_area(const SurfaceLoop& loop) {
 
 /// One side of the window as a line; `sign` turns the inside to positive distances.
 struct Side {
-  double u, v;    ///< its middle: the same bits whichever end is listed first
+  double u, v;    ///< its middle, the same bits whichever end is listed first
   double du, dv;  ///< unit direction times sign
   double distance(double pu, double pv) const { return du * (pv - v) - dv * (pu - u); }
 };
@@ -37,8 +37,8 @@ Side side_of(const SurfaceLoop& loop, std::size_t k, double sign) {
   return {0.5 * (p.u + q.u), 0.5 * (p.v + q.v), scale * du, scale * dv};
 }
 
-/// An order of the window's sides, around it, that a mirrored window shares: what lies within the tolerance of several
-/// sides depends on which comes first.
+/// An order of the window's sides, around it, that a mirrored window shares. The order matters for points within the
+/// tolerance of several sides.
 class SideOrder {
  public:
   explicit SideOrder(const SurfaceLoop& window) : window_(window), count_(window.corners.size()) {
@@ -49,7 +49,7 @@ class SideOrder {
   std::size_t operator[](std::size_t i) const { return (first_ + i * step_) % count_; }
 
  private:
-  /// Of a side's middle; the images in u = 0 and v = 0 share the first two.
+  /// Returns the rank of a side by its middle. The images in u = 0 and v = 0 share the first two numbers.
   std::tuple<double, double, double, double> rank(std::size_t k) const {
     const LoopCorner& p = window_.corners[k];
     const LoopCorner& q = window_.corners[(k + 1) % count_];
@@ -64,8 +64,8 @@ class SideOrder {
 /// Edges whose directions differ by less than this sine do not span a tangent plane [-].
 constexpr double k_spanning_sine = 0.1;
 
-/// Slope of the plane through two crossing edges, one on each surface; the mean of the surfaces' own when the edges run
-/// alongside.
+/// Returns the slope of the plane through two crossing edges, one on each surface. For edges that run alongside it is
+/// the mean of the surfaces' own slopes.
 Slope crossing_slope(const SurfaceLoop& one, double du1, double dv1, const SurfaceLoop& other, double du2, double dv2) {
   const double area = du1 * dv2 - dv1 * du2;
   if (std::abs(area) <= k_spanning_sine * std::hypot(du1, dv1) * std::hypot(du2, dv2))
@@ -80,7 +80,7 @@ struct Cutter {
   const SurfaceLoop& subject;
   bool a_is_window;
 
-  /// Where the edge that begins at `from` leaves through a side of the window, whose line is `line`.
+  /// Returns the point where the edge that begins at `from` leaves through a side of the window, whose line is `line`.
   Corner cut(const Corner& inner, const Corner& outer, const Corner& from, int side, const Side& line) const {
     if (from.side < 0) return crossing(from, side, line);
     // The edge lies on an earlier side of the window: the point is the window's corner between both.
@@ -94,7 +94,8 @@ struct Cutter {
   }
 
  private:
-  /// From the whole edges, not from what earlier sides left of them: the order of the sides does not show.
+  /// Returns the crossing of whole edges, not of what earlier sides left of them, so that it does not depend on the
+  /// order of the sides.
   Corner crossing(const Corner& from, int side, const Side& line) const {
     const LoopCorner& p = subject.corners[from.place];
     const LoopCorner& q = subject.corners[(static_cast<std::size_t>(from.place) + 1) % subject.corners.size()];
@@ -107,7 +108,7 @@ struct Cutter {
     return corner;
   }
 
-  /// It lies on the subject's face.
+  /// Returns a corner of the window, which lies on the subject's face.
   Corner corner_of_window(int place) const {
     const LoopCorner& c = window.corners[place];
     const FeatureKind kind = a_is_window ? FeatureKind::vertex_a : FeatureKind::vertex_b;
@@ -120,7 +121,7 @@ struct Cutter {
     return crossing_slope(window, q.u - p.u, q.v - p.v, subject, du, dv);
   }
 
-  /// Always from the inner end to the outer one, whichever way the loop runs.
+  /// Interpolates from the inner end to the outer one, whichever direction the loop has.
   static Corner between(double u_in, double v_in, double inside, double u_out, double v_out, double outside) {
     const double t = inside / (inside - outside);
     Corner corner;
@@ -152,9 +153,9 @@ void cut_by_side(const Cutter& cutter, int side, const Side& line, double tolera
   }
 }
 
-/// Of corners closer than the tolerance, which an area thinner than that has, one stays: rather a vertex than a
-/// crossing, otherwise the first in an order that a mirrored pair shares. The last in that order goes first, so the way
-/// round does not show.
+/// Keeps one of the corners that are closer than the tolerance, as an area thinner than that has them. A vertex goes
+/// before a crossing; otherwise the first stays, in an order that a mirrored pair shares. The last in that order is
+/// removed first, so the result does not depend on the direction of the loop.
 void drop_coincident(double tolerance, std::vector<Corner>& corners) {
   const auto rank = [](const Corner& c) { return std::tuple(c.feature.kind, c.u, std::abs(c.v), c.v); };
   const auto meets_next = [&](std::size_t i) {

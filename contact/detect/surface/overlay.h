@@ -9,9 +9,9 @@ namespace nilas {
 
 /// Corner of a polygon in the contact plane.
 struct LoopCorner {
-  double u = 0, v = 0;  ///< along the two tangents [m]
-  int vertex = -1;      ///< number of the vertex within its part
-  int edge = -1;        ///< number of the edge to the next corner
+  double u = 0, v = 0;  ///< coordinates along the two tangents [m]
+  int vertex = -1;      ///< index of the vertex within its part
+  int edge = -1;        ///< index of the edge to the next corner
 };
 
 /// A flat piece of surface of one part: its outline, and the height of its plane along the normal, h = h0 + hu u + hv
@@ -31,10 +31,10 @@ struct Slope {
 /// A point of the common area of two loops.
 struct OverlayPoint {
   double u = 0, v = 0;
-  Feature feature;      ///< what meets there
-  double height_a = 0;  ///< of A's surface there [m]
-  double gap = 0;       ///< from A's surface to B's along the normal [m]
-  Slope slope{};        ///< of the plane tangent to what meets there: the other side's face, or both crossing edges
+  Feature feature;      ///< features that meet there
+  double height_a = 0;  ///< height of A's surface there [m]
+  double gap = 0;       ///< distance from A's surface to B's along the normal [m]
+  Slope slope{};        ///< slope of the tangent plane there: of the other side's face, or of both crossing edges
 };
 
 /// Work space of clip(): corners that remember which side of the window made them.
@@ -43,17 +43,17 @@ struct ClipBuffers {
     double u = 0, v = 0;
     Feature feature;
     Slope slope;
-    int edge = -1;        ///< the subject's edge to the next corner
-    int place = -1;       ///< of the subject's corner where that edge begins, in its loop
-    int side = -1;        ///< side of the window the edge to the next corner lies on, or -1: on the subject's own
-    double distance = 0;  ///< inside the side at work [m]
+    int edge = -1;   ///< the subject's edge to the next corner
+    int place = -1;  ///< index, in its loop, of the subject's corner where that edge begins
+    int side = -1;   ///< side of the window on which the edge to the next corner lies; -1: on the subject's own edge
+    double distance = 0;  ///< distance to the inside of the side that cuts [m]
   };
   std::vector<Corner> now, next;
 };
 
-/// Appends to `points` the corners of the common area. `a_is_window` tells which loop cuts the other; the one seen more
-/// from the front should. Corners within `tolerance` [m] of a side of the window count as lying on it, and of corners
-/// that close to each other one is kept.
+/// Appends to `points` the corners of the common area. `a_is_window` states which loop cuts the other; it should be the
+/// one whose plane faces the normal more. Corners within `tolerance` [m] of a side of the window count as lying on it.
+/// Of corners that close to each other one is kept.
 void clip(const SurfaceLoop& loop_a, const SurfaceLoop& loop_b, bool a_is_window, double tolerance,
           ClipBuffers& buffers, std::vector<OverlayPoint>& points);
 

@@ -25,7 +25,7 @@ inline ContactPoint& add_point(const Part& a, const Part& b, std::vector<Contact
   return point;
 }
 
-/// Leaves in `kept` what met at the first `count` of `points`.
+/// Stores in `kept` the features of the first `count` of `points`.
 template <class AnyPoint>
 void remember(const std::vector<AnyPoint>& points, std::size_t count, std::vector<Feature>& kept) {
   kept.clear();

@@ -13,20 +13,20 @@ namespace nilas {
 
 namespace {
 
-/// Above this many points the number of quadrilaterals (2380 at 17) is not worth its time.
+/// Largest number of candidate points; above it the number of quadrilaterals (2380 at 17) takes too long.
 constexpr std::size_t k_most_candidates = 17;
-/// Power of a point's closeness: half way to the margin counts 1/256 of touching.
+/// Power of a point's closeness: a gap half as large as the margin counts 1/256 of a touching point.
 constexpr double k_sharpness = 8;
-/// Gaps that differ by less than this share of the points' reach are alike, whatever the margin [-].
+/// Gaps that differ by less than this share of the points' spread count as alike, whatever the margin [-].
 constexpr double k_least_slope = 1e-4;
-/// Weight of the points' spread beside their area [-]: decides where they lie in line and span none.
+/// Weight of the points' spread relative to their area [-]. It decides where the points lie in line and span no area.
 constexpr double k_spread_weight = 0.01;
-/// How far a pair may tilt in one step [-]: a floe of half a metre overturned by a hull at 0.3 m/s turns by 0.01 in
+/// Largest tilt of a pair in one step [-]. A floe of half a metre that a hull overturns at 0.3 m/s turns by 0.01 in
 /// 0.01 s.
 constexpr double k_step_tilt = 0.02;
 
 using Points = std::vector<OverlayPoint>;
-using Four = std::array<int, k_spread_points>;  ///< places in the list of points
+using Four = std::array<int, k_spread_points>;  ///< indices in the list of points
 
 struct Mean {
   double u = 0, v = 0;
@@ -42,7 +42,7 @@ Mean mean_of(const Points& points) {
   return {u.value() / count, v.value() / count};
 }
 
-/// Rises with the angle of (u, v), without trigonometry; 0 at the middle itself.
+/// Returns a number that rises with the angle of (u, v), without trigonometry; 0 at the middle itself.
 double angle_rank(double u, double v) {
   const double sum = std::abs(u) + std::abs(v);
   if (sum == 0) return 0;
@@ -64,8 +64,8 @@ double cross(const OverlayPoint& p, const OverlayPoint& q, const OverlayPoint& r
   return (q.u - p.u) * (s.v - r.v) - (q.v - p.v) * (s.u - r.u);
 }
 
-/// Keeps the deepest points and those that touch first when the pair tilts by a half or the whole of what it may in a
-/// step, about eight axes; all that tie.
+/// Keeps the deepest points, and those that touch first when the pair tilts about eight axes by half or all of what it
+/// may in a step. Points that tie are all kept.
 void keep_first_to_touch(double deepest, double tolerance, Points& points) {
   constexpr int k_axes = 8;
   std::vector<char> kept(points.size(), 0);
@@ -84,7 +84,8 @@ void keep_first_to_touch(double deepest, double tolerance, Points& points) {
   std::erase_if(points, [&](const OverlayPoint&) { return kept[place++] == 0; });
 }
 
-/// Drops the points that add least to the outline until few enough remain; one not above `deepest` stays.
+/// Removes the points that add least to the outline until few enough remain. At least one that is not above `deepest`
+/// stays.
 void drop_flat_corners(Points& points, double deepest) {
   auto deep = std::count_if(points.begin(), points.end(), [&](const OverlayPoint& p) { return p.gap <= deepest; });
   while (points.size() > k_most_candidates) {
@@ -103,7 +104,7 @@ void drop_flat_corners(Points& points, double deepest) {
   }
 }
 
-/// Each point's image in an axis through the mean of all, or nothing when one of them has none.
+/// The image of each point in an axis through the mean of all; empty when one of them has none.
 class Images {
  public:
   Images(const Points& points, const Mean& mean, double sign_u, double sign_v, double tolerance) {
@@ -120,7 +121,7 @@ class Images {
     }
   }
   bool exist() const { return !of_.empty(); }
-  /// True for a set that is its own image.
+  /// Returns whether a set is its own image.
   bool keep(const Four& four) const {
     return exist() && std::all_of(four.begin(), four.end(),
                                   [&](int i) { return std::find(four.begin(), four.end(), of_[i]) != four.end(); });
@@ -130,8 +131,7 @@ class Images {
   std::vector<int> of_;
 };
 
-/// What a set of four is judged by, the first that differs deciding; all are the larger the better and unchanged by a
-/// mirror.
+/// The merits of a set of four, in the order in which they decide. Larger is better, and a mirror does not change them.
 struct Merit {
   double symmetry_v = 0, area = -std::numeric_limits<double>::infinity(), centring = 0, symmetry_u = 0, length = 0,
          forward = 0;
@@ -171,10 +171,10 @@ class SetChoice {
     best_ = four;
   }
   const Four& best() const { return best_; }
-  /// Points with larger gaps are not nearly as deep as the deepest [m].
+  /// Returns the gap above which points are not nearly as deep as the deepest [m].
   double most_kept_gap() const { return deepest_ + k_kept_depth * range_; }
 
-  /// The first four of these features where the points have them and they are nearly as good as the best.
+  /// Returns the first four of these features, if the points have them and they are nearly as good as the best set.
   std::optional<Four> kept(std::span<const Feature> last) const {
     if (last.size() < k_spread_points) return std::nullopt;
     Four four{};
@@ -208,7 +208,8 @@ class SetChoice {
       mean.u += u / k_spread_points;
       mean.v += v / k_spread_points;
       spread += u * u + v * v;
-      // Powers that tell a square on its corner from one on its side, and a set from the same turned half round.
+      // these powers distinguish a square on its corner from one on its side, and a set from the same turned by half a
+      // turn
       merit.length += u * u * u * u / (reach_ * reach_);
       merit.forward += u * u * u / reach_;
     }
@@ -225,14 +226,14 @@ class SetChoice {
   const Points& points_;
   Mean centre_;
   double deepest_, reach_ = 0, range_ = 0, tie_ = 0;
-  /// Per point: 1 as deep as the deepest, 0 at the margin; what is about to touch counts before what only might.
+  /// Weight of each point: 1 at the depth of the deepest, 0 at the margin, so that points about to touch count more.
   std::vector<double> closeness_;
   Images across_, along_;
   Merit most_;
   Four best_{};
 };
 
-/// Gap at (u, v) of the plane through three points, infinite when it lies outside their triangle.
+/// Returns the gap at p of the plane through three points; infinite when p lies outside their triangle.
 double gap_inside(const OverlayPoint& a, const OverlayPoint& b, const OverlayPoint& c, const OverlayPoint& p) {
   const double area = cross(a, b, a, c);
   const double at_a = cross(p, b, p, c) / area, at_b = cross(p, c, p, a) / area;
@@ -241,7 +242,7 @@ double gap_inside(const OverlayPoint& a, const OverlayPoint& b, const OverlayPoi
   return at_a * a.gap + at_b * b.gap + at_c * c.gap;
 }
 
-/// Gap that a and b leave at p when the pair tilts about their line.
+/// Returns the gap that a and b leave at p when the pair tilts about their line.
 double gap_beside(const OverlayPoint& a, const OverlayPoint& b, const OverlayPoint& p) {
   const double du = b.u - a.u, dv = b.v - a.v, square = du * du + dv * dv;
   const double t = square > 0 ? std::clamp(((p.u - a.u) * du + (p.v - a.v) * dv) / square, 0.0, 1.0) : 0.0;
@@ -249,8 +250,8 @@ double gap_beside(const OverlayPoint& a, const OverlayPoint& b, const OverlayPoi
   return a.gap + t * (b.gap - a.gap) + k_step_tilt * away;
 }
 
-/// How far p can sink while all points of `kept` only just touch [m]. The gap of a rigid pair is affine over the
-/// contact plane, so three points around p or two beside it hold it up.
+/// Returns how far p can sink while all points of `kept` only just touch [m]. The gap of a rigid pair is affine over
+/// the contact plane, so three points around p, or two on either side of it, hold it up.
 double left_open(const Points& kept, const OverlayPoint& p) {
   double held = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < kept.size(); ++i)
@@ -261,8 +262,8 @@ double left_open(const Points& kept, const OverlayPoint& p) {
   return held - p.gap;
 }
 
-/// Adds the points left most open until none is by more than `cover`. Points that tie come together or, where there is
-/// no room for all, not at all: so a mirrored contact keeps the mirrored points.
+/// Adds the points that can sink farthest until none can sink by more than `cover`. Points that tie are added together,
+/// or not at all where there is no room for all. So a mirrored contact keeps the mirrored points.
 void cover_the_rest(double tolerance, double cover, const Points& points, Points& kept) {
   std::vector<double> open(points.size());
   while (std::isfinite(cover)) {
@@ -282,9 +283,9 @@ Points chosen(const Points& points, const Four& four) {
   return of_four;
 }
 
-/// What stays beside the four of the last call, so that the deepest point is among all and those that took turns in
-/// being it stay: the further ones of that call while they are nearly as deep, and the deepest of the best four where
-/// it is still lacking; it alone when there is no room for all.
+/// Returns the four of the last call and the points that stay with them, so that the deepest point is always included.
+/// These are the further points of that call while they are nearly as deep, and the deepest of the best four where it
+/// is still missing. It alone joins when there is no room for all.
 Points beside_the_kept(const SetChoice& choice, const Points& points, const Points& four, double deepest,
                        std::span<const Feature> last) {
   const auto is_deepest = [&](const OverlayPoint& p) { return p.gap <= deepest; };
@@ -301,8 +302,8 @@ Points beside_the_kept(const SetChoice& choice, const Points& points, const Poin
   return further;
 }
 
-/// The four of `points` (in turn around their middle) that spread best, or those of the last call and what stays beside
-/// them.
+/// Returns the four of `points` (in turn around their middle) that spread best, or those of the last call with the
+/// points that stay with them.
 Points best_four(const Points& points, double deepest, double margin, double tolerance, std::span<const Feature> last) {
   if (points.size() <= k_spread_points) return points;
   SetChoice choice(points, deepest, margin, tolerance);

@@ -1,5 +1,5 @@
 #pragma once
-/// A few well-spread points for one pair of parts.
+/// Selects a few well-spread points for one pair of parts.
 #include <limits>
 #include <span>
 #include <vector>
@@ -8,21 +8,21 @@
 
 namespace nilas {
 
-/// Well-spread points of a pair ...
+/// Number of well-spread points of a pair ...
 constexpr std::size_t k_spread_points = 4;
-/// ... and with those that the four leave open or that lie deeper.
+/// ... and including points that the four leave unsupported or that lie deeper.
 constexpr std::size_t k_most_points = 8;
 
-/// A point that four others leave open by less than this share of the thinner part's inner radius is done without [-]:
-/// one hundredth of a floe's thickness.
+/// A point that could sink by less than this share of the thinner part's inner radius is left out [-]. The share is one
+/// hundredth of a floe's thickness.
 constexpr double k_cover_share = 0.02;
 /// The `cover` of flat faces [m].
 constexpr double k_four_points_do = std::numeric_limits<double>::infinity();
 
-/// A set that was kept stays while its weighted area is more than this share of the best one's [-] ...
+/// A set that was kept stays while its weighted area is more than this share of the best one's [-], and ...
 constexpr double k_kept_area = 0.98;
-/// ... and its deepest point higher than the deepest of all by less than this share of their room, which is the larger
-/// of the margin's and 1e-4 of the points' spread [-].
+/// ... while its deepest point is higher than the deepest of all by less than this share of the range [-]. The range is
+/// the larger of the gap between the deepest point and the margin, and 1e-4 of the points' spread.
 constexpr double k_kept_depth = 1e-3;
 
 /// Keeps the deepest point and the three that span the largest quadrilateral with it, its area weighted by how near the
@@ -37,10 +37,10 @@ constexpr double k_kept_depth = 1e-3;
 /// is its own image in t2, then the one longest along t1, then the one farther ahead on it. So a mirrored contact keeps
 /// the mirrored points.
 ///
-/// `last`: what was kept of this pair before, or nothing. Its first four stay while they spread nearly as well as the
-/// best set (k_kept_area) and one of them is nearly as deep as the deepest (k_kept_depth), so that a body that rocks by
-/// rounding on more than four corners does not stand now on these, now on those. Where none of them is the deepest,
-/// that one joins them, up to k_most_points in all, and stays while it is nearly as deep.
+/// `last`: the features of the pair's points kept at the last call, or empty. Its first four stay while they spread
+/// nearly as well as the best set (k_kept_area) and one of them is nearly as deep as the deepest (k_kept_depth), so
+/// that a body that rocks by rounding on more than four corners does not change its corners. Where none of them is the
+/// deepest, that one joins them, up to k_most_points in all, and stays while it is nearly as deep.
 ///
 /// Returns how many of the first points left are to be the pair's `last` at the next call.
 std::size_t keep_spread_points(double tolerance, double margin, double cover, std::vector<OverlayPoint>& points,

@@ -10,7 +10,8 @@ namespace nilas {
 
 namespace {
 
-/// A cylinder that leans less stands on its rim's fixed points; the rim's lowest point would be rounding [rad].
+/// A cylinder that leans by less than this stands on fixed points of its rim, because rounding would choose the rim's
+/// lowest point [rad].
 constexpr double k_upright = 1e-9;
 
 void keep_on_plane(const HostView& view, std::vector<OverlayPoint>& points, std::vector<LocalContact>& out) {
@@ -29,7 +30,7 @@ void polytope_on_plane(const HostView& view, std::vector<LocalContact>& out) {
   keep_on_plane(view, points, out);
 }
 
-/// Four points of the lower rim a quarter turn apart, beginning with its lowest, and the upper rim's lowest point.
+/// Adds four points of the lower rim a quarter turn apart, beginning with its lowest, and the upper rim's lowest point.
 void cylinder_on_plane(const HostView& view, std::vector<LocalContact>& out) {
   const Part& guest = view.guest;
   const Vec3 down = -view.guest_in_host.R.row(2).transpose();

@@ -1,5 +1,5 @@
 #pragma once
-/// Contacts with closed forms: anything with a plane or a sphere.
+/// Computes contacts in closed form: any shape with a plane or a sphere.
 #include <span>
 #include <vector>
 
@@ -11,9 +11,9 @@ namespace nilas {
 /// A contact point in the frame of one of the parts, its host.
 struct LocalContact {
   Vec3 p = Vec3::Zero();   ///< midway between the surfaces
-  Vec3 n = Vec3::UnitX();  ///< from the host to the guest
+  Vec3 n = Vec3::UnitX();  ///< unit normal from the host to the guest
   double gap = 0;          ///< [m]
-  Feature feature;         ///< what of the parts touches
+  Feature feature;         ///< features that touch
 };
 
 struct HostView {
@@ -21,15 +21,15 @@ struct HostView {
   const Part& guest;
   RelativePose guest_in_host;
   double margin = 0;                ///< [m]
-  std::span<const Feature> last{};  ///< what was kept of the pair before (point_reduction.h)
+  std::span<const Feature> last{};  ///< features of the points kept at the last call (point_reduction.h)
 };
 
-/// Half space z < 0 of the host with any guest but a plane: up to four points of a polytope or cylinder and the deeper
-/// ones that join them (point_reduction.h), one of a sphere.
+/// Finds the contacts of the half space z < 0 of the host with any guest except a plane. A polytope or cylinder has up
+/// to four points and the deeper ones that join them (point_reduction.h), a sphere has one.
 void plane_contacts(const HostView& view, std::vector<LocalContact>& out);
 
-/// Sphere (guest) on a polytope, cylinder or sphere: one point along the line from the surface point nearest to the
-/// sphere's centre; with the centre inside, along the shortest way out.
+/// Finds the contact of a sphere (guest) with a polytope, cylinder or sphere. It is one point along the line from the
+/// nearest surface point to the sphere's centre. With the centre inside, it lies along the shortest exit.
 void sphere_contacts(const HostView& view, std::vector<LocalContact>& out);
 
 }  // namespace nilas

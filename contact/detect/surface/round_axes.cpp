@@ -10,8 +10,8 @@ namespace {
 
 Vec3 direction(const Arc& arc, double angle) { return std::cos(angle) * arc.start + std::sin(angle) * arc.side; }
 
-/// What the directions of an arc separate, by angle. It is smooth where the directions stay on one side of the
-/// cylinder's caps.
+/// The separation along the directions of an arc, as a function of the angle. It is smooth where the directions stay on
+/// one side of the cylinder's caps.
 class ArcSeparation {
  public:
   ArcSeparation(const Arc& arc, const Vec3& p, const RoundBody& body)
@@ -47,8 +47,8 @@ class ArcSeparation {
   /// Sine of the direction's angle to the cylinder's axis.
   double across(double c, double s) const { return std::hypot(k_square_, c * k_side_ - s * k_start_); }
 
-  double w_start_, w_side_;             ///< of the way from p to the centre [m]
-  double k_start_, k_side_, k_square_;  ///< of the axis, along and square to the arc
+  double w_start_, w_side_;             ///< components of the vector from p to the centre [m]
+  double k_start_, k_side_, k_square_;  ///< components of the axis, along and perpendicular to the arc
   const RoundBody& body_;
 };
 
@@ -65,8 +65,8 @@ std::array<double, 3> ArcSeparation::divisions(double cap) const {
   return {middle - aside, middle, middle + aside};
 }
 
-/// Angle of the top of f between low and high, where f rises from low and falls to high, by halving: by the slope,
-/// since the top itself is flat.
+/// Returns the angle of the maximum of f between low and high by bisection, where f rises from low and falls to high.
+/// The slope is used, since the maximum itself is flat.
 double top_between(const ArcSeparation& f, double cap, double low, double high) {
   constexpr int k_steps = 55;
   for (int step = 0; step < k_steps; ++step) {

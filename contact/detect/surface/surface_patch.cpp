@@ -51,7 +51,7 @@ double highest_corner(const FacetedGeometry& facets, int f, const Vec3& directio
   return highest;
 }
 
-/// False only for faces all of whose points lie farther from the other part's centre than its ball reaches.
+/// Returns false only for faces of which all points lie farther from the other part's centre than its ball reaches.
 bool within_reach(const PatchView& view, int f) {
   const FacetedGeometry& facets = *view.part.facets;
   const auto vertices = facets.face_vertices[f];
@@ -82,8 +82,8 @@ void collect_faces(const PatchView& view, const Vec3& direction, double toleranc
     patch.faces.push_back(view.face);
   } else {
     support_vertices(facets, direction, tolerance, patch.vertices);
-    // the best face at each support vertex: along a supporting ridge of many facets that is a face beside each of its
-    // edges
+    // the best face at each support vertex; along a supporting ridge of many facets it is a face next to each edge of
+    // the ridge
     for (int v : patch.vertices) {
       double best = k_steep_cosine;
       for (int f : facets.vertex_faces[v]) best = std::max(best, alignment(f));

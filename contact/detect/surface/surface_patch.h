@@ -32,14 +32,14 @@ class SurfacePatch {
   int count_ = 0;
 };
 
-/// Which part, where, and the side it shows.
+/// A part, its pose, and the side it shows.
 struct PatchView {
   const Part& part;
-  const RelativePose& in_a;          ///< the part's frame in A's
-  double sign = 1;                   ///< the part's contact direction is sign * n
-  int face = -1;                     ///< the polytope's face whose normal is that direction, or -1: unknown
-  double slack = 0;                  ///< surface farther back than this from the support is beyond the margin [m]
-  Vec3 other_centre = Vec3::Zero();  ///< of a ball around the other part, in this part's frame [m]
+  const RelativePose& in_a;  ///< the part's frame in A's
+  double sign = 1;           ///< the part's contact direction is sign * n
+  int face = -1;             ///< the polytope's face whose normal is that direction, or -1: unknown
+  double slack = 0;          ///< surface that lies behind the support by more than this is beyond the margin [m]
+  Vec3 other_centre = Vec3::Zero();  ///< centre of a ball around the other part, in this part's frame [m]
   double other_radius = 0;           ///< [m]
 };
 

@@ -24,7 +24,7 @@ class BlockCholesky {
   explicit BlockCholesky(const Eigen::SparseMatrix<double>& a);
   /// `inverse`: P^-1, `added`: D. False when the matrix is not positive definite (not finite, or lost to rounding).
   bool factor(const std::vector<Mat3>& inverse, const std::vector<Mat3>& added);
-  /// With one step of iterative refinement.
+  /// Solves with one step of iterative refinement.
   VecX solve(const VecX& b) const;
   VecX solve_unrefined(const VecX& b) const;
 
@@ -35,12 +35,12 @@ class BlockCholesky {
   VecX times(const VecX& y) const;
 
   const Eigen::SparseMatrix<double>& a_;
-  std::vector<int> row_start_, column_;  ///< of the blocks, row by row
-  std::vector<Mat3> value_;              ///< of the matrix to factorise, in that order
+  std::vector<int> row_start_, column_;  ///< pattern of the blocks, row by row
+  std::vector<Mat3> value_;              ///< values of the matrix to factorise, in that order
   BlockFill fill_;
   std::vector<PaddedBlock> upper_block_;   ///< V right of the diagonal, in the order of the fill
-  std::vector<PaddedBlock> inverse_root_;  ///< of V's diagonal blocks, transposed
-  std::vector<std::size_t> next_;          ///< of each row of V: its first block not yet used as a factor
+  std::vector<PaddedBlock> inverse_root_;  ///< inverse of V's diagonal blocks, transposed
+  std::vector<std::size_t> next_;          ///< first block of each row of V that is not yet used as a factor
   std::vector<PaddedBlock> row_;           ///< the row at work, scattered
   MatX dense_;
   Eigen::LLT<MatX, Eigen::Upper> dense_factor_;

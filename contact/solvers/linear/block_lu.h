@@ -30,9 +30,9 @@ class BlockLu {
  private:
   bool factorise_tail();
 
-  std::vector<int> row_start_, column_;  ///< as given
+  std::vector<int> row_start_, column_;  ///< pattern as given
   BlockFill fill_;
-  std::vector<PaddedBlock> upper_block_, lower_block_;  ///< in the order of the fill
+  std::vector<PaddedBlock> upper_block_, lower_block_;  ///< blocks beyond the diagonal, in the order of the fill
   std::vector<PaddedBlock> pivot_inverse_;
   std::vector<PaddedBlock> row_;  ///< the row at work, scattered
   MatX dense_;

@@ -6,7 +6,7 @@
 
 namespace nilas {
 
-/// By columns, each padded to four numbers so that it fills whole registers; the pads stay zero.
+/// A 3 x 3 block by columns, each padded to four numbers so that it fills whole registers. The pads stay zero.
 struct alignas(32) PaddedBlock {
   double column[3][4] = {};
 

@@ -29,7 +29,7 @@ VecX slopes(const MassScaled& problem) {
   return slope;
 }
 
-/// Of x_0.
+/// Returns the caps of x_0.
 VecX caps(const MassScaled& problem, const VecX& slope) {
   const double least = k_least_cap * problem.q.cwiseAbs().maxCoeff();
   VecX cap(problem.num_contacts());

@@ -33,7 +33,7 @@ class InteriorPoint {
 
   struct Outcome {
     int iterations = 0;
-    double map_m_s = 0;  ///< of the convex problem at the iterate
+    double map_m_s = 0;  ///< natural-map residual of the convex problem at the iterate
     bool finite = true;
   };
   /// A point on no particular path, of the size of b.
@@ -69,7 +69,7 @@ class InteriorPoint {
 
   const MassScaled& problem_;
   VecX slope_;  ///< S, 3 nc; 0 on the tangents of half lines
-  VecX cap_;    ///< of x_0, nc
+  VecX cap_;    ///< caps of x_0, nc
   Eigen::SparseMatrix<double> a_;
   BlockCholesky factor_;
   std::vector<NesterovTodd> nt_;

@@ -77,7 +77,7 @@ LawSlopes NewtonSystem::slopes(int a, const VecX& r, const VecX& u) const {
                     u.segment<3>(row_of(a)));
 }
 
-/// Of the vector whose components' squares these are.
+/// Returns the length of the vector whose squared components are given.
 double NewtonSystem::length(const std::vector<double>& squares) const {
   if (!order_free_) return std::sqrt(std::accumulate(squares.begin(), squares.end(), 0.0));
   OrderFreeSum sum;

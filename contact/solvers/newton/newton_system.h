@@ -50,14 +50,14 @@ class NewtonSystem {
   const LocalProblem& island_;
   bool order_free_;
   std::vector<double> scale_;  ///< e_a
-  std::vector<Mat3> block_;    ///< of W'
+  std::vector<Mat3> block_;    ///< blocks of W'
   VecX q_;
   std::vector<double> cap_;
   std::vector<LawSlopes> slopes_;
 
   std::vector<int> planned_;                    ///< contacts in the matrix
-  std::vector<int> place_;                      ///< of each contact in the matrix, -1: not in it
-  std::vector<int> row_start_, column_, from_;  ///< of the matrix; from_: place in block_ of each of its blocks
+  std::vector<int> place_;                      ///< place of each contact in the matrix, -1: not in it
+  std::vector<int> row_start_, column_, from_;  ///< pattern of the matrix; from_: place in block_ of each of its blocks
   std::vector<Mat3> matrix_;
   BlockLu factors_;
 };

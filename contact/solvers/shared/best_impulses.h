@@ -1,5 +1,5 @@
 #pragma once
-/// The best impulses of a running solve, when it has converged, stalled or spent its budget, and what it says then.
+/// Keeps the best impulses of a solve in progress, and decides when it has converged, stalled or spent its budget.
 #include <cmath>
 #include <limits>
 #include <string>
@@ -78,9 +78,9 @@ class BestImpulses {
   bool has_converged() const { return out_.status == SolveStatus::converged; }
   bool has_any() const { return std::isfinite(residual_); }
   int iterations() const { return out_.iterations; }
-  /// What the iterations so far leave.
+  /// Returns the budget that the iterations so far leave.
   Budget left() const { return budget_.after(out_.iterations); }
-  double residual() const { return residual_; }  ///< of the best; infinite: none yet [m/s]
+  double residual() const { return residual_; }  ///< residual of the best impulses; infinite without any [m/s]
   const VecX& impulses() const { return out_.r; }
 
   ContactSolution solution() && { return std::move(out_); }

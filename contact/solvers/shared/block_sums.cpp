@@ -83,7 +83,7 @@ void BlockSums::gather(const Block& block, const VecX& r, double* z) const {
   }
 }
 
-/// What the contact adds to velocity j of the block on this side.
+/// Returns what the contact adds to velocity j of the block on this side.
 double BlockSums::term(const Side& side, int j, const VecX& r) const {
   const double* const own = r.data() + 3 * static_cast<std::ptrdiff_t>(side.contact);
   const double* const y = island_.rows.coefficients.data() + side.responses + j;

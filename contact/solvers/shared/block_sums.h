@@ -18,14 +18,14 @@ class BlockSums {
  private:
   /// One side of one contact.
   struct Side {
-    int contact;             ///< of the island
-    int stride;              ///< from row to row
-    Eigen::Index responses;  ///< into PgsRows::coefficients
+    int contact;             ///< contact of the island
+    int stride;              ///< numbers from row to row
+    Eigen::Index responses;  ///< index into PgsRows::coefficients
   };
   struct Block {
-    int first, size;            ///< in PgsRows::velocities
-    int first_side, last_side;  ///< in sides_
-    std::ptrdiff_t first_free;  ///< in free_
+    int first, size;            ///< range in PgsRows::velocities
+    int first_side, last_side;  ///< range in sides_
+    std::ptrdiff_t first_free;  ///< first entry in free_
   };
 
   void list_sides();
@@ -36,7 +36,7 @@ class BlockSums {
 
   RowIsland island_;
   bool order_free_;
-  int rows_;  ///< per contact: 1 without friction
+  int rows_;  ///< rows per contact, 1 without friction
   std::vector<Block> blocks_;
   std::vector<Side> sides_;
   std::vector<double> free_;

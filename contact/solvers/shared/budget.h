@@ -1,5 +1,5 @@
 #pragma once
-/// What a running solve may spend.
+/// The budget of a solve in progress.
 #include <algorithm>
 #include <chrono>
 #include <optional>
@@ -23,13 +23,13 @@ class Budget {
   /// Whether another iteration may follow `done` ones.
   bool allows(int done) const { return done < iterations_ && !is_out_of_time(); }
 
-  /// Of a stage: the same clock, and at most so many iterations.
+  /// Returns the budget of a stage: the same clock, and at most so many iterations.
   Budget capped(int iterations) const {
     Budget stage = *this;
     stage.iterations_ = std::min(iterations, iterations_);
     return stage;
   }
-  /// What `done` iterations leave.
+  /// Returns the budget that `done` iterations leave.
   Budget after(int done) const { return capped(iterations_ - done); }
 
  private:

@@ -1,9 +1,8 @@
 #pragma once
 /// A map of one contact that vanishes where its law holds, with a generalised derivative: what Newton's method needs.
 ///
-///   coulomb       Alart-Curnier: r_N - clamp(r_N - u_N, 0, cap),  r_T - nearest point to r_T - u_T in the disc of
-///   radius
-///                 mu clamp(r_N - u_N, 0, cap)
+///   coulomb       Alart-Curnier: r_N - clamp(r_N - u_N, 0, cap),  r_T - nearest point to r_T - u_T in the disc
+///                 of radius mu clamp(r_N - u_N, 0, cap)
 ///   ccp           r - P(r - u) for the cone cut at cap
 ///   pyramid-k     r - P(r - u_hat), u_hat = u + mu max_k(-e_k . u_T) n, for the k-sided pyramid cut at cap
 ///   pyramid       the normal row of coulomb,  r_i - clamp(r_i - u_i, +-mu r_N), i = 1, 2

@@ -18,13 +18,13 @@ namespace nilas {
 
 struct MassScaled {
   Law law = Law::coulomb;
-  std::vector<double> scale;              ///< e_a [1/sqrt(kg)] to the power -1: sqrt(kg)
+  std::vector<double> scale;              ///< e_a [sqrt(kg)]
   Eigen::SparseMatrix<double> w;          ///< W' as stored
   Eigen::SparseMatrix<double> symmetric;  ///< (W' + W'^T)/2
   bool skew = false;                      ///< W' differs from its symmetric part by more than rounding
   VecX q;
   std::vector<double> mu;   ///< 0 for the frictionless law
-  std::vector<double> cap;  ///< of r'_N [sqrt(J)]
+  std::vector<double> cap;  ///< limit of r'_N [sqrt(J)]
 
   int num_contacts() const { return static_cast<int>(mu.size()); }
   VecX impulses(const VecX& scaled) const;    ///< r of r'

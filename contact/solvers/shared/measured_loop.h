@@ -1,6 +1,6 @@
 #pragma once
-/// The loop around cheap iterations: each tells about what the residual is, which is measured only when that is small
-/// or has not been done for long.
+/// The loop around cheap iterations. Each of them estimates the residual, which is measured only when the estimate is
+/// small or the last measurement is long ago.
 #include <algorithm>
 
 #include "contact/solvers/shared/best_impulses.h"

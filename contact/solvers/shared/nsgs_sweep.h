@@ -5,14 +5,14 @@
 
 namespace nilas {
 
-/// What the exact solve of one contact needs beside its rows.
+/// The data that the exact solve of one contact needs besides its rows.
 struct NsgsContact {
   ContactBlock block;
   ContactStart start;
   double d = 0;  ///< trace(W_aa)/3
 };
 
-/// In the order of the island's contacts.
+/// Returns one entry per contact, in the order of the island's contacts.
 std::vector<NsgsContact> make_nsgs_contacts(const PgsRows& rows, const PgsIsland& island);
 
 /// Visits the island's contacts in order (or backwards), those of one colour with `threads` at once. Returns the

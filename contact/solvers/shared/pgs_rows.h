@@ -1,5 +1,5 @@
 #pragma once
-/// What the sweeps of projected Gauss-Seidel read and write, contiguous and in the order of the islands.
+/// The rows that the sweeps of projected Gauss-Seidel read and write, contiguous and in the order of the islands.
 #include <vector>
 
 #include "contact/law/law_map.h"
@@ -24,13 +24,13 @@ struct PgsContact {
   double mu = 0;
   double force_limit = 0;
   double compliance = 0;
-  Eigen::Index rows = 0, responses = 0;  ///< into PgsRows::coefficients
-  int first_a = 0, first_b = 0;          ///< into PgsRows::velocities
+  Eigen::Index rows = 0, responses = 0;  ///< indices into PgsRows::coefficients
+  int first_a = 0, first_b = 0;          ///< indices into PgsRows::velocities
   int size_a = 0, size_b = 0;
   PgsShape shape = PgsShape::general;
   bool unanswerable = false;  ///< its normal velocity cannot be changed and no force limit says what to do
   int moment = -1;            ///< place of its moment; -1: none
-  int bound_by = -1;          ///< of a moment: place of the contact whose normal impulse bounds it
+  int bound_by = -1;          ///< place of the contact whose normal impulse bounds this moment; -1 for a contact
 
   int stride() const { return size_a + size_b; }
 };
@@ -38,20 +38,21 @@ struct PgsContact {
 /// Impulse per velocity of the step of rows N, T1, T2 of a contact.
 struct RowWeights {
   double weight[3] = {0, 0, 0};
-  bool unanswerable = false;  ///< as in PgsContact; then the normal's weight is 0
+  bool unanswerable = false;  ///< same meaning as in PgsContact; the normal's weight is then 0
 };
 /// `w`: W_cc, its diagonal is read. A row that cannot move gets a weight that drives its impulse to its bound at once.
 RowWeights row_weights(const Mat3& w, Law law, double compliance, double force_limit);
 
 /// How the contacts of a large island stand in the rows: in the problem's order, or grouped into colours of contacts
-/// that share no moving block (solvers/colouring.h).
+/// that share no moving block (solvers/shared/colouring.h).
 enum class RowOrder { given, coloured };
 
 struct PgsIsland {
   int first = 0, last = 0;  ///< contacts [first, last)
-  std::vector<int> blocks;  ///< that they touch
-  /// Of a coloured island: contacts [runs[k], runs[k + 1]) join the same two blocks, runs [colours[i], colours[i + 1])
-  /// may be visited at once; contacts from runs.back() on are visited in turn. Both empty: all are.
+  std::vector<int> blocks;  ///< blocks that the contacts touch
+  /// The order of a coloured island: contacts [runs[k], runs[k + 1]) join the same two blocks. Runs [colours[i],
+  /// colours[i + 1]) may be visited at once. Contacts from runs.back() on are visited in turn. Both lists are empty
+  /// where all contacts are visited in turn.
   std::vector<int> runs, colours;
 };
 
@@ -59,10 +60,10 @@ struct PgsRows {
   Law law = Law::pyramid;
   std::vector<PgsContact> contacts;
   std::vector<int> source;           ///< index in the problem of each contact
-  std::vector<ContactScale> scales;  ///< for the law's residual
+  std::vector<ContactScale> scales;  ///< scales of the law's residual
   VecX coefficients;
   VecX velocities;                  ///< z or v with the impulses so far; each block begins at an even place
-  std::vector<int> first_velocity;  ///< per block
+  std::vector<int> first_velocity;  ///< first velocity of each block
   std::vector<PgsIsland> islands;
   bool finite = true;  ///< false: some input is not
 };

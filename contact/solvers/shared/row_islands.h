@@ -9,17 +9,17 @@
 
 namespace nilas {
 
-/// What a solver gets of one island. It leaves its impulses in rows.contacts of the island.
+/// The data that a solver gets of one island. It leaves its impulses in rows.contacts of the island.
 struct RowIsland {
   const ContactProblem& problem;
   const MassInverse& masses;
   PgsRows& rows;
   const PgsIsland& island;
   RowResidual& residual;
-  int threads;  ///< for work within the island
+  int threads;  ///< threads for work within the island
 };
 
-/// What it says of them; `r`, `v` and `u` stay empty.
+/// A solver of one island; `r`, `v` and `u` of its solution stay empty.
 using RowSolve = std::function<ContactSolution(const RowIsland& island)>;
 
 /// Islands of fewer contacts are solved side by side, larger ones one after another with all threads inside.

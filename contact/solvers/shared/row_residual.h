@@ -15,12 +15,12 @@ class RowResidual {
 
   /// law_map of the island with velocities M^-1 (f + H r) [m/s], as `measure` has it.
   double law_map(const PgsRows& rows, const PgsIsland& island);
-  /// The sweeps go on from the velocities last found, free of accumulated rounding.
+  /// Sets the sweeps' velocities to those last computed, free of accumulated rounding.
   void correct(PgsRows& rows, const PgsIsland& island) const;
 
   /// A contact that closes faster than `tolerance` although nothing can move and no limit says what to do.
   struct Culprit {
-    int contact = -1;  ///< of the problem; -1: none
+    int contact = -1;  ///< contact of the problem; -1: none
     double closing_speed = 0;
   };
   Culprit find_culprit(const PgsRows& rows, const PgsIsland& island, double tolerance);

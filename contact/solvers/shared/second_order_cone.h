@@ -47,7 +47,7 @@ struct NesterovTodd {
   Vec3 scaled;   ///< l = P x = P^-1 z
 };
 
-/// For x and z inside the cone.
+/// Returns the scaling of x and z, both inside the cone.
 inline NesterovTodd nesterov_todd(const Vec3& x, const Vec3& z) {
   const Vec3 signs(1, -1, -1);
   const double det_x = cone_determinant(x), det_z = cone_determinant(z);

@@ -1,5 +1,5 @@
 #pragma once
-/// What all Gauss-Seidel sweeps share: the loop around them and the residual that stops it.
+/// The loop around all Gauss-Seidel sweeps, and the residual that stops it.
 #include <algorithm>
 #include <limits>
 
@@ -19,7 +19,7 @@ class RowSweeps {
  public:
   explicit RowSweeps(const RowIsland& whole);
   double law_map() const;  ///< [m/s]
-  /// After law_map: drops the rounding that the sweeps have gathered.
+  /// Removes the rounding that the sweeps have gathered; to be called after law_map.
   void correct() { residual_.correct(rows_, island_); }
   VecX impulses() const;
   void set_impulses(const VecX& r);
