@@ -15,7 +15,7 @@ struct FclibProblem {
   std::variant<LocalProblem, ContactProblem> problem;
   std::string title, description;
   double asymmetry = 0;  ///< asymmetry of W (local) or M (global): largest |A_ij - A_ji| over the largest |A_ij|
-  std::vector<int> dof_of_file;  ///< row of M in the file for each of our velocities; empty for the local form
+  std::vector<int> dof_of_file;  ///< row of M in the file for each velocity of the problem; empty for the local form
   std::optional<VecX> guess;     ///< 3 nc impulses
   std::optional<VecX> solution;  ///< 3 nc impulses
 

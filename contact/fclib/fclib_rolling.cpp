@@ -10,7 +10,7 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// Calls work(row of the file, row of ours, length) for every pair of rows; length 1 for forces.
+/// Calls work(row in the file, row in the ContactProblem, length) for every pair of rows; length 1 for forces.
 template <class Work>
 void for_each_row(const RollingRows& rows, const Work& work) {
   for (int p = 0; p < rows.num_points(); ++p) {

@@ -3,8 +3,8 @@
 ///
 /// The whole problem goes over, as its users have it: W (as stored, with the compliance on its normal diagonal), q, mu;
 /// law coulomb. Siconos stops on residuals relative to the largest number of the problem, so each solver is run down a
-/// ladder of relative tolerances, 1e-4 to 1e-16, always from the guess, until `measure` finds law_map_m_s at most ours.
-/// Source: Acary, Bremond, Huber 2018; the library is Debian's libsiconos-numerics.
+/// ladder of relative tolerances, 1e-4 to 1e-16, always from the guess, until `measure` finds law_map_m_s at most the
+/// tolerance of `shared`. Source: Acary, Bremond, Huber 2018; the library is Debian's libsiconos-numerics.
 #include "contact/solvers/solver.h"
 
 namespace nilas {

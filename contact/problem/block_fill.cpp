@@ -11,7 +11,7 @@ namespace {
 
 /// The dense part begins where at least this share of the blocks to come are filled.
 constexpr double k_dense_share = 0.95;
-/// Fewer rows than this are not worth a dense part; more would take over half a gigabyte, whatever they save.
+/// Least and most rows of a dense part. Fewer rows save nothing; more would take over half a gigabyte.
 constexpr int k_smallest_tail = 8, k_largest_tail = 2500;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -32,7 +32,7 @@ void order(const std::vector<int>& row_start, const std::vector<int>& column, Bl
   for (int k = 0; k < n; ++k) fill.place[at(fill.source[at(k)])] = k;
 }
 
-/// n lists from `for_each`, which calls what it is given for every (list, item), the same way each time.
+/// Returns n lists from `for_each`, which calls its argument for every (list, item), in the same order each time.
 template <class ForEach>
 ColumnLists lists_of(int n, const ForEach& for_each) {
   ColumnLists lists;

@@ -8,7 +8,7 @@
 namespace nilas {
 
 /// M_k^-1 per block. A symmetric 6x6 block of the form diag(m I, I_G) is kept as 1/m and I_G^-1 with their roots, any
-/// other by its Cholesky factor, and one that is asymmetric beyond rounding (masses of files) by its LU factors beside.
+/// other by its Cholesky factor. A block that is asymmetric beyond rounding (masses of files) also has its LU factors.
 class MassInverse {
  public:
   explicit MassInverse(const ContactProblem& problem);

@@ -1,5 +1,5 @@
 #pragma once
-/// A contact problem with what its solver and its measure need beside it, derived once for both.
+/// A contact problem with the data that its solver and its measurement share, derived once for both.
 #include <vector>
 
 #include "contact/problem/mass_inverse.h"

@@ -78,7 +78,7 @@ bool factor(const MassScaled& problem, const Penalty& penalty, BlockCholesky& fa
   return factors.factor(unit, added);
 }
 
-/// y and z/p, one after the other: what is iterated.
+/// Returns the iterated vector: y followed by z/p.
 VecX together(const VecX& y, const VecX& z, double penalty) {
   VecX both(2 * y.size());
   both << y, z / penalty;
@@ -103,7 +103,7 @@ Imbalance alternate(const MassScaled& problem, const BlockCholesky& factors, con
   return residuals;
 }
 
-/// Anderson acceleration that gives way to plain iterations, for twice as long each time, when the residual grows.
+/// Anderson acceleration that stops for a number of plain iterations when the residual grows, twice as many each time.
 class GuardedMixer {
  public:
   explicit GuardedMixer(int depth) : mixer_(depth), off_(depth == 0) {}
@@ -113,7 +113,7 @@ class GuardedMixer {
     least_ = std::numeric_limits<double>::infinity();
   }
 
-  /// The state to go on from, after `iteration` led from `before` to `after`; nothing: from `after` as it is.
+  /// Returns the state to continue from after `iteration` led from `before` to `after`; empty: from `after` itself.
   std::optional<VecX> next(const VecX& before, const VecX& after, int iteration) {
     if (off_ || iteration < plain_until_) return std::nullopt;
     const double residual = (after - before).norm();

@@ -20,7 +20,7 @@ constexpr double k_accepted_ratio = 0.9;
 constexpr double k_timid_ratio = 0.3;
 constexpr double k_shrink = 2.0 / 3;
 
-/// Steps shorter than this share of 1/d move nothing that doubles can tell.
+/// Steps shorter than this share of 1/d change impulses by less than rounding.
 constexpr double k_least_step = 1e-15;
 
 Eigen::VectorBlock<VecX, 3> segment(VecX& x, std::ptrdiff_t c) { return x.segment<3>(3 * c); }

@@ -5,13 +5,12 @@
 ///   with a force limit also stick and slip at r_N = limit, where u_N <= 0 is free; frictionless: open or u_N = 0
 ///
 /// Every combination is a square system in the impulses of its closed contacts, solved by Newton's method from several
-/// slip directions with least-squares steps of least length. The first answer that `measure` finds within the
-/// tolerance is returned, combinations with more open contacts first.
-/// It can: tell that an answer exists, independent of any iteration that the other solvers share.
-/// It cannot: prove that none exists (Newton may miss a direction; where sticking contacts are hyperstatic only the
-/// least impulses are looked at, and these may leave the cone while others would not), nor find all answers.
-/// Cost: up to 3^n (5^n with limits) systems of 3 n unknowns; milliseconds for 4 contacts, seconds for 8.
-/// Source: pivoting through all bases, as in Al-Fahed, Stavroulakis, Panagiotopoulos 1991.
+/// slip directions with least-squares steps of least length. The first answer that `measure` finds within the tolerance
+/// is returned, combinations with more open contacts first. It can show that an answer exists, independent of any
+/// iteration that the other solvers share. It cannot: prove that none exists (Newton may miss a direction; where
+/// sticking contacts are hyperstatic only the least impulses are looked at, and these may leave the cone while others
+/// would not), nor find all answers. Cost: up to 3^n (5^n with limits) systems of 3 n unknowns; milliseconds for 4
+/// contacts, seconds for 8. Source: pivoting through all bases, as in Al-Fahed, Stavroulakis, Panagiotopoulos 1991.
 ///
 /// Laws: coulomb, ccp, frictionless. Nominal tolerance 1e-10 m/s. Islands are solved apart.
 #include "contact/solvers/solver.h"

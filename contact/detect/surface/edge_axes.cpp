@@ -176,7 +176,7 @@ void try_nearest_edges(const PairView& pair, const EdgeChoice& edges, Axis& best
   double distance = k_infinite;
   Vec3 shortest = Vec3::Zero();
   // Edges that meet in a vertex, or run alongside, are equally near: then what a mirrored pair shares decides. Places
-  // on them count from their middles, since the image of an edge may run the other way.
+  // on them count from their middles, since the image of an edge may run in the other direction.
   std::tuple<double, double, double, double> least{k_infinite, 0, 0, 0};
   for (const EdgeInA& a : edges.of_a) {
     const Vec3 half_a = 0.5 * a.along;

@@ -41,7 +41,7 @@ class BlockCholesky {
   std::vector<PaddedBlock> upper_block_;   ///< V right of the diagonal, in the order of the fill
   std::vector<PaddedBlock> inverse_root_;  ///< inverse of V's diagonal blocks, transposed
   std::vector<std::size_t> next_;          ///< first block of each row of V that is not yet used as a factor
-  std::vector<PaddedBlock> row_;           ///< the row at work, scattered
+  std::vector<PaddedBlock> row_;           ///< the row that is eliminated, scattered
   MatX dense_;
   Eigen::LLT<MatX, Eigen::Upper> dense_factor_;
 };

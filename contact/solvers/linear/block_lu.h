@@ -34,7 +34,7 @@ class BlockLu {
   BlockFill fill_;
   std::vector<PaddedBlock> upper_block_, lower_block_;  ///< blocks beyond the diagonal, in the order of the fill
   std::vector<PaddedBlock> pivot_inverse_;
-  std::vector<PaddedBlock> row_;  ///< the row at work, scattered
+  std::vector<PaddedBlock> row_;  ///< the row that is eliminated, scattered
   MatX dense_;
   Eigen::PartialPivLU<MatX> dense_lu_;
 };

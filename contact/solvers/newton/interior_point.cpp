@@ -7,11 +7,11 @@ namespace nilas {
 
 namespace {
 
-/// Share of the way to the boundary that a step takes; the rest keeps the next scaling finite.
+/// Share of the distance to the boundary that a step takes; the rest keeps the next scaling finite.
 constexpr double k_step_share = 0.99;
 /// A cone cut at its apex has no inside: limits count as at least this share of the largest velocity.
 constexpr double k_least_cap = 1e-10;
-/// Steps shorter than this make no progress worth a factorisation.
+/// Steps shorter than this gain less than a factorisation costs.
 constexpr double k_shortest_step = 1e-4;
 /// Iterations without the gap falling to k_fall of its best: rounding has won.
 constexpr int k_patience = 5;

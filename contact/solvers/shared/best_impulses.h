@@ -33,7 +33,7 @@ class StallRule {
   int marked_at_ = 0;
 };
 
-/// A window for solvers that know by themselves when they are stuck.
+/// The window for solvers that detect a stall by themselves.
 constexpr int k_no_window = std::numeric_limits<int>::max();
 
 class BestImpulses {
