@@ -1,5 +1,5 @@
 #pragma once
-/// Local problems that no masses make: what solvers meet in broken files.
+/// Local problems that no masses can produce, as solvers may meet them in broken files.
 #include <limits>
 
 #include "contact/problem/local_problem.h"
@@ -27,7 +27,8 @@ inline LocalProblem coupled_pair(double coupling, double diagonal = 1) {
   return problem;
 }
 
-/// Answers are no impulses at all and normal impulses of 1 N s: larger impulses grow by `factor` per visit of a sweep.
+/// A pair whose solutions are zero impulses and normal impulses of 1 N s. Larger impulses grow by `factor` per visit of
+/// a sweep.
 inline LocalProblem runaway_pair(double factor, double diagonal) {
   LocalProblem problem = coupled_pair(-factor * diagonal, diagonal);
   problem.q[0] = problem.q[3] = (factor - 1) * diagonal;

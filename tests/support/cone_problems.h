@@ -1,10 +1,10 @@
 #pragma once
-/// Problems with closed forms for solvers of exact cones.
+/// Problems with closed-form solutions for solvers of exact cones.
 #include "tests/support/problem_factory.h"
 
 namespace nilas::test {
 
-/// A particle above a fixed plane with velocity (u_N, u_T1, u_T2) before contact.
+/// A particle above a fixed plane that has the velocity (u_N, u_T1, u_T2) [m/s] before contact.
 inline ContactProblem particle(Law law, double mass, double mu, const Vec3& before) {
   ContactProblem problem;
   problem.law = law;

@@ -1,4 +1,4 @@
-/// Counts a program's calls of FCL's narrow phase and of libccd, from outside: preloaded, it stands before both
+/// Counts a program's calls of FCL's narrow phase and of libccd from outside: preloaded, it is found before both
 /// libraries. At the end it writes "collide N", "distance N" and "ccd N" to the file that NILAS_LIBRARY_CALLS names.
 #include <dlfcn.h>
 #include <errno.h>
@@ -14,7 +14,8 @@ namespace {
 struct Calls {
   std::atomic<long> collide{0}, distance{0}, ccd{0};
   ~Calls() {
-    if (std::string_view(program_invocation_short_name) != "nilas") return;  // a shell that starts it
+    // A shell that starts the program is preloaded as well.
+    if (std::string_view(program_invocation_short_name) != "nilas") return;
     const char* file = std::getenv("NILAS_LIBRARY_CALLS");
     if (std::FILE* out = file ? std::fopen(file, "w") : nullptr) {
       std::fprintf(out, "collide %ld\ndistance %ld\nccd %ld\n", collide.load(), distance.load(), ccd.load());
@@ -23,7 +24,7 @@ struct Calls {
   }
 };
 
-Calls calls;  // the library's only state: it lives as long as the program that it counts for
+Calls calls;  // The library's only state lives as long as the program that it counts for.
 
 template <class Function>
 Function* next(const char* symbol) {
@@ -61,7 +62,7 @@ double count_distance(const void* a, const void* pose_a, const void* b, const vo
   return real(a, pose_a, b, pose_b, request, result);
 }
 
-// What FCL's GJK and EPA use of libccd: distances to the simplex, and the polytope of the penetration.
+// FCL's GJK and EPA use these functions of libccd: distances to the simplex, and the polytope of the penetration.
 extern "C" {
 
 double ccdVec3PointSegmentDist2(const void* point, const void* start, const void* end, void* nearest) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Random outlines and cracks, ordinary and vicious, by class.
+/// Random outlines and cracks by class, ordinary and adversarial.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,7 +25,7 @@ inline Vec2 at_angle(double radius, double angle) { return {radius * std::cos(an
 inline int whole(RandomStream& random, int low, int high) {
   return low + static_cast<int>(random.uniform() * (high - low + 1));
 }
-/// Magnitude from 10^low to 10^high, even on the logarithm.
+/// A magnitude from 10^low to 10^high, log-uniform.
 inline double magnitude(RandomStream& random, double low, double high) {
   return std::pow(10.0, random.uniform(low, high));
 }
@@ -51,7 +51,7 @@ inline Outline star_outline(RandomStream& random) {
   return outline;
 }
 
-/// Band that winds outward one to three times.
+/// A band that winds outward one to three times.
 inline Outline spiral_outline(RandomStream& random) {
   const int n = whole(random, 10, 40);
   const double turns = random.uniform(1, 3), width = random.uniform(0.1, 0.6), start = random.uniform(0, 2 * k_pi);
@@ -65,7 +65,7 @@ inline Outline spiral_outline(RandomStream& random) {
   return outline;
 }
 
-/// Further vertices along edges, and some that stand `apart` from their neighbour.
+/// Adds vertices along edges, and some at the distance `apart` from their neighbour.
 inline Outline with_runs(const Outline& outline, double apart, RandomStream& random) {
   Outline out;
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -80,7 +80,7 @@ inline Outline with_runs(const Outline& outline, double apart, RandomStream& ran
 
 inline bool sound(const Outline& outline) { return is_simple(outline) && !is_clockwise(outline); }
 
-/// Scaled, moved, and simple in spite of the rounding.
+/// Returns an outline that is simple in spite of rounding, scaled and moved.
 template <class Make>
 Outline sound_outline(const Make& make, double scale, const Vec2& offset, RandomStream& random) {
   for (;;) {
@@ -95,8 +95,8 @@ inline Outline any_shape(RandomStream& random) {
   return kind == 0 ? convex_outline(random) : kind == 1 ? star_outline(random) : spiral_outline(random);
 }
 
-/// From well outside to well outside through a point near the middle; bends keep it single-valued over its direction,
-/// so that it never meets itself.
+/// A line through a point near the middle, from far outside to far outside. Its bends advance along its direction, so
+/// that it never meets itself.
 inline std::vector<Vec2> through_line(RandomStream& random, double scale, const Vec2& offset, int bends) {
   const double angle = random.uniform(0, 2 * k_pi);
   const Vec2 along = at_angle(1, angle), across(-along.y(), along.x());
@@ -113,7 +113,7 @@ inline const Vec2& vertex_of(const Outline& outline, int i) {
   return outline[static_cast<std::size_t>(i) % outline.size()];
 }
 
-/// Through two vertices, or along an edge and beyond, shifted sideways by `aside`.
+/// A line through two vertices, or along an edge and beyond it, shifted sideways by `aside`.
 inline std::vector<Vec2> line_by_vertices(const Outline& outline, bool edge, double aside, RandomStream& random) {
   const int n = static_cast<int>(outline.size()), i = whole(random, 0, n - 1);
   const Vec2 &a = vertex_of(outline, i), &b = vertex_of(outline, i + (edge ? 1 : whole(random, 1, n - 1)));
@@ -148,7 +148,7 @@ constexpr std::array<const char*, k_num_cut_classes> k_cut_class_names{
     "lines",        "polylines",    "many lines",    "edge to edge",  "dangling",  "through vertices", "along edges",
     "near tangent", "1e-9 m edges", "zero segments", "1e-6 .. 1e4 m", "1e6 m off", "self-crossing"};
 
-/// Classes whose cracks may enclose a part of the floe, so that refusals are right.
+/// Whether cracks of this class may enclose a piece of the floe, so that a refusal is correct.
 inline bool may_enclose(CutClass kind) { return kind == CutClass::edge_to_edge || kind == CutClass::self_crossing; }
 
 inline Lines random_cracks(CutClass kind, const Outline& outline, double scale, const Vec2& offset,
@@ -185,7 +185,7 @@ inline Lines random_cracks(CutClass kind, const Outline& outline, double scale, 
       through(2);
       auto& crack = cracks.back();
       crack.insert(crack.begin() + 1, crack[1]);
-      crack.insert(crack.begin() + 1, {crack[0], crack[1], crack[0]});  // and one that runs back on itself
+      crack.insert(crack.begin() + 1, {crack[0], crack[1], crack[0]});  // The crack also runs back on itself.
       cracks.push_back({inner()});
       cracks.emplace_back();
       break;

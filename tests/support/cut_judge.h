@@ -1,5 +1,5 @@
 #pragma once
-/// What a cut keeps and what it does not, found without the cutting code.
+/// Checks the quantities that a cut must conserve, without the cutting code.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -52,7 +52,7 @@ inline double deepest_overlap(const std::vector<CutPiece>& pieces) {
   return deepest_overlap(outlines);
 }
 
-/// Uniform plate over the outline, moved to its centroid, on a random course.
+/// A uniform plate with this outline, moved to its centroid, at a random pose and with random velocities.
 inline FloeState random_floe(Outline outline, RandomStream& random) {
   const Vec2 centroid = polygon_moments(outline).centroid;
   for (Vec2& p : outline) p -= centroid;
@@ -73,7 +73,7 @@ inline FloeState random_floe(Outline outline, RandomStream& random) {
   return floe;
 }
 
-/// Relative errors of a cut; each over the sum of the magnitudes of what is added up.
+/// Relative errors of a cut, each over the sum of the magnitudes of its summands.
 struct MotionError {
   double mass = 0, momentum = 0, angular_momentum = 0, energy = 0;
   double worst() const { return std::max({mass, momentum, angular_momentum, energy}); }
@@ -84,7 +84,7 @@ inline MotionError motion_error(const FloeState& floe, const FloeCut& cut) {
   const MotionAccount before = motion_account(floe, about);
   MotionAccount after = cut.brash_account;
   after += cut.extruded_account;
-  // a place is rounded, and with it the momentum's lever
+  // Positions are rounded, which changes the lever arms of the momenta.
   const double size = std::sqrt(polygon_moments(floe.outline).area);
   double momentum = before.momentum.norm(), angular = before.angular_momentum.norm() + size * momentum;
   for (const FloePiece& piece : cut.pieces) {
@@ -98,8 +98,7 @@ inline MotionError motion_error(const FloeState& floe, const FloeCut& cut) {
           std::abs(after.kinetic_energy - before.kinetic_energy) / before.kinetic_energy};
 }
 
-/// Pieces as they lie in the floe's plane, their own rounding included; those are left out that it makes touch
-/// themselves.
+/// The pieces in the floe's plane, with their own rounding. Pieces that rounding makes touch themselves are left out.
 inline std::vector<Outline> pieces_in_plane(const FloeState& floe, const FloeCut& cut) {
   std::vector<Outline> outlines;
   for (const FloePiece& piece : cut.pieces) {

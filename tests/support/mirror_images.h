@@ -1,6 +1,6 @@
 #pragma once
-/// A scene that is its own image in the plane y = 0: which body is whose image, and in which stage of a step the two
-/// sides first differ.
+/// A scene that is its own image in the plane y = 0: finds the image of each body, and the stage of a step in which the
+/// two sides first differ.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,16 +12,16 @@
 namespace nilas::test {
 
 inline Vec3 mirrored(const Vec3& x) { return {x.x(), -x.y(), x.z()}; }
-/// Of angular velocities and moments.
+/// The mirror image of an axial vector, such as an angular velocity or a moment.
 inline Vec3 mirrored_axial(const Vec3& x) { return {-x.x(), x.y(), -x.z()}; }
 
-/// The two sides of one step, stage by stage; zero where every bit is the mirrored one.
+/// Differences between the two sides of one step, stage by stage. Each is zero where every bit is the mirrored one.
 struct StepAsymmetry {
-  double loads = 0;      ///< momenta of the motion without contact, of bodies that touch [N s, N m s]
-  bool contacts = true;  ///< points, normals, gaps and pairs are images of each other to the last bit
-  double impulses = 0;   ///< of contacts that are images of each other [N s]; 0 unless `contacts`
-  double poses = 0;      ///< places of centres at the step's end [m]
-  double attitudes = 0;  ///< largest difference of an entry of the rotation matrices
+  double loads = 0;      ///< Momenta of the motion without contact, of bodies that touch [N s, N m s].
+  bool contacts = true;  ///< Points, normals, gaps and pairs are images of each other to the last bit.
+  double impulses = 0;   ///< Impulses of contacts that are images of each other [N s]; 0 unless `contacts`.
+  double poses = 0;      ///< Positions of centres at the step's end [m].
+  double attitudes = 0;  ///< Largest difference between entries of the rotation matrices.
   double velocities = 0;
 
   bool none() const {
@@ -39,7 +39,7 @@ struct StepAsymmetry {
 
 class MirrorImages {
  public:
-  /// Finds the image of each body from the poses at the start, to within `near` [m]; paired() is false without one.
+  /// Finds the image of each body from the initial poses, to within `near` [m]. paired() is false when a body has none.
   explicit MirrorImages(const Bodies& bodies, double near = 1e-9) : image_(bodies.p_GB.size(), -1) {
     for (int a = 0; a < bodies.size(); ++a)
       for (int b = 0; b < bodies.size(); ++b)
@@ -51,7 +51,7 @@ class MirrorImages {
   bool paired() const { return std::find(image_.begin(), image_.end(), -1) == image_.end(); }
   int image(int body) const { return image_[at(body)]; }
 
-  /// Whether every body has the mirrored surface, contact parts, mass and inertia of its image, to the last bit.
+  /// Whether every body has the mirrored surface, convex pieces, mass and inertia of its image, to the last bit.
   bool built_as_images(const Bodies& bodies) const {
     for (int b = 0; b < bodies.size(); ++b) {
       const auto i = at(b), k = at(image(b));
@@ -64,7 +64,7 @@ class MirrorImages {
     return true;
   }
 
-  /// Of the state as it is now, and of the contacts of the last step.
+  /// The asymmetry of the present state and of the contacts of the last step.
   StepAsymmetry measure(const Simulation& simulation) const {
     StepAsymmetry found;
     const Bodies& bodies = simulation.bodies();
@@ -84,13 +84,13 @@ class MirrorImages {
   }
 
  private:
-  /// a, b, then p, n and gap: what names a contact in both halves of the scene.
+  /// A contact: a, b, p, n and gap identify it in both halves of the scene.
   struct Touch {
     std::array<double, 9> what;
     Vec3 impulse;
   };
 
-  /// Of the surface and of all parts, each in an order of its own; `sign` of y.
+  /// The vertices of the surface and of all convex pieces, sorted. Their y is multiplied by `sign`.
   static std::vector<std::array<double, 3>> corners(const Shape& shape, double sign) {
     std::vector<std::array<double, 3>> all;
     const auto add = [&](const std::vector<Vec3>& vertices) {

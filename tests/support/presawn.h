@@ -1,6 +1,6 @@
 #pragma once
-/// The pre-sawn scenes with other hull meshes and slightly other fields, and how deep their pieces lie in hull and
-/// sheets by a measure that shares no code with contact/detect.
+/// The pre-sawn scenes with other hull meshes and perturbed fields. A measure that shares no code with contact/detect
+/// gives how deep their pieces lie in hull and sheets.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -22,8 +22,8 @@ inline Scene shipped_presawn(char letter) {
   return read_scene(std::string(NILAS_SOURCE_DIR) + "/apps/scenes/presawn-" + letter + ".xml");
 }
 
-/// The same with its grid as single floes, each moved by up to `amount` [m]; seed 0 moves nothing.
-/// `triangles`: of a generated hull in place of the scene's.
+/// Scene presawn-<letter> with its grid as single floes, each moved by up to `amount` [m] in x and y; seed 0 moves
+/// nothing. `triangles`: number of triangles of a generated hull that replaces the scene's.
 inline Scene presawn(char letter, std::uint64_t seed = 0, double amount = 0, std::optional<int> triangles = {}) {
   Scene scene = shipped_presawn(letter);
   if (triangles) {
@@ -53,8 +53,8 @@ inline Scene presawn(char letter, std::uint64_t seed = 0, double amount = 0, std
   return scene;
 }
 
-/// A convex triangle mesh as brute force over separating axes sees it: all face normals, and every pair of edges whose
-/// cross product is a normal of the Minkowski difference.
+/// A convex triangle mesh with a brute-force search over separating axes: all face normals, and every pair of edges
+/// whose cross product is a normal of the Minkowski difference.
 class ConvexOracle {
  public:
   ConvexOracle(const TriangleMesh& mesh, const Mat3& R, const Vec3& p) {
@@ -75,7 +75,8 @@ class ConvexOracle {
     }
   }
 
-  /// Largest separation of `piece` from the mesh along any axis; below 0 the length of the shortest way out [m].
+  /// Largest separation of `piece` from the mesh along any axis [m]. Below 0 it is minus the length of the shortest
+  /// translation that separates them.
   double separation(const oracle::Solid& piece) const {
     double most = -std::numeric_limits<double>::infinity();
     const auto lowest = [&](const Vec3& n) {
@@ -99,7 +100,7 @@ class ConvexOracle {
 
  private:
   struct Edge {
-    Vec3 p, along, n1, n2;  ///< a point, its direction, the normals on its two sides
+    Vec3 p, along, n1, n2;  ///< A point of the edge, its direction, and the normals on its two sides.
   };
 
   static std::vector<Vec3> directions(const oracle::Solid& piece) {
@@ -119,21 +120,21 @@ class ConvexOracle {
   std::vector<Edge> edges_;
 };
 
-/// How deep the free pieces of a scene with a convex fixed hull lie in it and in the fixed sheets.
+/// Measures how deep the free pieces of a scene with a convex fixed hull lie in it and in the fixed sheets.
 class PresawnOverlap {
  public:
   explicit PresawnOverlap(const Simulation& simulation)
       : simulation_(simulation), hull_([&] {
           const Bodies& bodies = simulation.bodies();
           const auto vessel = static_cast<std::size_t>(simulation.vessel_index());
-          // its triangles, not the faces that the contact search merged from them
+          // The mesh is the hull's triangles, not the faces that the contact search merged from them.
           return ConvexOracle(bodies.shape[vessel]->surface, bodies.R_GB[vessel], bodies.p_GB[vessel]);
         }()) {}
 
   struct Depth {
-    double hull = 0, sheets = 0;  ///< [m]
+    double hull = 0, sheets = 0;  ///< Depth in the hull and in the sheets [m].
   };
-  /// At the present poses.
+  /// The largest depths at the present poses.
   Depth measure() const {
     const Bodies& bodies = simulation_.bodies();
     Depth depth;
@@ -150,9 +151,9 @@ class PresawnOverlap {
   }
 
  private:
-  /// A sheet lies on one side of the channel, a piece beyond its reach cannot touch it.
+  /// Whether a piece is in reach of a sheet, which lies on one side of the channel.
   static bool is_near(const Bodies& bodies, std::size_t piece, std::size_t sheet) {
-    const double inner = 0.85;  // of the sheets, |y| [m]
+    const double inner = 0.85;  // Inner edge of the sheets, |y| [m].
     const bool same_side = bodies.p_GB[piece].y() * bodies.p_GB[sheet].y() > 0;
     return same_side && std::abs(bodies.p_GB[piece].y()) + bodies.shape[piece]->bounding_radius > inner;
   }

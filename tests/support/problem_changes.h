@@ -32,14 +32,14 @@ inline void copy_contact(const ContactProblem& from, int c, std::uint64_t key, b
   to.w.tail<3>() = from.w.segment<3>(3 * c);
 }
 
-/// Contacts in another order.
+/// The same problem with its contacts in another order.
 inline ContactProblem with_order(const ContactProblem& problem, const std::vector<int>& order) {
   ContactProblem out = without_contacts(problem);
   for (const int c : order) copy_contact(problem, c, problem.key[static_cast<std::size_t>(c)], false, out);
   return out;
 }
 
-/// Block lists swapped: A's rows stand where B's were. Velocities and impulses stay what they are.
+/// The same problem with block lists swapped: A's rows take the place of B's. Velocities and impulses stay the same.
 inline ContactProblem with_swapped_sides(const ContactProblem& problem) {
   ContactProblem out = without_contacts(problem);
   for (int c = 0; c < problem.num_contacts(); ++c)
@@ -47,7 +47,7 @@ inline ContactProblem with_swapped_sides(const ContactProblem& problem) {
   return out;
 }
 
-/// Every contact twice. Bounds of the impulse hold for each copy.
+/// The same problem with every contact twice. Bounds of the impulse hold for each copy.
 inline ContactProblem with_duplicates(const ContactProblem& problem) {
   ContactProblem out = problem;
   for (int c = 0; c < problem.num_contacts(); ++c)
@@ -55,7 +55,8 @@ inline ContactProblem with_duplicates(const ContactProblem& problem) {
   return out;
 }
 
-/// Tangent rows of every contact turned about the normal, each by its own multiple of `angle`.
+/// The same problem with the tangent rows of every contact turned about the normal, each by its own multiple of
+/// `angle`.
 inline ContactProblem with_turned_tangents(ContactProblem problem, double angle) {
   for (int contact = 0; contact < problem.num_contacts(); ++contact) {
     const double c = std::cos(angle * (1 + contact)), s = std::sin(angle * (1 + contact));
@@ -76,7 +77,8 @@ inline ContactProblem with_turned_tangents(ContactProblem problem, double angle)
   return problem;
 }
 
-/// All masses and momenta times a factor: the same velocities, impulses times the factor.
+/// The same problem with all masses and momenta times a factor: velocities stay the same, impulses are multiplied by
+/// the factor.
 inline ContactProblem with_mass_scale(ContactProblem problem, double factor) {
   for (double& m : problem.mass_data) m *= factor;
   problem.f *= factor;
@@ -85,7 +87,7 @@ inline ContactProblem with_mass_scale(ContactProblem problem, double factor) {
   return problem;
 }
 
-/// All velocities times a factor.
+/// The same problem with all velocities times a factor.
 inline ContactProblem with_speed_scale(ContactProblem problem, double factor) {
   problem.f *= factor;
   problem.w *= factor;

@@ -1,5 +1,5 @@
 #pragma once
-/// Runs the built program as a user would and reads what it wrote.
+/// Runs the built program as a user would, and reads its output.
 #include <sys/wait.h>
 
 #include <array>
@@ -46,7 +46,7 @@ inline ProgramResult run_nilas(const std::string& arguments, const fs::path& fol
   return result;
 }
 
-/// A CSV file as columns by name; cells that are no numbers read as NaN.
+/// A CSV file as columns by name. Cells that are not numbers read as NaN.
 class Table {
  public:
   explicit Table(const fs::path& file) {

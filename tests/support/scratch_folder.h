@@ -1,5 +1,5 @@
 #pragma once
-/// A folder of its own for one test.
+/// A folder that belongs to one test.
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -8,7 +8,7 @@
 
 namespace nilas::test {
 
-/// A new empty folder under the system's temporary folder, removed with the object.
+/// A new empty folder under the system's temporary folder. The destructor removes it.
 class ScratchFolder {
  public:
   ScratchFolder() {
@@ -29,7 +29,7 @@ class ScratchFolder {
   std::filesystem::path write(const std::string& name, const std::string& text) const {
     const auto file = path_ / name;
     std::filesystem::create_directories(file.parent_path());
-    // Some file systems wait for the disk when a file is overwritten, not when it is new.
+    // Some file systems wait for the disk when a file is overwritten, but not when it is new.
     std::filesystem::remove(file);
     std::ofstream(file, std::ios::binary) << text;
     return file;

@@ -1,12 +1,12 @@
 #pragma once
-/// A disk that is full, for tests.
+/// Simulates a full disk for tests.
 #include <sys/resource.h>
 
 #include <csignal>
 
 namespace nilas::test {
 
-/// Files stop growing at `bytes`, as on a disk that fills in the middle of a row.
+/// Limits the size of files to `bytes`, as on a disk that fills in the middle of a row.
 class SizeLimit {
  public:
   explicit SizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {

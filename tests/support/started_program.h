@@ -1,5 +1,5 @@
 #pragma once
-/// A run of the program that goes on while a test looks at it, and may be killed.
+/// A run of the program that continues while a test inspects it, and that the test may kill.
 #include <signal.h>
 #include <unistd.h>
 
@@ -17,7 +17,7 @@ inline std::vector<std::string> lines_of(const fs::path& file) {
   return lines;
 }
 
-/// A program that was started and not waited for.
+/// A program that was started without waiting for its end.
 class Started {
  public:
   Started(const std::string& arguments, const fs::path& folder) {
@@ -45,7 +45,7 @@ class Started {
     }
     return false;
   }
-  /// Returns the exit code, or 128 and the signal.
+  /// Sends the signal and waits. Returns the exit code, or 128 plus the signal.
   int stop(int signal) {
     if (runs()) {
       ::kill(process_, signal);

@@ -1,10 +1,10 @@
 #pragma once
-/// Distance of two convex solids that are apart, feature by feature; shares no code with contact/detect.
+/// Distance of two convex solids that are apart, feature by feature. Shares no code with contact/detect.
 #include "tests/support/collision/sat_oracle.h"
 
 namespace nilas::oracle {
 
-/// From a point of a to the nearest of b.
+/// The shortest vector found so far from a point of a to a point of b, and its length [m].
 struct Span {
   Vec3 way = Vec3::UnitX();
   double length = k_infinite;
@@ -14,7 +14,7 @@ struct Span {
   }
 };
 
-/// Point of a cylinder nearest to x outside of it.
+/// The point of a cylinder that is nearest to x, a point outside of it.
 inline Vec3 nearest_on_cylinder(const Solid& cylinder, const Vec3& x) {
   const Vec3 middle = 0.5 * (cylinder.vertices[0] + cylinder.vertices[1]);
   const double half = 0.5 * (cylinder.vertices[1] - cylinder.vertices[0]).norm();
@@ -24,7 +24,7 @@ inline Vec3 nearest_on_cylinder(const Solid& cylinder, const Vec3& x) {
   return middle + std::clamp(z, -half, half) * cylinder.axis + (r > cylinder.radius ? cylinder.radius / r : 1.0) * out;
 }
 
-/// Foot of x on a face of a polytope, when it falls within it.
+/// Offers the vector between x and its foot on a face of a polytope, when the foot lies on the face.
 inline void offer_face(const Solid& solid, int face, const Vec3& x, double sign, Span& least) {
   const auto& loop = solid.faces[face];
   const Vec3& n = solid.normals[face];
@@ -63,7 +63,8 @@ inline Span between_polytopes(const Solid& a, const Solid& b) {
   return least;
 }
 
-/// From a polytope to a cylinder: its edges, along which the distance is convex, and its faces against the rims.
+/// The shortest vector from a polytope to a cylinder. Candidates are the points of the polytope's edges, along which
+/// the distance is convex, and the rims against its faces.
 inline Span polytope_to_cylinder(const Solid& polytope, const Solid& cylinder) {
   Span least;
   for (const auto& [i, j] : polytope.edges) {
@@ -79,14 +80,15 @@ inline Span polytope_to_cylinder(const Solid& polytope, const Solid& cylinder) {
     const Vec3& n = polytope.normals[f];
     const Vec3 aside = n.dot(cylinder.axis) * cylinder.axis - n;
     for (const Vec3& centre : cylinder.vertices) {
-      offer_face(polytope, f, centre, 1, least);  // a cap on a face
+      offer_face(polytope, f, centre, 1, least);  // A cap may lie flat on a face.
       if (aside.norm() > 1e-12) offer_face(polytope, f, centre + cylinder.radius * aside.normalized(), 1, least);
     }
   }
   return least;
 }
 
-/// A cylinder's rims against another cylinder, and their sides where the axes cross.
+/// The shortest vector between two cylinders. Candidates are the rims against the other cylinder, and the sides where
+/// the axes cross.
 inline Span between_cylinders(const Solid& a, const Solid& b) {
   Span least;
   constexpr int k_samples = 72;
@@ -120,11 +122,11 @@ inline Span shortest_way(const Solid& a, const Solid& b) {
   return {-back.way, back.length};
 }
 
-/// Distance of two solids that are apart.
+/// Distance of two solids that are apart [m].
 inline double distance(const Solid& a, const Solid& b) { return shortest_way(a, b).length; }
 
-/// The gap of two solids and its direction from a to b: their distance, or minus the depth. A gap of more than `enough`
-/// [m] may be larger than what is returned.
+/// The gap of two solids and its direction from a to b: their distance, or minus the depth of their overlap. A gap of
+/// more than `enough` [m] may be larger than the returned value.
 inline SeparatingAxis true_gap(const Solid& a, const Solid& b, double enough = k_infinite) {
   const SeparatingAxis best = best_axis(a, b);
   if (!(best.s > 0) || best.s > enough) return best;

@@ -1,5 +1,5 @@
 #pragma once
-/// Classes of pairs of convex-parted bodies on which contact search is put to the test.
+/// Classes of pairs of bodies of convex pieces, as test cases for contact search.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -12,8 +12,9 @@
 
 namespace nilas::pairs {
 
-/// How B comes to A: from any side with both in any attitude, afloat (tilted by up to 0.02) or flat, each from around
-/// or from above and below; by a feature of each; or B as A's image in one of A's faces, or just where A is.
+/// How B comes to A. From any side: both at any attitude, afloat (tilted by up to 0.02) or flat, the latter two from
+/// around or from above and below. By a feature of each: faces, edges, a vertex on a face. Or B is A's image in one of
+/// A's sides, or lies exactly where A is.
 enum class Meeting { any_attitude, afloat, flat, faces, edges, vertex_on_face, mirrored, same_place };
 
 using MakeShape = std::function<Shape(RandomStream&)>;
@@ -22,13 +23,13 @@ struct PairClass {
   const char* name;
   MakeShape a, b;
   Meeting meeting;
-  double size;     ///< of the smaller body [m]
-  double deepest;  ///< of the overlaps, and the widest of the gaps, in sizes; they are spread evenly in their logarithm
-  double offset;   ///< of both bodies from the origin [m]
-  double place = 1e-9;  ///< contact points lie on both surfaces within so many sizes
+  double size;          ///< Size of the smaller body [m].
+  double deepest;       ///< Largest overlap and widest gap over the size; both are log-uniform.
+  double offset;        ///< Distance of both bodies from the origin in x and in y [m].
+  double place = 1e-9;  ///< Largest distance of a contact point from either surface over the size.
 };
 
-/// Where a rim touches is the flat top of a search: known to the root of the rounding.
+/// The contact point on a rim is the flat maximum of a search: it is known to the square root of the rounding error.
 constexpr double k_place_of_rims = 1e-7;
 inline bool has_cylinder(const PairClass& c) { return c.place == k_place_of_rims; }
 
@@ -52,7 +53,7 @@ inline MakeShape cylinder(double size) {
   };
 }
 
-/// A needle, up to 1e5 times as long as wide.
+/// A needle whose length is up to 1e5 times its width.
 inline MakeShape needle() {
   return [](RandomStream& random) {
     const double width = log_uniform(random, 1e-5, 1e-2);
@@ -62,7 +63,7 @@ inline MakeShape needle() {
   };
 }
 
-/// An outline with a corner cut off by an edge of 1e-9 to 1e-2 radii.
+/// A plate with a corner that an edge of 1e-9 to 1e-2 radii cuts off.
 inline MakeShape plate_with_a_tiny_edge() {
   return [](RandomStream& random) {
     std::vector<Vec2> outline = random_outline(random, 1);
@@ -75,7 +76,7 @@ inline MakeShape plate_with_a_tiny_edge() {
   };
 }
 
-/// A star of alternating radii: concave, and so several convex pieces.
+/// A star of alternating radii: it is concave, and so it has several convex pieces.
 inline MakeShape star() {
   return [](RandomStream& random) {
     const int corners = 2 * (3 + static_cast<int>(random.uniform(0, 3)));
@@ -89,7 +90,7 @@ inline MakeShape star() {
   };
 }
 
-/// Rings of facets between two poles on an ellipsoid, so many and so long that it is like the parts of a hull.
+/// An ellipsoid of facets, in rings between two poles. With its many long facets it resembles a convex piece of a hull.
 inline ConvexPolytope faceted_ellipsoid(RandomStream& random, const Vec3& half_axes) {
   const int around = 10 + static_cast<int>(random.uniform(0, 15)), rings = 5 + static_cast<int>(random.uniform(0, 8));
   ConvexPolytope hull;

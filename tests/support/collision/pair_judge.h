@@ -1,5 +1,5 @@
 #pragma once
-/// What is right and wrong in the contacts found for a pair, against the oracle; tallied class by class.
+/// Judges the contacts found for a pair against the oracle and tallies the errors by class.
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -9,32 +9,33 @@
 
 namespace nilas::pairs {
 
-/// A contact normal farther from the truth than this is wrong, unless it separates as well [rad].
+/// Largest angle between a contact normal and the true one [rad]. A normal further off is wrong unless it separates as
+/// well.
 constexpr double k_wrong_normal = 8 * k_deg;
-/// Depths and distances are right within this share of the size, or within so many units in the last place of the
+/// Largest error of a correct depth or distance: this share of the size, or so many units in the last place of the
 /// coordinates.
 constexpr double k_right_depth = 1e-9, k_right_ulps = 4;
-/// Gaps below this share of the size are asked for.
+/// Margin of the search as a share of the size: gaps below it are contacts.
 constexpr double k_margin = 5e-4;
 
 /// Spacing of doubles at x.
 inline double ulp(double x) { return std::nextafter(std::abs(x), oracle::k_infinite) - std::abs(x); }
 
-/// Two parts with the truth about them.
+/// Two convex pieces with their true gap.
 struct PartsInQuestion {
   oracle::Solid a, b;
   oracle::SeparatingAxis gap;
 };
 
-/// A pair with the truth about all its parts.
+/// A pair of bodies with the true gaps between all their convex pieces.
 struct KnownPair {
   Bodies bodies;
   std::vector<PartsInQuestion> parts;
-  double size = 1, ulp = 0;  ///< [m]
+  double size = 1, ulp = 0;  ///< Size of the smaller body, and spacing of doubles at the farthest coordinate [m].
   double right() const { return std::max(k_right_depth * size, k_right_ulps * ulp); }
 };
 
-/// Height of a point over the surface of a solid: 0 on it.
+/// Height of a point over the surface of a solid: 0 on it, negative inside [m].
 inline double height_over(const oracle::Solid& solid, const Vec3& x) {
   double height = -oracle::k_infinite;
   for (std::size_t f = 0; f < solid.normals.size(); ++f)
@@ -60,16 +61,16 @@ inline KnownPair find_truth(const PairClass& c, Bodies bodies) {
 
 struct Tally {
   long pairs = 0;
-  long contacts = 0;       ///< pairs of parts nearer than the margin
-  long missed = 0;         ///< of these, without a point
-  long surplus = 0;        ///< pairs of parts with a point, though not nearer than the margin
-  long wrong_normals = 0;  ///< of the deepest point
-  long ties = 0;           ///< other normals than the oracle's that separate as well as it
-  long unjudged = 0;       ///< overlapping bodies of several parts: judged for being missed only
+  long contacts = 0;       ///< Pairs of convex pieces nearer than the margin.
+  long missed = 0;         ///< Contacts for which no point was found.
+  long surplus = 0;        ///< Pairs of convex pieces with a point although they are not nearer than the margin.
+  long wrong_normals = 0;  ///< Wrong normals of the deepest point.
+  long ties = 0;           ///< Normals other than the oracle's that separate as well as it.
+  long unjudged = 0;       ///< Overlapping bodies of several convex pieces: only a miss is an error there.
   long wrong_depths = 0;
-  double worst_depth = 0;    ///< error of the deepest point's gap, in sizes
-  double worst_ulps = 0;     ///< the same in units in the last place of the coordinates
-  double worst_surface = 0;  ///< of a point from either surface, in sizes
+  double worst_depth = 0;    ///< Largest error of the deepest point's gap over the size.
+  double worst_ulps = 0;     ///< The same error in units in the last place of the coordinates.
+  double worst_surface = 0;  ///< Largest distance of a point from either surface over the size.
   long kept_axes = 0;
 
   Tally& operator+=(const Tally& other) {
@@ -82,15 +83,15 @@ struct Tally {
   }
 };
 
-/// What a pair of parts was said to be: the deepest contact found.
+/// The contact that a search reports for a pair of convex pieces: the normal and gap [m] of the deepest point.
 struct Verdict {
   Vec3 n = Vec3::UnitX();
   double gap = 0;
 };
 
-/// Judges the direction and the depth found for parts that do touch.
+/// Judges the normal and the gap found for convex pieces that touch.
 inline void judge_verdict(const KnownPair& known, const PartsInQuestion& parts, const Verdict& found, Tally& tally) {
-  // Whatever direction is found, no less than what it separates is true.
+  // The true gap is at least the separation along the normal found, whatever that normal is.
   const double along = oracle::separation(parts.a, parts.b, found.n);
   const double truth = std::max(parts.gap.s, along);
   if (found.n.dot(parts.gap.n) < std::cos(k_wrong_normal))
@@ -114,7 +115,8 @@ inline const ContactPoint* deepest_point(const std::vector<ContactPoint>& points
   return points.empty() ? nullptr : &*std::min_element(points.begin(), points.end(), by_gap);
 }
 
-/// Points on a curved side have normals of their own: of those as deep as the deepest the one nearest to the truth.
+/// The normal to be judged. Points on a curved side have normals of their own: among the points as deep as the deepest,
+/// the normal nearest to the true one counts.
 inline Vec3 normal_of(const KnownPair& known, const PartsInQuestion& parts, const ContactPoint& deepest,
                       const std::vector<ContactPoint>& points) {
   Vec3 n = deepest.n;
@@ -123,8 +125,8 @@ inline Vec3 normal_of(const KnownPair& known, const PartsInQuestion& parts, cons
   return n;
 }
 
-/// Bodies of several parts touch as wholes: apart, the nearest parts tell how far and in which direction. How deep two
-/// such bodies overlap has no closed form here; then only a miss is wrong.
+/// Judges bodies of several convex pieces as wholes. When they are apart, their nearest pieces give distance and
+/// direction. The depth of an overlap of such bodies has no closed form here: then only a miss is wrong.
 inline void judge_bodies(const KnownPair& known, double margin, const std::vector<ContactPoint>& points, Tally& tally) {
   const auto by_gap = [](const auto& p, const auto& q) { return p.gap.s < q.gap.s; };
   const double truth = std::min_element(known.parts.begin(), known.parts.end(), by_gap)->gap.s;
@@ -162,7 +164,7 @@ inline void judge(const KnownPair& known, double margin, const std::vector<Conta
     if (p.n == n) judge_surfaces(known, parts, p, tally);
 }
 
-/// A detector that saw the pair a little apart from where it is now, and remembers the axis it had there.
+/// A detector that saw the pair at a nearby relative pose and remembers the separating axis of that pose.
 inline ContactDetector saw_nearby(const KnownPair& known, double margin, NarrowPhase narrow, RandomStream& random) {
   const double nudge = std::pow(10.0, random.uniform(-5, -1));
   Bodies earlier = known.bodies;
@@ -176,8 +178,8 @@ inline ContactDetector saw_nearby(const KnownPair& known, double margin, NarrowP
 
 constexpr int k_batch = 1000;
 
-/// The class's batch number `batch` of pairs through the detector: each as one it has never seen, and by one that
-/// remembers it from a pose nearby.
+/// Puts the class's batch number `batch` of pairs through two detectors: one that has never seen the pair, and one that
+/// remembers it from a nearby pose.
 inline std::array<Tally, 2> tally_batch(const PairClass& c, int batch, NarrowPhase narrow = NarrowPhase::nilas) {
   RandomStream random(7, c.name + std::string("/") + std::to_string(batch));
   std::array<Tally, 2> tallies;

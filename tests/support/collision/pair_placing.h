@@ -1,11 +1,11 @@
 #pragma once
-/// Pairs of a class, drawn at random and placed at a known depth or distance.
+/// Draws pairs of a class at random and places them at a known depth or distance.
 #include "tests/support/collision/distance_oracle.h"
 #include "tests/support/collision/pair_classes.h"
 
 namespace nilas::pairs {
 
-/// A direction of a body with a point where that side of it can be touched, in its frame.
+/// A point of a body's surface and a direction that is an outward normal there, in the body's frame.
 struct Side {
   Vec3 point = Vec3::Zero(), n = Vec3::UnitX();
 };
@@ -24,7 +24,7 @@ inline Side of_face(const oracle::Solid& solid, RandomStream& random) {
   return side;
 }
 
-/// Some direction between the normals of the faces that hold all of `vertices`.
+/// A random direction between the normals of the faces that hold all of `vertices`.
 inline Vec3 direction_at(const oracle::Solid& solid, const std::vector<int>& vertices, RandomStream& random) {
   Vec3 n = Vec3::Zero();
   for (std::size_t f = 0; f < solid.faces.size(); ++f) {
@@ -63,7 +63,7 @@ inline Quat attitude_of(Meeting meeting, RandomStream& random) {
   return meeting == Meeting::afloat ? random_tilt(random, k_tilt) : random_attitude(random);
 }
 
-/// Direction in which B lies from A: around for half of the flat pairs, above or below for the others.
+/// Direction in which B lies from A: horizontal for half of the afloat and flat pairs, above or below for the others.
 inline Vec3 direction_of(Meeting meeting, RandomStream& random) {
   Vec3 d(random.normal(), random.normal(), random.normal());
   if (meeting != Meeting::any_attitude) {
@@ -75,7 +75,7 @@ inline Vec3 direction_of(Meeting meeting, RandomStream& random) {
   return d.normalized();
 }
 
-/// All parts of a body, seen from body 0.
+/// All convex pieces of a body, in coordinates relative to body 0's position.
 inline std::vector<oracle::Solid> solids_of(const Bodies& bodies, int b) {
   const std::size_t count = std::max<std::size_t>(bodies.shape[b]->parts.size(), 1);
   std::vector<oracle::Solid> solids;
@@ -84,7 +84,8 @@ inline std::vector<oracle::Solid> solids_of(const Bodies& bodies, int b) {
   return solids;
 }
 
-/// Moves body 1 along d until no axis of any two polytopes separates them by more than `target`, and one does by that.
+/// Moves body 1 along d until no axis of any two polytopes separates them by more than `target`, and one separates them
+/// by `target`.
 inline void slide_along(Bodies& bodies, const Vec3& d, double target) {
   double way = -oracle::k_infinite;
   for (const auto& a : solids_of(bodies, 0))
@@ -102,7 +103,8 @@ inline void slide_along(Bodies& bodies, const Vec3& d, double target) {
   bodies.set_pose(1, bodies.p_GB[1] + way * d, bodies.q_GB[1]);
 }
 
-/// Brings two round solids from afar to about `target`, each time along the axis that separates them most.
+/// Brings two bodies, of which one is round, from afar to a gap of about `target` [m]. Each move is along the axis that
+/// separates them most.
 inline void bring_together(Bodies& bodies, double target) {
   constexpr int k_moves = 3;
   for (int move = 0; move < k_moves; ++move) {
@@ -130,7 +132,7 @@ inline void come_from_a_side(const PairClass& c, Bodies& bodies, double target, 
     slide_along(bodies, d, target);
 }
 
-/// B with A's outline mirrored in one of its sides, so that they share that side.
+/// Gives B the outline of A mirrored in one of A's sides, so that they share that side.
 inline void stand_mirrored(Bodies& bodies, double gap, RandomStream& random) {
   const auto& outline = bodies.shape[0]->outline;
   const auto k = static_cast<std::size_t>(random.uniform(0, static_cast<double>(outline.size())));
@@ -145,7 +147,7 @@ inline void stand_mirrored(Bodies& bodies, double gap, RandomStream& random) {
   bodies.set_pose(1, bodies.p_GB[0] + bodies.R_GB[0] * Vec3(place.x(), place.y(), 0), bodies.q_GB[0]);
 }
 
-/// The gap to aim for: as often an overlap as not; coincident sides in a third of the mirrored pairs.
+/// The gap to aim for [m]: overlaps and gaps are equally frequent. A third of the mirrored pairs get coincident sides.
 inline double draw_gap(const PairClass& c, RandomStream& random) {
   constexpr double k_least = 5e-5;
   if (c.meeting == Meeting::mirrored && random.uniform() < 1.0 / 3) return 0;
@@ -153,7 +155,7 @@ inline double draw_gap(const PairClass& c, RandomStream& random) {
   return random.uniform() < 0.5 ? -extent : extent;
 }
 
-/// Two bodies of the class.
+/// Returns two bodies of the class at their poses.
 inline Bodies draw_pair(const PairClass& c, RandomStream& random) {
   using oracle::Solid;
   const Vec3 origin = c.offset * Vec3(1, -1, 0.5);

@@ -1,6 +1,6 @@
 #pragma once
-/// Brute-force truth for two convex solids: every face normal, every pair of edges, every place of a round side. Slow
-/// and simple on purpose; shares no code with contact/detect.
+/// Brute-force truth for two convex solids: every face normal, every pair of edges, every direction of a round side. It
+/// is slow and simple on purpose, and shares no code with contact/detect.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,16 +15,17 @@ namespace nilas::oracle {
 
 constexpr double k_infinite = std::numeric_limits<double>::infinity();
 
-/// The sum of a polytope and a disc, at a pose. A cylinder is the segment between its caps' centres and a disc.
+/// The Minkowski sum of a polytope and a disc, at a pose. A cylinder is the segment between its caps' centres and a
+/// disc.
 struct Solid {
   std::vector<Vec3> vertices;
   std::vector<std::vector<int>> faces;
-  std::vector<Vec3> normals;  ///< of the faces, and of a cylinder's caps
+  std::vector<Vec3> normals;  ///< Normals of the faces, and of a cylinder's caps.
   std::vector<std::pair<int, int>> edges;
-  Vec3 axis = Vec3::UnitZ();  ///< of the disc
-  double radius = 0;          ///< of the disc [m]
+  Vec3 axis = Vec3::UnitZ();  ///< Axis of the disc.
+  double radius = 0;          ///< Radius of the disc [m].
 
-  /// What the disc adds to the extent along n.
+  /// The share of the disc in the extent along n [m].
   double rim(const Vec3& n) const { return radius > 0 ? radius * (n - n.dot(axis) * axis).norm() : 0; }
   double extent(const Vec3& n) const {
     double high = -k_infinite;
@@ -60,7 +61,7 @@ inline Solid posed_cylinder(const Shape& shape, const Mat3& R, const Vec3& p) {
   return solid;
 }
 
-/// Part of a body, seen from `origin`: near it no digits are lost.
+/// A convex piece of a body in coordinates relative to `origin`: with a near origin no digits are lost.
 inline Solid posed(const Bodies& bodies, int b, int part = 0, const Vec3& origin = Vec3::Zero()) {
   const Shape& shape = *bodies.shape[b];
   const Vec3 p = bodies.p_GB[b] - origin;
@@ -70,16 +71,16 @@ inline Solid posed(const Bodies& bodies, int b, int part = 0, const Vec3& origin
 
 inline bool is_round(const Solid& solid) { return solid.radius > 0; }
 
-/// Least n . x over b minus largest over a.
+/// Separation along n: the least n . x over b minus the largest over a [m].
 inline double separation(const Solid& a, const Solid& b, const Vec3& n) { return -b.extent(-n) - a.extent(n); }
 
 struct SeparatingAxis {
-  Vec3 n = Vec3::UnitX();  ///< from a to b
+  Vec3 n = Vec3::UnitX();  ///< Unit vector from a to b.
   double s = -k_infinite;
 };
 
-/// Differences between points of b and of a that have shown axes to be of no interest, the last one first: none
-/// separates the solids by more than such points are apart along it.
+/// Differences between points of b and of a that have ruled out axes, the latest first. No axis separates the solids by
+/// more than such a difference along it.
 class Witnesses {
  public:
   bool rule_out(const Vec3& n, double least) const {
@@ -99,8 +100,8 @@ class Witnesses {
   std::vector<Vec3> differences_;
 };
 
-/// Calls visit(n, s) for the faces of both solids and the crossings of their edges that separate them by at least
-/// floor(n).
+/// Calls visit(n, s) for the normals of the faces of both solids and of the pairs of their edges that separate them by
+/// at least floor(n).
 template <class Floor, class Visit>
 void visit_flat_axes(const Solid& a, const Solid& b, const Floor& floor, const Visit& visit) {
   Witnesses witnesses;
@@ -131,7 +132,7 @@ void visit_flat_axes(const Solid& a, const Solid& b, const Floor& floor, const V
   }
 }
 
-/// Largest f over [low, high], where it has one top, by golden section.
+/// The place of the largest f in [low, high], where f has one maximum, by golden section.
 template <class Function>
 double top(const Function& f, double low, double high) {
   constexpr double k_golden = 0.6180339887498949;
@@ -153,7 +154,7 @@ double top(const Function& f, double low, double high) {
   return at_p > at_q ? p : q;
 }
 
-/// Tops of f over a full turn: the best of `samples`, then golden section around each that may hold the largest.
+/// Visits local maxima of f over a full turn: samples that exceed their neighbours, refined by golden section.
 template <class Function, class Visit>
 void visit_tops(const Function& f, int samples, const Visit& visit) {
   std::vector<double> at(static_cast<std::size_t>(samples));
@@ -166,7 +167,8 @@ void visit_tops(const Function& f, int samples, const Visit& visit) {
   }
 }
 
-/// Directions square to an edge, where its sum with a disc is a ruled surface: the best of each full turn.
+/// Visits directions square to an edge, where its sum with a disc is a ruled surface: the local maxima of each full
+/// turn.
 template <class Visit>
 void visit_round_axes(const Solid& a, const Solid& b, const Visit& visit) {
   std::vector<Vec3> directions;
@@ -188,7 +190,8 @@ void visit_round_axes(const Solid& a, const Solid& b, const Visit& visit) {
   }
 }
 
-/// Two discs: their sum is curved both ways. From the best of many directions uphill in ever smaller steps.
+/// Visits the best directions of two discs, whose sum is curved both ways. The search climbs from the best of many
+/// directions in ever smaller steps.
 template <class Visit>
 void visit_doubly_round_axes(const Solid& a, const Solid& b, const Visit& visit) {
   constexpr int k_samples = 1000, k_starts = 8;
@@ -219,7 +222,7 @@ void visit_doubly_round_axes(const Solid& a, const Solid& b, const Visit& visit)
   }
 }
 
-/// All axes of two polytopes with their separations, best first.
+/// All axes of two polytopes with their separations, the largest first.
 inline std::vector<SeparatingAxis> all_axes(const Solid& a, const Solid& b) {
   std::vector<SeparatingAxis> axes;
   visit_flat_axes(

@@ -1,6 +1,6 @@
 #pragma once
-/// Pairs of plates on random ways through a step, and the truth about their first contact: marching and bisection on
-/// brute force. Shares no code with contact/detect.
+/// Pairs of plates on random paths through a step, and their true first contact by marching and bisection on brute
+/// force. Shares no code with contact/detect.
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -12,12 +12,12 @@
 
 namespace nilas::oracle {
 
-/// A straight way and an even turn about one axis, from the pose of a body.
+/// The path of a body over a step: a straight displacement and an even turn about one axis, from its initial pose.
 struct Way {
   Vec3 p = Vec3::Zero();
   Quat q = Quat::Identity();
-  Vec3 way = Vec3::Zero();   ///< [m]
-  Vec3 turn = Vec3::Zero();  ///< [rad]
+  Vec3 way = Vec3::Zero();   ///< Displacement over the step [m].
+  Vec3 turn = Vec3::Zero();  ///< Rotation vector of the step [rad].
 
   Solid at(const ConvexPolytope& polytope, double t) const {
     const double angle = t * turn.norm();
@@ -26,7 +26,7 @@ struct Way {
   }
 };
 
-/// Largest separation over all faces and pairs of edges: the distance or a lower bound of it when positive.
+/// Largest separation over all faces and pairs of edges. When positive, it is the distance or a lower bound of it.
 inline double separation(const Solid& a, const Solid& b) {
   double most = -std::numeric_limits<double>::infinity();
   for (const Vec3& n : a.normals) most = std::max(most, separation(a, b, n));
@@ -55,13 +55,13 @@ struct PairOnItsWay {
 };
 
 struct FirstContact {
-  double t = 1;                                                       ///< of the contact, when there is one
-  double least_separation = std::numeric_limits<double>::infinity();  ///< met on the way, when there is none
+  double t = 1;  ///< Time of the contact as a share of the step, when there is one.
+  double least_separation = std::numeric_limits<double>::infinity();  ///< Least separation met, when there is none [m].
   bool hit = false;
-  bool certain_miss = false;  ///< no separation met is smaller than what the longest blind march can close
+  bool certain_miss = false;  ///< Every separation met is larger than the distance that the shortest march can close.
 };
 
-/// Marches by what the separation allows, at least by a share of the thickness, then bisects.
+/// Marches by the time that the separation allows, at least by a share of the thickness over the speed, then bisects.
 inline FirstContact first_contact(const PairOnItsWay& pair) {
   const double speed = pair.largest_speed();
   const double blind = 0.01 * pair.thickness(), least = blind / speed;
@@ -90,12 +90,13 @@ inline FirstContact first_contact(const PairOnItsWay& pair) {
   }
 }
 
-/// Plates of 4 to 8 corners; the first `slenderness` times as wide as thick, the second a third of that to that.
+/// Plates of 4 to 8 corners. The width of the first is `slenderness` times its thickness; the second has a slenderness
+/// between a third of that and that.
 struct PairClass {
   const char* name;
   double slenderness;
-  double way;   ///< relative, in thicknesses of the thinner plate
-  double turn;  ///< largest, of each [rad]
+  double way;   ///< Relative displacement over the thickness of the thinner plate.
+  double turn;  ///< Largest turn of each plate [rad].
 };
 
 inline ConvexPolytope random_plate(RandomStream& random, double slenderness) {
@@ -114,8 +115,8 @@ inline Vec3 random_direction(RandomStream& random) {
   return Vec3(random.normal(), random.normal(), random.normal()).normalized();
 }
 
-/// Two plates that are inside each other in the middle of their ways: a point of both coincides at a random instant.
-/// Not yet said: that they are apart at the start.
+/// Two plates that overlap at a random instant of the step: a point of both coincides then. They need not be apart at
+/// the start.
 inline PairOnItsWay crossing_pair(const PairClass& c, RandomStream& random) {
   PairOnItsWay pair{
       random_plate(random, c.slenderness), random_plate(random, random.uniform(1, 3) * c.slenderness / 3), {}, {}};
@@ -128,7 +129,7 @@ inline PairOnItsWay crossing_pair(const PairClass& c, RandomStream& random) {
     const double angle = when * way->turn.norm();
     const Quat turned = angle > 0 ? Quat(Eigen::AngleAxisd(angle, way->turn.normalized())) : Quat::Identity();
     way->q = turned.conjugate() * there;
-    // a point well inside, and its place in G when they meet, from the body's origin
+    // The common point lies well inside each plate; its position in G at that instant is relative to the body's origin.
     const Vec3& corner =
         polytope->vertices[static_cast<std::size_t>(random.uniform(0, static_cast<double>(polytope->vertices.size())))];
     const Vec3 inside(0.6 * random.uniform() * corner.x(), 0.6 * random.uniform() * corner.y(), 0);
@@ -136,7 +137,7 @@ inline PairOnItsWay crossing_pair(const PairClass& c, RandomStream& random) {
   }
   const double length = c.way * pair.thickness();
   pair.way_b.way = length * random_direction(random);
-  if (random.uniform() < 0.5) {  // both move
+  if (random.uniform() < 0.5) {  // In half of the pairs both bodies move.
     pair.way_a.way = random.uniform() * length * random_direction(random);
     pair.way_b.way += pair.way_a.way;
   }
@@ -145,14 +146,15 @@ inline PairOnItsWay crossing_pair(const PairClass& c, RandomStream& random) {
   return pair;
 }
 
-/// The same pair, displaced so that most of them pass each other.
+/// A crossing pair, displaced so that most such pairs pass each other.
 inline PairOnItsWay passing_pair(const PairClass& c, RandomStream& random) {
   PairOnItsWay pair = crossing_pair(c, random);
   pair.way_b.p += random.uniform(0.2, 1.5) * (pair.a.radius + pair.b.radius) * random_direction(random);
   return pair;
 }
 
-/// The cases of the tests and of the bench; 100 thicknesses of the thinner plate per step.
+/// The cases of the tests and of the bench. Straight and turning plates move by 100 thicknesses of the thinner plate
+/// per step.
 inline std::vector<PairClass> pair_classes() {
   return {{"plates 1:100, straight", 100, 100, 0},
           {"plates 1:100, turning to 1 rad", 100, 100, 1},

@@ -1,5 +1,5 @@
 #pragma once
-/// Thin plates that fly and spin at fixed thin plates: who gets through.
+/// Counts the thin plates that fly and spin through fixed thin plates.
 #include <fmt/format.h>
 
 #include <string>
@@ -13,20 +13,21 @@
 
 namespace nilas::plates {
 
-constexpr double k_thickness = 0.004;  ///< of both plates [m]
-constexpr double k_half_target = 1.0;  ///< half the side of a fixed plate [m]
-constexpr double k_apart = 12;         ///< between the middles of two pairs, too far to meet [m]
-constexpr double k_speed = 40;         ///< 100 thicknesses in a step of 0.01 s [m/s]
+constexpr double k_thickness = 0.004;  ///< Thickness of both plates [m].
+constexpr double k_half_target = 1.0;  ///< Half the side of a fixed plate [m].
+constexpr double k_apart = 12;         ///< Distance between the middles of two pairs, too large for them to meet [m].
+constexpr double k_speed = 40;         ///< Speed: 100 thicknesses in a step of 0.01 s [m/s].
 
 struct Flight {
   Vec3 p = Vec3::Zero(), v = Vec3::Zero(), w = Vec3::Zero();
   Quat q = Quat::Identity();
 };
 
-/// At any attitude, within half a radian of the target's normal, up to 20 rad/s about each axis.
+/// Draws a flight at any attitude, within half a radian or so of the target's normal, with up to 20 rad/s about each
+/// axis.
 inline Flight draw(RandomStream& random) {
   Flight flight;
-  const double reach = 0.2;  // of the plate from its centre
+  const double reach = 0.2;  // The plate's corners lie within this distance of its centre [m].
   flight.p = Vec3(-reach - random.uniform(0, 0.4), random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4));
   flight.v = k_speed * Vec3(1, random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5)).normalized();
   for (int i = 0; i < 3; ++i) flight.w[i] = random.uniform(-20, 20);
@@ -54,10 +55,10 @@ inline std::string scene(const std::vector<Flight>& flights, const std::string& 
 
 struct Tally {
   long flights = 0;
-  long passed = 0;    ///< got through their target
-  long refused = 0;   ///< in scenes that stopped with a SimulationError
-  long warnings = 0;  ///< of impacts that were not resolved
-  long parts = 0;     ///< into which steps were cut, all scenes
+  long passed = 0;    ///< Plates that got through their target.
+  long refused = 0;   ///< Plates in scenes that stopped with a SimulationError.
+  long warnings = 0;  ///< Steps with impacts that were not resolved.
+  long parts = 0;     ///< Substeps of all steps and scenes.
   Tally& operator+=(const Tally& o) {
     for (const auto count : {&Tally::flights, &Tally::passed, &Tally::refused, &Tally::warnings, &Tally::parts})
       this->*count += o.*count;
@@ -65,7 +66,8 @@ struct Tally {
   }
 };
 
-/// Flies them for four steps, in which each reaches its target; those behind its middle and before its rim passed.
+/// Runs the flights for four steps, in which each reaches its target. Plates behind the target and within its rim have
+/// passed.
 inline Tally fly(const std::vector<Flight>& flights, const std::string& contact) {
   const test::ScratchFolder folder;
   WarningCounts warnings{make_logger("off", "")};
