@@ -1,9 +1,9 @@
 #pragma once
 /// A contact problem of any size for the benches: a heavy vessel driven into a channel of floes.
 ///
-/// Floes of 1e2 to 1e6 kg stand in rows across the channel, two contact points to each neighbour and to the walls;
-/// three pairs of ten touch, the others have a gap of up to 0.2 m, twice what the hull closes in the step. A hull of
-/// 1e7 kg at 2 m/s leans on the whole first row.
+/// Floes of 1e2 to 1e6 kg stand in rows across the channel, with two contact points to each neighbour and to the walls.
+/// Three pairs of ten touch. The others have a gap of up to 0.2 m, twice the distance that the hull closes in the step.
+/// A hull of 1e7 kg at 2 m/s leans on the whole first row.
 #include <cmath>
 #include <vector>
 
@@ -14,9 +14,9 @@ namespace nilas::bench {
 constexpr double k_step = 0.05, k_friction = 0.3, k_hull_mass = 1e7, k_hull_speed = 2, k_touching = 0.3;
 constexpr double k_largest_gap = 0.2;  // [m]
 constexpr int k_length_over_width = 2;
-constexpr double k_reach = 0.35;  ///< of a pair's points from its middle [floe sizes]
+constexpr double k_reach = 0.35;  ///< Distance of a pair's points from the middle of their side [floe sizes].
 
-/// Rows x columns of square floes of 1 m from the hull on; block 0 is the hull.
+/// Rows and columns of square floes of 1 m, from the hull on. Block 0 is the hull.
 inline ContactProblem channel(int size) {
   const int columns = std::max(2, static_cast<int>(std::sqrt(size / 4.0 / k_length_over_width)));
   const int rows = std::max(2, size / (4 * columns));

@@ -1,5 +1,5 @@
-/// Random cuts, ordinary and adversarial: what each class keeps, what is refused and why, and what a cut costs.
-/// usage: bench_cut_study CUTS     CUTS: of all classes together
+/// Random cuts, ordinary and adversarial: conservation errors of each class, refusals with their reasons, and cost.
+/// usage: bench_cut_study CUTS     CUTS: number of cuts of all classes together
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>

@@ -1,6 +1,7 @@
-/// What packing costs as fields grow, and what it reaches: polygons at 95 %, the same as cells of a power diagram, and
-/// equal squares at 98 %.
-/// usage: bench_field SIZE ...     SIZE: about so many floes; prints a table and growth exponents of the CPU time
+/// Cost of packing over the size of the field, and the concentration reached: polygons at 95 %, the same as cells of a
+/// power diagram, and equal squares at 98 %.
+/// usage: bench_field SIZE ...     SIZE: approximate number of floes; prints a table and growth exponents of the CPU
+/// time
 #include "core/field/field.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
-/// Cost of the tables of ice mechanics: construction, and one call after that. Run: bench_fracture.
+/// Cost of the tables of ice mechanics: construction, and one call after that.
+/// usage: bench_fracture
 #include <chrono>
 #include <cstdio>
 
@@ -19,7 +20,7 @@ void print_construction(const char* name, const Make& make) {
   std::printf("%-44s %8.2f ms\n", name, 1e3 * seconds_since(start));
 }
 
-/// Calls spread over arguments from 1e-3 to 0.8, so that nothing is remembered.
+/// Times calls spread over arguments from 1e-3 to 0.8, so that no result can be reused.
 template <class Call>
 void print_call(const char* name, const Call& call) {
   constexpr int calls = 1000000;

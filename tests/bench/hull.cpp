@@ -1,7 +1,7 @@
-/// What `nilas hull` costs and how well its parts stand for five shapes as drawing programs leave them: stages timed
-/// one by one, with the settings that the command takes by default.
+/// Cost of `nilas hull` and deviation of its convex pieces for five shapes as drawing programs export them. The stages
+/// are timed one by one, with the default settings of the command.
 /// usage: bench_hull FOLDER THREADS [SHAPE ...]     meshes and hull folders go into FOLDER; without SHAPE all
-/// Ends with 1 where a mesh of 18 000 triangles takes over a minute, or parts stand further off than recorded here.
+/// The exit code is 1 where a mesh of 18 000 triangles takes over a minute, or pieces deviate more than recorded here.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,15 +21,15 @@ namespace {
 
 using namespace nilas;
 
-constexpr double k_most_seconds = 60;   // of all stages together
-constexpr std::size_t k_timed = 18000;  // triangles of a mesh that may take so long
+constexpr double k_most_seconds = 60;   // Upper limit of the time of all stages together [s].
+constexpr std::size_t k_timed = 18000;  // Number of triangles of a mesh for which the limit holds.
 constexpr double k_mm = 1e-3;
 
-/// A shape and how far its parts stood off when docs/evidence/validation-contacts.md was last written, rounded up.
+/// A shape and the deviation of its convex pieces in docs/evidence/validation-contacts.md, rounded up.
 struct Shape {
   const char* name;
   std::vector<TriangleMesh> shells;
-  double deviation;  ///< [m]
+  double deviation;  ///< Largest deviation of the pieces from the mesh [m].
 };
 
 std::vector<Shape> shapes() {
@@ -42,7 +42,7 @@ std::vector<Shape> shapes() {
   };
 }
 
-/// Seconds of each stage, in the order of the work.
+/// Seconds of each stage, in the order of execution.
 class Stages {
  public:
   void done(const char* name) {
@@ -66,7 +66,7 @@ class Stages {
   std::vector<std::pair<const char*, double>> seconds_;
 };
 
-/// The shells in one file, as a drawing program exports them.
+/// Writes the shells into one file, as a drawing program exports them, and returns its path.
 std::filesystem::path written(const Shape& shape, const std::filesystem::path& folder) {
   SolidBuilder all;
   for (const auto& shell : shape.shells)
@@ -76,7 +76,7 @@ std::filesystem::path written(const Shape& shape, const std::filesystem::path& f
   return file;
 }
 
-/// Prints a row; false where the shape takes too long or its parts stand further off than recorded.
+/// Prints a row. False where the shape takes too long or its pieces deviate more than recorded.
 bool measure(const Shape& shape, const std::filesystem::path& folder, int threads) {
   const auto file = written(shape, folder);
   NewHullFolder out(folder / shape.name, true);

@@ -1,4 +1,4 @@
-/// The parts of a step apart, on grids of floes that touch: detection, water, assembly with solve.
+/// Separate timings of the stages of a step, on grids of touching floes: detection, water, assembly with solve.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 
 using namespace nilas;
 
-/// n x n square floes, 1 mm into each other, so that every neighbour is a contact.
+/// n x n square floes that overlap by 1 mm, so that every neighbour is a contact.
 Bodies touching_grid(int n) {
   constexpr double k_size = 0.5, k_thickness = 0.05, k_overlap = 1e-3, k_density = 920;
   const double half = 0.5 * k_size;
@@ -40,7 +40,7 @@ void detect(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(detector.detect(bodies, 1e-3));
   state.SetItemsProcessed(state.iterations() * bodies.size());
 }
-/// By a detector that has seen nothing before.
+/// Detection by a new detector, without memory.
 void detect_at_first(benchmark::State& state) {
   const Bodies bodies = touching_grid(static_cast<int>(state.range(0)));
   for (auto _ : state) benchmark::DoNotOptimize(ContactDetector().detect(bodies, 1e-3));
@@ -61,7 +61,7 @@ void water(benchmark::State& state) {
 }
 BENCHMARK(water)->Arg(16)->Arg(32)->Arg(64)->Unit(benchmark::kMillisecond);
 
-/// Arguments: floes along a side, sweeps.
+/// Assembly and solve. Arguments: floes along a side, sweeps.
 void solve(benchmark::State& state) {
   const Bodies bodies = touching_grid(static_cast<int>(state.range(0)));
   FrictionTable friction;

@@ -1,6 +1,6 @@
 /// Towing through level ice: mean load against Lindqvist's formula at several thicknesses and speeds, and its
-/// convergence over steps and hull meshes; every row has twins whose ship starts up to a tenth of a millimetre beside
-/// the middle. And a field of broken floes with ice that may break and that may not.
+/// convergence over steps and hull meshes. Every row has perturbed runs whose ship starts up to a tenth of a millimetre
+/// off the middle. The last table compares a field of broken floes with and without breaking.
 /// usage: bench_level_ice loads|steps|meshes|field [TWINS] [THREADS] [FOLDER of the picture that loads draws]
 #include <fmt/format.h>
 
@@ -27,7 +27,7 @@ using namespace nilas::bench;
 
 constexpr double k_moved = 1e-4;  // [m]
 constexpr long k_quarters = 4;
-constexpr double k_measured = 1.5;  // way over which the load is measured, once the bow is in the ice [m]
+constexpr double k_measured = 1.5;  // Distance over which the load is measured, once the bow is in the ice [m].
 
 struct Setting {
   double thickness = 0.04, speed = 0.3, step = 0.01;
@@ -35,14 +35,14 @@ struct Setting {
 };
 
 struct Course {
-  double load = 0, peak = 0;        ///< mean and largest force against the way [N]
-  double radius = 0;                ///< mean R_bending [m]
-  double events = 0, floes = 0;     ///< of the whole run
-  double fastest = 0;               ///< speed of the fastest floe [m/s]
-  double ms = 0, ms_breaking = 0;   ///< mean of a step
-  double ms_break = 0;              ///< what a break adds to its step
-  std::vector<double> floes_over;   ///< at every quarter of the scene's time, from its start on
-  double imbalance = 0, scale = 0;  ///< largest energy error, and energy put in [J]
+  double load = 0, peak = 0;        ///< Mean and largest force against the motion [N].
+  double radius = 0;                ///< Mean R_bending [m].
+  double events = 0, floes = 0;     ///< Numbers of the whole run.
+  double fastest = 0;               ///< Speed of the fastest floe [m/s].
+  double ms = 0, ms_breaking = 0;   ///< Mean time of a step.
+  double ms_break = 0;              ///< Additional time of a step in which ice breaks.
+  std::vector<double> floes_over;   ///< Numbers of floes at every quarter of the scene's time, from its start on.
+  double imbalance = 0, scale = 0;  ///< Largest energy error, and energy put in [J].
 };
 
 double aside(std::uint64_t twin) {
@@ -69,7 +69,7 @@ double speed_of_fastest_floe(const Bodies& bodies) {
   return fastest;
 }
 
-/// Up to the scene's end, or until the ship has gone so far in the ice.
+/// Runs to the scene's end, or until the ship has moved this distance in the ice.
 Course run(const Scene& scene, double way_in_ice, double way_before_load) {
   WarningCounts warnings(make_logger("off", ""));
   Simulation simulation(scene, 1, warnings);
@@ -157,7 +157,7 @@ struct Point {
   double formula = 0;  // Lindqvist [N]
 };
 
-/// Loads over speed, a colour per thickness: bars are standard errors, lines the formula.
+/// Draws loads over speed, one colour per thickness. Bars are standard errors, lines the formula.
 void draw_loads(const std::filesystem::path& folder, const std::vector<Point>& points) {
   std::map<double, std::string> data;
   for (const Point& p : points)
@@ -198,7 +198,7 @@ std::vector<Point> level_ice(const std::vector<Setting>& rows, int twins, int th
   return points;
 }
 
-/// The seed's scene: a row for ice that may not break, and one for ice that may.
+/// Prints a row for the seed's scene with ice that may not break, and one with ice that may.
 void broken_field(int twins, int threads) {
   std::printf("| breakable | floes over time | ms that a break adds | mean load [N] |%s", k_rest_of_head);
   std::printf("|---|---|---|---|---|---|---|---|---|---|---|---|\n");

@@ -1,6 +1,6 @@
-/// What Nilas writes itself beside what its libraries have for the same: factors of block matrices (Eigen), convex
-/// parts (CGAL's Nef polyhedra), the spline of a carriage's path (SimTK). The comments beside that code take their
-/// figures from here. usage: bench_library_twins [factors|parts|spline]
+/// Compares code of Nilas with its libraries' counterparts: factors of block matrices (Eigen), convex pieces (CGAL's
+/// Nef polyhedra), the spline of a carriage's path (SimTK). The comments of that code take their figures from here.
+/// usage: bench_library_twins [factors|parts|spline]
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Nef_polyhedron_3.h>
 #include <CGAL/Surface_mesh.h>
@@ -135,7 +135,7 @@ void factors() {
     }
     line += " |";
     {
-      // a plan of the same pattern is kept: each is planned by a new one
+      // A plan of the same pattern is kept, so that a new object is needed for each planning.
       std::optional<BlockLu> own;
       const double plan = milliseconds([&] {
         own.emplace();
@@ -156,8 +156,8 @@ void factors() {
   }
 }
 
-/// A closed block of 2 x 2 m whose upper side is a grid of n x n squares, two triangles each, at height(x, y) over its
-/// flat lower side; the rim stays at 1 m.
+/// A closed block of 2 x 2 m over a flat lower side. Its upper side is a grid of n x n squares, two triangles each, at
+/// height(x, y) over the lower side; the rim stays at 1 m.
 template <class Height>
 TriangleMesh block_under(int n, const Height& height) {
   TriangleMesh mesh;

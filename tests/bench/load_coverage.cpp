@@ -1,7 +1,7 @@
-/// Whether what single runs state about their mean ice load holds: each run's interval beside the mean over many runs
-/// of the same scene that start 1e-12 m aside, with the scene's own settings and with others.
+/// Checks the stated uncertainty of the mean ice load of single runs: the interval of each run against the mean over
+/// many runs of the same scene that start 1e-12 m apart, with the scene's own settings and with others.
 /// usage: bench_load_coverage SCENE.xml UNTIL RUNS [-- PATH=VALUE ...]...   every -- is one more row of settings; the
-/// last row is what the others are also held against
+/// last row is also the reference of the others
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,14 +21,14 @@ namespace {
 using namespace nilas;
 using namespace nilas::bench;
 
-/// What one run says.
+/// The mean load that one run states, with its uncertainties.
 struct Said {
   double mean = 0, solver = 0, chaos = 0, estimate = 0;  // [N]
   bool at_least = false;
 };
 struct Course {
   Said along, across;
-  double share_short = 0;  // of all steps
+  double share_short = 0;  // Share of the steps whose solution missed the tolerance.
 };
 
 Said said(const LoadError& error, const std::string& channel) {

@@ -11,7 +11,7 @@ namespace nilas::bench {
 namespace {
 
 constexpr double k_size = 0.5, k_thickness = 0.05, k_jitter = 0.2;  // [m], [m], of a cell
-constexpr double k_shrink = 0.985;                                  // leaves 7 mm between neighbours
+constexpr double k_shrink = 0.985;                                  // The shrinkage leaves 7 mm between neighbours.
 constexpr double k_swing = 0.004, k_turn = 0.006, k_rate = 8;       // [m], [rad], [rad/s]
 const Vec3 k_drift(0.1, 0.02, 0);                                   // [m/s]
 

@@ -1,7 +1,7 @@
 /// The packed scene on Nilas, and the file from which the peers read the same scene.
 /// usage: bench_packed write FLOES FOLDER     makes FOLDER/packed-FLOES.{xml,geojson,txt}
 ///        bench_packed run FOLDER FLOES SWEEPS       sweeps of pgs on pyramids; 0: auto on the exact cone to 1e-6
-///                                            m/s; cold: the same from zero impulses in every step
+///                                             m/s; cold: the same from zero impulses in every step
 #include <malloc.h>
 
 #include <cmath>
@@ -57,7 +57,7 @@ FieldResult make_floes(const Basin& basin) {
 
 void write_scene(const fs::path& file, const Basin& basin, const std::string& field) {
   std::ofstream out(file);
-  const double lead = k_length;  // walls start behind the hull
+  const double lead = k_length;  // The walls start behind the hull.
   out << "<scene version=\"1\" name=\"" << file.stem().string() << "\">\n"
       << "  <time step=\"0.01\" start=\"0\" end=\"2.4\"/>\n"
       << "  <contact law=\"pyramid\" solver=\"pgs\" tolerance=\"0\" max_iterations=\"50\" "
@@ -148,7 +148,7 @@ int run(const fs::path& folder, const std::string& floes, const std::string& swe
 }  // namespace
 
 int main(int argc, char** argv) {
-  constexpr int k_keep_bytes = 1 << 28;  // as the program itself does
+  constexpr int k_keep_bytes = 1 << 28;  // The program itself sets the same value.
   mallopt(M_TRIM_THRESHOLD, k_keep_bytes);
   mallopt(M_MMAP_THRESHOLD, k_keep_bytes);
   const std::string mode = argc > 1 ? argv[1] : "";

@@ -1,6 +1,7 @@
-/// The pre-sawn scenes to their ends on both hull meshes of the older paper, each with twins whose pieces are moved by
-/// up to a micrometre: how deep anything lies in hull and sheets, and whether the mean load depends on the mesh. usage:
-/// bench_presawn [TWINS] [THREADS]
+/// The pre-sawn scenes to their ends on both hull meshes of the paper whose tests they follow, each with perturbed runs
+/// whose pieces are moved by up to a micrometre. The tables show the penetration of hull and sheets, and whether the
+/// mean load depends on the mesh.
+/// usage: bench_presawn [TWINS] [THREADS]
 #include "tests/support/presawn.h"
 
 #include <cstdio>
@@ -17,11 +18,13 @@ using namespace nilas::bench;
 constexpr double k_moved = 1e-6, k_thickness = 0.04;  // [m]
 
 struct Course {
-  double penetration = 0, in_hull = 0, in_sheets = 0;  ///< [m]
-  double load = 0, port = 0, starboard = 0, side = 0;  ///< mean forces from the first contact on [N]
+  double penetration = 0, in_hull = 0,
+         in_sheets =
+             0;  ///< Largest penetration by the contact search, and depths in hull and sheets by the oracle [m].
+  double load = 0, port = 0, starboard = 0, side = 0;  ///< Mean forces from the first contact on [N].
 };
 
-/// The field as it stands is looked at in every step, its twins every 0.05 s.
+/// Runs a scene. The depths are measured in every step of the unperturbed field, and every 0.05 s of a perturbed one.
 Course run(char letter, int triangles, std::uint64_t seed) {
   const Scene scene = test::presawn(letter, seed, k_moved, triangles);
   WarningCounts warnings(make_logger("off", ""));
@@ -86,7 +89,8 @@ int main(int argc, char** argv) {
                                return run(letter, triangles, twin);
                              })));
     }
-    const double scale = 0.005 * std::abs(loads[0].value + loads[1].value);  // so that quotients are in percent
+    // The factor makes the quotients percentages.
+    const double scale = 0.005 * std::abs(loads[0].value + loads[1].value);
     char line[128];
     std::snprintf(line, sizeof line, "%c: load of the two meshes differs by %.2f +- %.2f %%\n", letter,
                   std::abs(loads[1].value - loads[0].value) / scale,

@@ -1,6 +1,7 @@
-/// The pre-sawn scenes are their own images in the plane y = 0: from when on do the two sides differ, in which stage of
-/// a step first, and by how much, with each solver; and how fast does a difference grow that is no rounding? usage:
-/// bench_presawn_symmetry [END] [SOLVER[=TOLERANCE] ...]
+/// The pre-sawn scenes are their own images in the plane y = 0. For each solver the table shows from when on the two
+/// sides differ, in which stage of a step first, and by how much. The growth of a perturbation larger than rounding is
+/// measured as well.
+/// usage: bench_presawn_symmetry [END] [SOLVER[=TOLERANCE] ...]
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -19,12 +20,12 @@ constexpr int k_looks_per_second = 20;
 
 /// One run to its end.
 struct Course {
-  double differs_from = -1;  ///< [s]; below 0: never
-  std::string stage;         ///< that differs first
-  std::vector<double> size;  ///< largest asymmetry of a place since the start, at each look [m]
+  double differs_from = -1;  ///< Time of the first difference [s]; below 0 when there is none.
+  std::string stage;         ///< First stage that differs.
+  std::vector<double> size;  ///< Largest asymmetry of a position since the start, at each sample [m].
   long steps = 0, misses = 0;
   double seconds = 0;
-  Vec3 load = Vec3::Zero();  ///< mean contact force on the ship [N]
+  Vec3 load = Vec3::Zero();  ///< Mean contact force on the ship [N].
 
   double at(double t) const {
     const auto look = static_cast<std::size_t>(std::lround(t * k_looks_per_second));
@@ -43,7 +44,7 @@ Course run(char letter, const Setting& setting, double end, double moved) {
   scene.contact.tolerance = setting.tolerance;
   WarningCounts warnings(make_logger("off", ""));
   Simulation simulation(scene, 1, warnings);
-  const double near = 1e-3;  // above what the pieces are moved by
+  const double near = 1e-3;  // Larger than the perturbation of the pieces.
   const test::MirrorImages images(simulation.bodies(), near);
   Course course;
   course.steps = std::lround(end / scene.time.step);
@@ -78,7 +79,7 @@ void report(char letter, const Setting& setting, double end) {
   std::fflush(stdout);
 }
 
-/// Time in which the asymmetry grows e-fold while it is small, from a line through the looks' logarithms [s].
+/// Time in which the asymmetry grows e-fold while it is small, from a line through the logarithms of the samples [s].
 double growth_time(const Course& course, double from, double to) {
   double n = 0, t = 0, y = 0, tt = 0, ty = 0;
   for (std::size_t k = 0; k < course.size.size(); ++k) {
@@ -93,7 +94,7 @@ double growth_time(const Course& course, double from, double to) {
   return (n * tt - t * t) / (n * ty - t * y);
 }
 
-/// Pieces moved by up to a nanometre, solved so well that the solver adds next to nothing.
+/// Reports the growth for pieces moved by up to a nanometre, at a tolerance at which the solver adds next to no error.
 void report_growth(char letter, double end) {
   constexpr double k_moved = 1e-9, k_small = 2 * k_moved, k_large = 1e-4;
   const Course course = run(letter, {"newton-order-free", 1e-10}, end, k_moved);

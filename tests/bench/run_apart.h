@@ -1,5 +1,5 @@
 #pragma once
-/// Work in a process of its own, so that what hangs, crashes or eats memory costs no more than its time limit.
+/// Runs work in a process of its own, so that a hang, a crash or a leak costs no more than the time limit.
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -12,17 +12,17 @@
 
 namespace nilas::bench {
 
-/// Calls `work` in a child process that is ended after about `limit` seconds and copies what it returns to `result`.
-/// False when it did not end in time or not well. `peak`: most memory that the child held [bytes].
+/// Calls `work` in a child process that is killed after about `limit` seconds, and copies its return value to `result`.
+/// False when the child did not end in time or failed. `peak`: largest memory of the child [bytes].
 template <class Result, class Work>
 bool run_apart(double limit, const Work& work, Result& result, double* peak = nullptr) {
   static_assert(std::is_trivially_copyable_v<Result>);
   std::array<int, 2> ends{};
   if (pipe(ends.data()) != 0) return false;
-  std::fflush(stdout);  // or the child would print it again
+  std::fflush(stdout);  // Otherwise the child would print the buffered text again.
   const pid_t child = fork();
   if (child == 0) {
-    if (std::freopen("/dev/null", "w", stdout) == nullptr) _exit(1);  // some peers talk
+    if (std::freopen("/dev/null", "w", stdout) == nullptr) _exit(1);  // Some peers print messages.
     alarm(static_cast<unsigned>(std::ceil(limit)));
     const Result mine = work();
     _exit(write(ends[1], &mine, sizeof mine) == static_cast<ssize_t>(sizeof mine) ? 0 : 1);

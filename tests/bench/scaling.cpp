@@ -1,8 +1,9 @@
-/// What each solver costs as the number of contacts grows: a heavy vessel driven into a channel of floes.
-/// usage: bench_scaling LIMIT_S TOLERANCE SIZE ...     SIZE: about so many contacts; prints a table and exponents
+/// Cost of each solver over the number of contacts: a heavy vessel driven into a channel of floes.
+/// usage: bench_scaling LIMIT_S TOLERANCE SIZE ...     SIZE: approximate number of contacts; prints a table and
+/// exponents
 ///
-/// Problems: tests/bench/channel.h. Each run is a process of its own; memory is the most that the process held, problem
-/// included.
+/// The problems are those of tests/bench/channel.h. Each run is a process of its own. Memory is the largest of the
+/// process, with the problem.
 #include <chrono>
 #include <cstdlib>
 #include <string>

@@ -1,8 +1,9 @@
-/// Every solver on stored contact problems, each down a ladder of tolerances: accuracy against time, all in one run.
+/// Accuracy against time of every solver on stored contact problems, each at decreasing tolerances, all in one run.
 /// usage: bench_solvers LIMIT_S PROBLEM.hdf5 ...   prints CSV rows without a header (tests/bench/run.sh has it)
 ///
-/// Each run is a process of its own, ended after LIMIT_S seconds, so that a peer that hangs or crashes costs no more.
-/// The time is that of the solve alone, the least of up to five where it is short. The residual is `measure`'s.
+/// Each run is a process of its own that is killed after LIMIT_S seconds, so that a peer that hangs or crashes costs no
+/// more. The time is that of the solve alone, the least of up to five where it is short. The residual is that of
+/// `measure`.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -21,7 +22,7 @@ using namespace nilas;
 
 constexpr double k_short_run = 0.05;  // [s]
 constexpr int k_repeats = 5;
-/// Below this a further rung tells nothing that the table asks for [m/s].
+/// Residual below which no smaller tolerance is tried, since the table ends there [m/s].
 constexpr double k_enough = 1e-10;
 constexpr int k_iterations = 1000000;
 

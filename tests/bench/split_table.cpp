@@ -1,11 +1,11 @@
 /// Makes fracture/split/splitting_table.h: H(A/L, W/L) of a rectangular floe with an edge crack that two opposed forces
-/// at its mouth open. Build with the preset bench; run: bench_split_table > table (ten minutes). With an argument
-/// (bench_split_table check) it prints values between the table's points instead, and for the square floe how they move
+/// at its mouth open. It is built with the preset bench; `bench_split_table > table` takes ten minutes.
+/// `bench_split_table check` prints values between the table's points instead, and for the square floe their change
 /// with order and grading of the elements.
 ///
-/// Plane stress, half of the floe (the crack line is an axis of symmetry), rectangles of order p on grid lines that
-/// close in geometrically on the crack tip and on the load, and J as the domain integral over a ring of elements off
-/// both: K = sqrt(E J).
+/// The model is plane stress for half of the floe, since the crack line is an axis of symmetry. Elements are rectangles
+/// of order p on grid lines that close in geometrically on the crack tip and on the load. J is the domain integral over
+/// a ring of elements away from both: K = sqrt(E J).
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
 #include <algorithm>
@@ -21,7 +21,8 @@ using Vec = Eigen::VectorXd;
 
 struct Mesh {
   int order = 5;
-  double ratio = 0.3, finest = 1e-5;  ///< of neighbouring elements; smallest element over the smallest length
+  double ratio = 0.3,
+         finest = 1e-5;  ///< Size ratio of neighbouring elements; smallest element over the smallest length.
 };
 
 /// Points of the Gauss rule with 8 points on [-1, 1] and its weights.
@@ -69,7 +70,7 @@ std::vector<double> sorted(std::vector<double> a) {
 
 class Floe {
  public:
-  /// Unit length along the crack, width W, crack A; E = 1, unit force and thickness.
+  /// A floe of unit length along the crack, width W, crack A; E = 1, unit force and thickness.
   Floe(double A, double W, const Mesh& mesh) : A_(A), W_(W), p_(mesh.order) {
     const double smallest = std::min({A, 1 - A, W / 2}), finest = mesh.finest * smallest;
     x_ = {0, A};
@@ -115,7 +116,7 @@ class Floe {
     return ids;
   }
 
-  /// The stiffness of a rectangle is square_[0] hy / hx + square_[1] + square_[2] hx / hy.
+  /// Integrates on the square. The stiffness of a rectangle is square_[0] hy / hx + square_[1] + square_[2] hx / hy.
   void integrate_square() {
     const int n = (p_ + 1) * (p_ + 1);
     for (Mat& K : square_) K = Mat::Zero(2 * n, 2 * n);
@@ -165,7 +166,8 @@ class Floe {
     const double reach = 0.3 * std::min({A_, 1 - A_, W_ / 2});
     return std::abs(x_[std::size_t(i)] - A_) <= reach && y_[std::size_t(j)] <= reach;
   }
-  /// Eshelby's tensor times the slope of q, integrated over the elements where q falls from 1 to 0; twice the half.
+  /// Eshelby's tensor times the slope of q, integrated over the elements where q falls from 1 to 0; doubled for the
+  /// other half.
   double energy_release() const {
     double J = 0;
     for (int c = 0; c < columns(); ++c)
@@ -204,7 +206,7 @@ class Floe {
   Vec u_;
 };
 
-/// As fracture/split/splitting_table.h says.
+/// Numbers of table points; fracture/split/splitting_table.h says the same.
 constexpr int k_cracks = 32, k_widths = 20;
 constexpr double k_longest = 0.9, k_widest = 8;
 
@@ -220,7 +222,7 @@ void print_table() {
   }
 }
 
-/// A/L, W/L, H, and H of finer elements.
+/// Prints A/L, W/L, H, and H of finer elements.
 void print_checks() {
   for (const double w : {0.13, 0.2, 0.35, 0.5, 0.75, 1.0, 1.5, 2.0, 4.0, 7.0})
     for (const double a :

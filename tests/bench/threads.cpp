@@ -1,9 +1,8 @@
-/// How much faster two threads are than one inside a single large island, beside what they reach on a loop that only
-/// computes.
-/// usage: bench_threads SIZE THREADS ROUNDS     SIZE: about so many contacts
+/// Speed-up of several threads inside a single large island, compared with that of a loop that only computes.
+/// usage: bench_threads SIZE THREADS ROUNDS     SIZE: approximate number of contacts
 ///
-/// A fixed number of iterations from cold, wall time, best of the rounds, one and several threads in turn. The bits of
-/// the impulses must agree.
+/// A fixed number of iterations starts from zero impulses. Wall times are the best of the rounds, with one and several
+/// threads in turn. The impulses must agree to the bit.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -25,7 +24,8 @@ double seconds_of(const std::function<void()>& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Independent work without memory: the most that threads can give here. Its result is returned so that it is done.
+/// Independent work without memory access: its speed-up is the largest that threads can have here. The result is
+/// returned so that the compiler keeps the work.
 double spin(int threads) {
   constexpr std::ptrdiff_t k_items = 2000;
   constexpr int k_rounds = 20000;
@@ -40,7 +40,7 @@ double spin(int threads) {
   return sum;
 }
 
-/// Best time with one and with several threads.
+/// Best times with one and with several threads.
 struct Times {
   double one = std::numeric_limits<double>::infinity(), several = one;
   double speed_up() const { return one / several; }

@@ -1,5 +1,5 @@
 #pragma once
-/// Runs of one scene that differ by next to nothing, and what is the same in all of them.
+/// Perturbed runs: runs of one scene whose starts differ by a tiny displacement, and their statistics.
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -9,10 +9,10 @@
 namespace nilas::bench {
 
 struct Mean {
-  double value = 0, error = 0;  ///< standard error of the mean
+  double value = 0, error = 0;  ///< Mean, and standard error of the mean.
 };
 
-/// Of value(course) over the courses.
+/// Mean of value(course) over the courses.
 template <class Course, class Value>
 Mean mean_of(const std::vector<Course>& courses, const Value& value) {
   Mean mean;
@@ -24,7 +24,8 @@ Mean mean_of(const std::vector<Course>& courses, const Value& value) {
   return mean;
 }
 
-/// What run(k) gives for the scene as it stands (k = 0) and for its twins 1 to `twins`, a thread for each at a time.
+/// Results of run(k) for the unperturbed scene (k = 0) and for its perturbed runs 1 to `twins`, each on a thread of its
+/// own.
 template <class Run>
 auto with_twins(int twins, int threads, const Run& run) {
   std::vector<decltype(run(std::uint64_t{0}))> courses(static_cast<std::size_t>(twins) + 1);

@@ -1,5 +1,5 @@
-/// No switch over a list of choices (core/choices) has a default: it would take a choice that is added later without a
-/// word, where the compiler should refuse it (-Wswitch).
+/// No switch over an enumeration of core/choices has a default. A default would silently take a choice that is added
+/// later, where the compiler should refuse it (-Wswitch).
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -36,7 +36,7 @@ std::set<std::string> choice_enumerations() {
   return names;
 }
 
-/// The enumerations of the cases before each default, back to the switch that it belongs to.
+/// The enumerations of the cases before each default, searched back to its switch.
 std::vector<std::string> enumerations_with_default(const std::string& text) {
   static const std::regex k_case(R"(case (?:nilas::)?(\w+)::)");
   std::vector<std::string> names;

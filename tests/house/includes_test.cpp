@@ -1,8 +1,8 @@
-/// Rules of the house that a file's includes show. The top rooms point one way only:
+/// Rules about folders that a file's includes show. The top folders depend on each other in one direction only:
 ///   apps -> core/output -> core/sim -> fracture -> contact -> core/{bodies, hdf5};
 ///   core/sim -> {hydro, core/vessel, core/hull, core/field, core/scene}; apps -> core/mesh -> core/geometry ->
 ///   core/base. Choices and defaults that the scene and the modules share lie in core/choices, above core/base.
-/// No two folders at any depth include each other, be it over others, and no folder is crowded.
+/// No two folders at any depth include each other, directly or indirectly, and no folder is crowded.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ Rooms joined(Rooms rooms, const Rooms& more) {
   return rooms;
 }
 
-/// What a top room may include besides itself.
+/// The folders that each top folder may include besides itself.
 const std::map<std::string, Rooms>& allowed() {
   static const Rooms base{"core/base", "core/choices"};
   static const Rooms geometry = joined(base, {"core/geometry"});
@@ -47,7 +47,7 @@ const std::map<std::string, Rooms>& allowed() {
   return table;
 }
 
-/// The top room a path belongs to: "core/<x>" or the top folder.
+/// The top folder of a path: "core/<x>" or the first folder.
 std::string room_of(const std::string& path) {
   const auto first = path.find('/');
   if (first == std::string::npos) return "";
@@ -91,10 +91,11 @@ std::vector<std::string> sources(const Rooms& tops) {
   return files;
 }
 
-/// Adapters to other people's solvers, built on request only: they may use what those need.
+/// Whether a file is an adapter to a third-party solver. Adapters are built on request only and may use what those
+/// need.
 bool is_peer(const std::string& file) { return file.rfind("contact/peers/", 0) == 0; }
 
-/// By folder, the folders that its files include.
+/// For each folder, the folders that its files include.
 std::map<std::string, Rooms> folder_graph() {
   std::map<std::string, Rooms> graph;
   for (const std::string& file : sources(k_product))

@@ -1,4 +1,4 @@
-/// docs/reference/scene.md is the schema's own text; a change of the table must come with its page.
+/// docs/reference/scene.md must equal the schema's own text, so that a change of the table comes with its page.
 #include <gtest/gtest.h>
 
 #include <fstream>

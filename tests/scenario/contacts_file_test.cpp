@@ -1,4 +1,4 @@
-/// contacts.h5 of runs: its forces are those of vessel.csv, and it survives a kill and a full disk.
+/// Tests of contacts.h5: its forces sum to those of vessel.csv, and it survives a kill and a full disk.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -13,7 +13,8 @@ using namespace nilas_test;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// A ship in packed ice; `vessel`: what holds it, `friction`: attributes of hull and ice beside static and kinetic.
+/// A ship in packed ice. `vessel`: the support of the ship; `friction`: attributes of hull and ice besides static and
+/// kinetic.
 std::string ice_scene(const std::string& vessel, const std::string& friction = "", const std::string& solver = "auto") {
   return R"(<scene version="1" name="ice">
   <time step="0.01" end="2"/>
@@ -67,7 +68,7 @@ Vector3d triple(const Table& t, const std::string& start, const std::string& uni
   return in_row(t[start + "x" + unit], t[start + "y" + unit], t[start + "z" + unit], row);
 }
 
-/// With semi-implicit Euler the contacts of a row are found at the pose of the row before.
+/// Compares with vessel.csv. With semi-implicit Euler the contacts of a row are found at the pose of the row before.
 void expect_sums_of_vessel_csv(const fs::path& run, bool with_couples) {
   const Table vessel(run / "vessel.csv");
   const nilas::Hdf5Reader file(run / "contacts.h5");
@@ -117,7 +118,7 @@ TEST(ContactsFile, SumsToTheLoadsOfVesselCsv) {
   for (std::size_t i = 0; i < status.size(); ++i) EXPECT_GE(n[i].dot(f[i]), 0) << "the ice pushes the hull away";
 }
 
-/// A floe that breaks at two piers: bodies change their places while the loads must stay with their structures.
+/// A floe breaks at two piers: body indices change while the loads must stay with their structures.
 TEST(ContactsFile, SumsToTheLoadsOfStructuresCsvAlsoAfterABreak) {
   const ScratchFolder folder;
   folder.write("piers.xml", R"(<scene version="1" name="piers">
@@ -139,7 +140,8 @@ TEST(ContactsFile, SumsToTheLoadsOfStructuresCsvAlsoAfterABreak) {
   const auto index = file.wide_integers("steps"), body = file.wide_integers("contacts/body");
   const auto fx = file.exact_numbers("contacts/fx_N");
   ASSERT_EQ(index.size(), 2 * loads.rows());
-  const std::int64_t east = *std::max_element(body.begin(), body.end());  // the later body of the scene
+  // The later body of the scene has the larger index.
+  const std::int64_t east = *std::max_element(body.begin(), body.end());
   double pressed = 0;
   for (std::size_t k = 0; k < loads.rows(); ++k) {
     double on_west = 0, on_east = 0;
@@ -183,7 +185,7 @@ TEST(ContactsFile, IsWrittenWhereTheSceneAsksForIt) {
   EXPECT_NEAR(on_low, 5 * 9.81, 1e-6);
 }
 
-/// Killed at moments that depend on nothing: all steps but those of the last second are there, whole.
+/// The run is killed at arbitrary moments: the file holds complete steps, all but those of the last second.
 TEST(ContactsFile, AKilledRunLeavesItsSteps) {
   const ScratchFolder folder;
   folder.write("towed.xml", ice_scene(k_towed));
@@ -208,7 +210,7 @@ TEST(ContactsFile, AKilledRunLeavesItsSteps) {
 TEST(ContactsFile, AFullDiskEndsTheRun) {
   const ScratchFolder folder;
   folder.write("towed.xml", ice_scene(k_towed));
-  // 40 kB hold the file as it begins, no more than a second of it
+  // 40 kB hold the beginning of the file and less than a second of data.
   const auto result = run_nilas("--version >/dev/null; ulimit -f 40; '" NILAS_PROGRAM
                                 "' run towed.xml --quiet --until 20 --set output/@trajectory_every=0 "
                                 "--set contact/@tolerance=1e-3 --out run",

@@ -1,6 +1,6 @@
-/// State hashes of three shipped scenes against those stored in golden.json: no change moves a bit without being seen.
-/// One set of hashes holds for any number of threads. It was taken from a Release build. Compiler and libraries may
-/// move bits, and so does the processor: with FMA the C library computes some functions by other instructions.
+/// State hashes of three shipped scenes against those stored in golden.json, so that no change of a bit goes unnoticed.
+/// One set of hashes holds for any number of threads. The sets come from Release builds. Compiler and libraries may
+/// change bits, and so may the processor: with FMA the C library computes some functions by other instructions.
 #include <gnu/libc-version.h>
 #include <gtest/gtest.h>
 
@@ -14,11 +14,11 @@ namespace {
 using namespace nilas_test;
 using Json = nlohmann::ordered_json;
 
-/// Each runs until it has contacts; the last one until floes broke.
+/// A scene that runs until it has contacts, and the last one until floes have broken.
 struct Case {
   const char* scene;
-  const char* until;  ///< [s]
-  bool breaks;        ///< ice breaks in it
+  const char* until;  ///< End of the run [s].
+  bool breaks;        ///< Whether ice must break in the run.
 };
 
 void PrintTo(const Case& c, std::ostream* out) { *out << c.scene; }
@@ -31,7 +31,7 @@ bool has_fma() {
 #endif
 }
 
-/// While it lives, programs that start use no FMA in the C library, as on a processor without.
+/// While an object exists, programs that start use no FMA in the C library, as on a processor without it.
 class WithoutFma {
  public:
   WithoutFma() { setenv("GLIBC_TUNABLES", "glibc.cpu.hwcaps=-FMA,-FMA4", 1); }
@@ -45,7 +45,7 @@ struct Outcome {
   std::string scene, until, hash;
 };
 
-/// What may move bits: architecture, compiler, libraries, and whether the C library uses FMA.
+/// The properties that may change bits: architecture, compiler, libraries, and whether the C library uses FMA.
 Json platform_of(const Json& versions, bool fma) {
   Json platform;
 #ifdef __x86_64__
@@ -86,7 +86,7 @@ std::optional<std::string> stored_hash(const Outcome& outcome) {
   return {};
 }
 
-/// Puts a hash into the file. Sets of other compilers and libraries hold for a state that is no more, and go.
+/// Puts a hash into the file. Sets of other compilers and libraries are removed, since they belong to an older state.
 void renew(const Outcome& outcome) {
   Json sets = Json::array();
   bool placed = false;
@@ -109,7 +109,7 @@ void renew(const Outcome& outcome) {
   std::ofstream(golden_file()) << Json{{"renewed_by", "./dev golden"}, {"sets", sets}}.dump(2) << '\n';
 }
 
-/// Debian 12 with its g++ on x86_64, which README.md names: there the stored hashes must hold.
+/// Whether the platform is the one of README.md, Debian 12 with its g++ on x86_64. The stored hashes must hold there.
 bool is_named_platform(const Json& platform) {
   const std::string release = read_text("/etc/os-release");
   const bool debian =

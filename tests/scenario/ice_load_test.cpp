@@ -1,4 +1,4 @@
-/// The ice load that a run tells is the mean over the rows that it says, by another program that knows only the rows.
+/// The ice load that a run states is the mean over the rows that it names, by another program that sees only the rows.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ struct Means {
   long rows = 0;
 };
 
-/// What mean_ice_load.awk makes of a file; `settings`: its variables as NAME=VALUE words.
+/// Results of mean_ice_load.awk for a file. `settings`: its variables as NAME=VALUE words.
 Means means_by_awk(const fs::path& csv, const std::vector<std::string>& settings) {
   std::string command = "awk";
   for (const auto& setting : settings) command += " -v '" + setting + "'";
@@ -46,7 +46,7 @@ double printed_newtons(const std::string& text, const std::string& label) {
 
 class IceLoad : public ::testing::Test {
  protected:
-  /// Runs, and holds the vessel's load in summary.json and on the console against the rows of vessel.csv.
+  /// Runs the program and compares the vessel's load in summary.json and on the console with the rows of vessel.csv.
   Json expect_as_in_rows(const std::string& arguments, const std::vector<std::string>& settings) {
     const auto result = run_nilas("run " + arguments + " --out run", folder_.path());
     EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -58,7 +58,7 @@ class IceLoad : public ::testing::Test {
     EXPECT_GT(scale, 0);
     EXPECT_NEAR(load.at("along").at("mean_N"), means.along, 1e-6 * scale);
     EXPECT_NEAR(load.at("across").at("mean_N"), means.across, 1e-6 * scale);
-    constexpr double k_printed = 1e-3;  // four digits
+    constexpr double k_printed = 1e-3;  // The console prints four digits.
     EXPECT_NEAR(printed_newtons(result.out, "ice load"), means.along, k_printed * std::abs(means.along) + 1e-9 * scale)
         << result.out;
     EXPECT_NEAR(summary.at("loads").at("ice_resistance_N").at("mean"), means.along, 1e-6 * scale);
@@ -66,7 +66,7 @@ class IceLoad : public ::testing::Test {
     return summary;
   }
 
-  /// A cone frustum of eight sides that stands through the waterline, as a hull file in V or a body's mesh.
+  /// Writes a cone frustum of eight sides that stands through the waterline, as a hull file in V or a body's mesh.
   void write_cone() const {
     constexpr int k_sides = 8;
     const auto corner = [](int k, double radius, double z) {
@@ -88,7 +88,7 @@ class IceLoad : public ::testing::Test {
     nilas::write_stl(cone, folder_ / "cone.stl");
   }
 
-  /// Ice that drifts towards +x against what stands at the origin.
+  /// Writes a scene of ice that drifts towards +x against a structure at the origin.
   void write_drift(const std::string& structure) const {
     folder_.write("drift.xml", R"(<scene version="1" name="drift"><time step="0.02" end="6"/>
   <contact solver="nsgs" tolerance="1e-4"><friction between="* *" kinetic="0.2"/></contact>
@@ -132,7 +132,7 @@ TEST_F(IceLoad, OverTheWindowAskedFor) {
 TEST_F(IceLoad, OfAFixedCone) {
   write_cone();
   write_drift("<vessel hull='cone.stl' position='0 0 0'><mass value='100'/><fixed/></vessel>");
-  // against the drift of (0.4, 0.1) m/s
+  // The line points against the drift of (0.4, 0.1) m/s.
   expect_as_in_rows("drift.xml",
                     {"h=0.02", "course_deg=" + std::to_string(180 + std::atan2(0.1, 0.4) * 180 / 3.14159265358979)});
 }

@@ -1,4 +1,4 @@
-/// FCL and libccd take part in every shipped scene, as counted from outside the program.
+/// Every shipped scene calls FCL and libccd. The calls are counted from outside of the program.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -26,7 +26,7 @@ std::map<std::string, long> counted_calls(const fs::path& scene, const std::stri
 
 class LibraryCalls : public ::testing::TestWithParam<std::string> {};
 
-/// A few steps are enough: all pairs are new then.
+/// A few steps are enough, since all pairs are new then.
 TEST_P(LibraryCalls, FclAndCcdAreAsked) {
   const ScratchFolder folder;
   const fs::path scene = fs::path(NILAS_SOURCE_DIR) / "apps/scenes" / (GetParam() + ".xml");

@@ -1,4 +1,4 @@
-/// What single runs in ice that breaks state about their mean load, against the mean of runs that are solved well.
+/// The mean load that single runs state in ice that breaks, against the mean of accurately solved runs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ constexpr double k_until = 3.9;  // [s]; ice meets the ship at 2.77 s and breaks
 struct Said {
   ChannelError error;
   bool at_least = false;
-  double fast = 0;  ///< half width by what a load is worth that forgets itself soon [N]
+  double fast = 0;  ///< Half width of the interval if the load's memory is short [N].
 };
 
 Said run(const Overrides& settings, std::uint64_t twin) {
@@ -70,7 +70,7 @@ TEST(LoadCoverage, OfLevelIceHoldsAndWidensWhereTheSolverStopsShort) {
   }
   EXPECT_GE(held, 3) << "of 4";
   EXPECT_LE(held_fast, 1) << "or the memory of the ice would not matter";
-  // with a tenth of the sweeps the load is a third lower: no run knows that, but each says that it does not know
+  // With a tenth of the sweeps the load is a third lower. No run can detect that, but each states that it is uncertain.
   EXPECT_LT(mean_of(few), 0.75 * truth);
   for (const auto& runs : {shipped, few})
     for (const Said& said : runs) EXPECT_TRUE(said.at_least);

@@ -1,5 +1,5 @@
-/// A mirror-symmetric scene must move symmetrically; rounding grows in it, so the bound widens with time, unless
-/// nothing rounds differently on the two sides.
+/// A mirror-symmetric scene must move symmetrically. Rounding grows, so the bound widens with time, unless rounding is
+/// the same on the two sides.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ TEST(Mirror, PairsOfFloesStayImages) {
     const double w = bodies["qw"][i], x = bodies["qx"][i], y = bodies["qy"][i], z = bodies["qz"][i];
     return std::atan2(2 * (x * y + w * z), w * w + x * x - y * y - z * z);
   };
-  std::map<double, double> worst;  // by time
+  std::map<double, double> worst;  // Largest asymmetry by time.
   double moved = 0;
   for (int k = 1; k <= 25; ++k)
     for (const auto& [t, p] : rows.at("port " + std::to_string(k))) {
@@ -43,7 +43,7 @@ TEST(Mirror, PairsOfFloesStayImages) {
   }
 }
 
-/// Every column of every row, over the scene's whole length.
+/// Compares every column of every row over the scene's whole length.
 void expect_images_to_the_last_bit(const std::string& flags, bool every_step_converges) {
   const ScratchFolder folder;
   const auto result =

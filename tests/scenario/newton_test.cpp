@@ -1,4 +1,4 @@
-/// What a person with a spreadsheet can verify from vessel.csv and summary.json alone: Newton's law for the towed ship.
+/// Checks Newton's law for the towed ship from vessel.csv and summary.json alone, as a spreadsheet could:
 ///   m (v_k+1 - v_k)/h = contact + hydro + carriage + weight
 ///   L_k+1 - L_k = h (sum of torques about the centre of mass),  L = R I R^T w with each row's own R
 #include <gtest/gtest.h>
@@ -50,14 +50,14 @@ void verify_newton(const fs::path& run, double h) {
                    hull_m = column(t, "hull_m", "_Nm", k), spin = (L(k) - L(k - 1)) / h;
     const double scale_m = std::max({contact_m.norm(), hydro_m.norm(), hull_m.norm(), spin.norm()});
     worst_torque = std::max(worst_torque, (contact_m + hydro_m + hull_m - spin).norm() / scale_m);
-    // the same force twice, and its moment moved from the joint to the centre of mass
+    // The columns hold the same force, and its moment moved from the joint to the centre of mass.
     EXPECT_NEAR((carriage - column(t, "hull_f", "_N", k)).norm(), 0, 1e-9 * (1 + carriage.norm()));
   }
   EXPECT_LE(worst_force, 1e-6);
   EXPECT_LE(worst_torque, 1e-6);
 }
 
-/// theta 1/2, 1 and one between; cells on a ramp, and free axes that turn.
+/// Cases: theta 1/2, 1 and one value between; cells on a ramp, and free axes that turn.
 TEST(Newton, Moreau) {
   for (const std::string theta : {"0.5", "1", "0.7"}) {
     const ScratchFolder folder;

@@ -1,6 +1,6 @@
-/// The pre-sawn scenes are mirror-symmetric, and chaotic: rounding grows. Are they built as their own images, and do
-/// they stay so where nothing rounds differently on the two sides? How fast does presawn-a lose its symmetry otherwise,
-/// beside the growth of a perturbation of 1e-12 m, and do port and starboard loads agree on average?
+/// The pre-sawn scenes are mirror-symmetric and chaotic, so that rounding grows. The tests check that they are built as
+/// their own images, and stay so where rounding is the same on the two sides. Otherwise the loss of symmetry of
+/// presawn-a is compared with the growth of a perturbation of 1e-12 m. Port and starboard loads must agree on average.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,12 +19,12 @@ constexpr double k_end = 6, k_perturbation = 1e-12;
 constexpr int k_seeds = 8;
 
 struct Course {
-  std::vector<double> asymmetry;  ///< largest |y_left + y_right|, |x_left - x_right| so far, at whole seconds [m]
-  std::vector<std::vector<Vec3>> poses;  ///< centres at whole seconds
-  double port = 0, starboard = 0;        ///< mean forces along X on the two sides of the hull [N]
+  std::vector<double> asymmetry;  ///< Largest |y_left + y_right|, |x_left - x_right| so far, at whole seconds [m].
+  std::vector<std::vector<Vec3>> poses;  ///< Positions of centres at whole seconds [m].
+  double port = 0, starboard = 0;        ///< Mean forces along X on the two sides of the hull [N].
 };
 
-/// Free floes come in the grid's order; the image of each is found once, from the start positions.
+/// Pairs of mirror images. Free floes come in the grid's order; the image of each is found from the initial positions.
 std::vector<std::pair<std::size_t, std::size_t>> mirror_pairs(const Bodies& bodies) {
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   for (std::size_t a = 0; a < bodies.p_GB.size(); ++a)
@@ -90,10 +90,10 @@ TEST(PresawnSymmetry, PortAndStarboardLoadsAgreeOnAverage) {
   EXPECT_LE(std::abs(mean), std::max(0.05 * size, 3 * standard_error));
 }
 
-/// As long as the test may take; bench_presawn_symmetry goes on to the ends of the scenes.
+/// A case that ends early to keep the test short. bench_presawn_symmetry runs to the ends of the scenes.
 struct Exact {
   char letter;
-  double end;  ///< [s]
+  double end;  ///< End of the run [s].
 };
 class PresawnImages : public testing::TestWithParam<Exact> {};
 INSTANTIATE_TEST_SUITE_P(Cases, PresawnImages, testing::Values(Exact{'a', 5}, Exact{'b', 6}, Exact{'c', 5.5}),

@@ -1,5 +1,5 @@
-/// The pre-sawn scenes with the meshes that the older paper used: nothing lies in hull or sheets, and the load does not
-/// depend on the mesh. `./dev bench presawn` does the same to the scenes' ends, with twins.
+/// The pre-sawn scenes on two hull meshes: pieces do not penetrate hull or sheets, and the load does not depend on the
+/// mesh. `./dev bench presawn` does the same up to the scenes' ends, with perturbed runs.
 #include "tests/support/presawn.h"
 
 #include <gtest/gtest.h>
@@ -11,9 +11,9 @@ namespace {
 using namespace nilas;
 
 struct Outcome {
-  double penetration = 0;             ///< by the contact search [m]
-  double in_hull = 0, in_sheets = 0;  ///< by the oracle [m]
-  double load = 0;                    ///< mean force along X from the first contact on [N]
+  double penetration = 0;             ///< Largest penetration by the contact search [m].
+  double in_hull = 0, in_sheets = 0;  ///< Largest depths by the oracle [m].
+  double load = 0;                    ///< Mean force along X from the first contact on [N].
 };
 
 Outcome outcome(char letter, int triangles, double until, double look_every) {
@@ -69,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, Presawn,
                                            Case{'c', 18000, 6000, 4.0}),
                          [](const auto& instance) { return std::string(1, instance.param.letter); });
 
-/// The oracle itself, against all axes of plain brute force over random poses.
+/// The oracle itself is compared with all axes of plain brute force over random poses.
 TEST(PresawnOverlap, AgreesWithAllAxes) {
   const Shape shape = box_shape({2, 0.7, 0.9});
   const test::ConvexOracle hull(shape.surface, Mat3::Identity(), Vec3::Zero());

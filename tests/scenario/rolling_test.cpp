@@ -1,4 +1,4 @@
-/// A ball that rolls and one that spins on the ground, from the scene to the ledger.
+/// A ball that rolls and one that spins on the ground: from the scene file to the energy ledger.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -34,7 +34,7 @@ TEST(Rolling, ABallSlowsDownAndTheLedgerCloses) {
   const auto worst = nlohmann::json::parse(result.out)["worst"];
   EXPECT_LE(std::abs(worst["imbalance_J"]["value"].get<double>()), 1e-12);
   EXPECT_LE(worst["angular_momentum_imbalance_relative"]["value"].get<double>(), 1e-12);
-  // what the two frictions took is what the ball lost
+  // The two frictions dissipate the energy that the ball loses.
   const Table steps(folder.path() / "run/steps.csv");
   const double inertia = 0.4 * 2 * 0.25;
   const double before = 0.5 * 2 * 4 + 0.5 * inertia * (16 + 49);

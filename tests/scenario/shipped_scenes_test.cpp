@@ -1,4 +1,4 @@
-/// Every scene that ships, run through the program for a short while: no NaN, momentum, penetration, same bits.
+/// Runs every shipped scene briefly through the program: no NaN, momentum, penetration, same bits on every run.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,9 +12,9 @@ using namespace nilas_test;
 
 struct Case {
   const char* scene;
-  double until;      ///< [s]
-  double thickness;  ///< of the ice [m]
-  double deepest;    ///< largest penetration as a share of it [-]
+  double until;      ///< End of the run [s].
+  double thickness;  ///< Thickness of the ice [m].
+  double deepest;    ///< Largest penetration over the thickness [-].
 };
 
 void PrintTo(const Case& c, std::ostream* out) { *out << c.scene; }
@@ -44,7 +44,7 @@ TEST_P(ShippedScene, KeepsItsInvariants) {
   EXPECT_GT(touching, 0) << "the scene never made a contact, so it tests nothing";
 }
 
-/// The ledger closes: what is missing is rounding beside the energy that was turned over.
+/// The residual of the energy ledger is rounding compared with the exchanged energy.
 TEST_P(ShippedScene, ClosesItsEnergyLedger) {
   const ScratchFolder folder;
   const auto result = run_nilas("run '" + shipped_scene(GetParam().scene).string() + "' --quiet --out run --until " +
@@ -59,7 +59,7 @@ TEST_P(ShippedScene, ClosesItsEnergyLedger) {
   EXPECT_LE(std::abs(steps["imbalance_J"][last]), 1e-10 * scale);
 }
 
-/// Moreau's scheme moves all of them, vessel and floes: the same invariants, with contacts.
+/// Moreau's scheme moves vessel and floes of every scene: the same invariants hold, with contacts.
 TEST_P(ShippedScene, KeepsItsInvariantsWithMoreau) {
   const ScratchFolder folder;
   const auto result = run_nilas("run '" + shipped_scene(GetParam().scene).string() +

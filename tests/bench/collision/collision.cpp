@@ -1,7 +1,6 @@
-/// Contact search: right, how fast, how it grows, on how many threads.
-/// usage: bench_collision classes BATCHES THREADS nilas|fcl|nilas-alone [CLASS] | peers PAIRS ROUNDS | steps STEPS
-/// FLOES ... |
-///        threads FLOES THREADS STEPS
+/// Correctness, speed, growth and thread scaling of contact search.
+/// usage: bench_collision classes BATCHES THREADS nilas|fcl|nilas-alone [CLASS] |
+///                        peers PAIRS ROUNDS | steps STEPS FLOES ... | threads FLOES THREADS STEPS
 #include "tests/bench/collision/collision.h"
 
 #include <cstdio>

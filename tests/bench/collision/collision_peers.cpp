@@ -17,9 +17,9 @@ namespace nilas::bench {
 
 namespace {
 
-using Answer = std::optional<pairs::Verdict>;  ///< the deepest point, when there is one
+using Answer = std::optional<pairs::Verdict>;  ///< The deepest point, when there is one.
 
-/// A pair as Nilas holds it.
+/// A pair in the data structures of Nilas.
 class OwnPair {
  public:
   explicit OwnPair(const Bodies& bodies)
@@ -41,7 +41,7 @@ class OwnPair {
   PairMemory memory_;
 };
 
-/// The same as FCL's convex shapes, asked with libccd for one contact.
+/// The same pair as FCL's convex shapes; FCL's query uses libccd and asks for one contact.
 class FclPair {
  public:
   explicit FclPair(const Bodies& bodies) {
@@ -73,14 +73,14 @@ class FclPair {
   std::array<fcl::Transform3d, 2> poses_{fcl::Transform3d::Identity(), fcl::Transform3d::Identity()};
 };
 
-/// Bullet's dispatcher as a program sets it up: GJK and EPA with its manifolds.
+/// Bullet's dispatcher as programs usually set it up: GJK and EPA with its manifolds.
 struct BulletWorld {
   btDefaultCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher{&configuration};
   btDispatcherInfo info;
 };
 
-/// The same as Bullet's hulls with a margin of a thousandth of the size, taken off again from the distances.
+/// The same pair as Bullet's hulls, with a margin of a thousandth of the size that is subtracted from the distances.
 class BulletPair {
  public:
   BulletPair(const Bodies& bodies, double size) : margin_(1e-3 * size) {
@@ -110,7 +110,7 @@ class BulletPair {
     for (int k = 0; manifold != nullptr && k < manifold->getNumContacts(); ++k) {
       const btManifoldPoint& point = manifold->getContactPoint(k);
       const double gap = point.getDistance() + 2 * margin_;
-      const btVector3& n = point.m_normalWorldOnB;  // towards A
+      const btVector3& n = point.m_normalWorldOnB;  // Bullet's normal points from B towards A.
       if (!deepest || gap < deepest->gap) deepest = pairs::Verdict{Vec3(-n.x(), -n.y(), -n.z()), gap};
     }
     algorithm->~btCollisionAlgorithm();
@@ -124,7 +124,7 @@ class BulletPair {
   std::array<btCollisionObject, 2> objects_;
 };
 
-/// What one engine took and got wrong on the pairs of a class that overlap.
+/// Time and errors of one engine on the pairs of a class that overlap.
 struct Score {
   double best_ms = oracle::k_infinite;
   pairs::Tally tally;
@@ -152,7 +152,7 @@ struct Engines {
   BulletWorld world;
   AxisSearchRoom room;
   std::vector<ContactPoint> points;
-  double sink = 0;  ///< sum of all gaps, so that no query is left out
+  double sink = 0;  ///< Sum of all gaps, so that the compiler removes no query.
 
   void add(const pairs::KnownPair& known) {
     own.push_back(std::make_unique<OwnPair>(known.bodies));
@@ -162,9 +162,9 @@ struct Engines {
   void count(const Answer& answer) { sink += answer ? answer->gap : 0; }
 };
 
-using Scores = std::array<Score, 4>;  ///< Nilas on new pairs, on remembered ones, FCL, Bullet
+using Scores = std::array<Score, 4>;  ///< Nilas on new pairs, Nilas on remembered pairs, FCL, Bullet.
 
-/// Each engine over all pairs, in turn, as often as there are rounds.
+/// Times each engine over all pairs, in turn, for the given number of rounds.
 void time_engines(Engines& engines, int rounds, Scores& scores) {
   for (int round = 0; round < rounds; ++round) {
     scores[0].time([&] {

@@ -17,7 +17,7 @@ namespace nilas::bench {
 
 namespace {
 
-constexpr double k_step = 0.01, k_reach_share = 1.5;  // [s], [-]: as in a simulation
+constexpr double k_step = 0.01, k_reach_share = 1.5;  // Step [s] and reach share [-] as in a simulation.
 constexpr int k_first_measured = 10;
 
 std::vector<ContactPoint> detect(ContactDetector& detector, const Bodies& bodies) {
@@ -37,8 +37,8 @@ double wall_ms(const std::function<void()>& work) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Work without memory in as many pieces as a detector cuts its pairs into, about as long as `ms` on one thread. The
-/// result is returned so that it is done.
+/// Computes without memory access for about `ms` on one thread, in as many pieces as a detector cuts its pairs into.
+/// The result is returned so that the compiler keeps the work.
 double compute_only(double ms, int threads) {
   constexpr std::ptrdiff_t k_pieces = 16;
   constexpr double k_divisions_per_ms = 2.2e5;

@@ -1,5 +1,6 @@
-/// Shipped scenes with each narrow phase: loads, penetration and time of the whole run, and FCL's contacts judged by
-/// the exact search at the poses of the default run, step by step. usage: bench_narrow_phase SECONDS SCENE.xml ...
+/// Loads, penetration and time of shipped scenes with each narrow phase. FCL's contacts are also judged step by step by
+/// the exact search at the poses of the default run.
+/// usage: bench_narrow_phase SECONDS SCENE.xml ...
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,7 +20,7 @@ namespace {
 
 using namespace nilas;
 
-/// The deepest point of each pair of parts.
+/// The deepest point of each pair of convex pieces.
 std::vector<ContactPoint> deepest_of_pairs(std::vector<ContactPoint> points) {
   const auto pair = [](const ContactPoint& c) { return std::tuple(c.a, c.b, c.part_a, c.part_b); };
   std::stable_sort(points.begin(), points.end(), [&](const ContactPoint& p, const ContactPoint& q) {
@@ -33,9 +34,9 @@ std::vector<ContactPoint> deepest_of_pairs(std::vector<ContactPoint> points) {
 
 struct Judgement {
   long contacts = 0, missed = 0, surplus = 0, wrong_normals = 0, wrong_depths = 0;
-  double worst_depth = 0;  ///< of the thinner body's width [-]
+  double worst_depth = 0;  ///< Largest error of a depth over the thinner body's width [-].
 
-  /// Gaps below a hundredth of the thinner body's width count as contacts.
+  /// Compares two sets of contacts. Gaps below a hundredth of the thinner body's width count as contacts.
   void add(const std::vector<ContactPoint>& exact, const std::vector<ContactPoint>& fcl,
            const std::vector<double>& width) {
     constexpr double k_right_depth = 1e-6, k_margin = 1e-2;

@@ -1,4 +1,4 @@
-/// Thin plates at 100 thicknesses per step against fixed plates as thin: who gets through, alone and in crowds.
+/// Counts thin plates at 100 thicknesses per step that pass through fixed plates as thin, alone and in crowds.
 /// usage: bench_thin_plates FLIGHTS PAIRS_PER_SCENE [CONTACT_ATTRIBUTES]
 #include "tests/support/collision/thin_plates.h"
 

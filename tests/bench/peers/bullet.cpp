@@ -1,5 +1,6 @@
-/// The packed scene on Bullet in its honest setting: float64, 1 mm margins, clipped polyhedral manifolds, two friction
-/// directions. usage: peer_bullet SCENE SWEEPS
+/// The packed scene on Bullet in its most accurate setting: float64, 1 mm margins, clipped polyhedral manifolds, two
+/// friction directions.
+/// usage: peer_bullet SCENE SWEEPS
 #include <btBulletDynamicsCommon.h>
 
 #include <memory>
@@ -8,7 +9,7 @@
 
 namespace {
 
-/// Bullet's world with its two phases timed.
+/// Bullet's world with timings of its two phases.
 class TimedWorld : public btDiscreteDynamicsWorld {
  public:
   using btDiscreteDynamicsWorld::btDiscreteDynamicsWorld;
@@ -86,14 +87,14 @@ peers::BodyState state(const btRigidBody& body) {
 peers::Touching touching(const btManifoldPoint& point, int body0, int body1, double erp, double h) {
   const auto vec = [](const btVector3& x) { return nilas::Vec3(x[0], x[1], x[2]); };
   peers::Touching t;
-  t.a = body1;  // the normal points towards the first body
+  t.a = body1;  // The normal points towards the first body.
   t.b = body0;
   t.p = 0.5 * (vec(point.getPositionWorldOnA()) + vec(point.getPositionWorldOnB()));
   t.n = vec(point.m_normalWorldOnB);
   t.impulse = point.m_appliedImpulse * t.n + point.m_appliedImpulseLateral1 * vec(point.m_lateralFrictionDir1) +
               point.m_appliedImpulseLateral2 * vec(point.m_lateralFrictionDir2);
   const double gap = point.getDistance();
-  t.speed_asked = gap > 0 ? -gap / h : -erp * gap / h;  // depths below 4 cm are no matter of its split impulse
+  t.speed_asked = gap > 0 ? -gap / h : -erp * gap / h;  // Split impulse leaves depths below 4 cm alone.
   return t;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
-/// The packed scene that all engines run: floes as prisms, a wedge hull moved at constant speed, four walls, and the
-/// same simple water for the engines that have none (columns of buoyancy with heave damping, linear drag to a current).
+/// The packed scene that all engines run: floes as prisms, a wedge hull that moves at constant speed, and four walls.
+/// Engines without water get the same simple model: columns of buoyancy with heave damping, and linear drag to a
+/// current.
 #include <time.h>
 
 #include <algorithm>
@@ -19,18 +20,18 @@ struct Point {
 };
 
 struct Floe {
-  std::vector<Point> outline;  ///< counter-clockwise, principal axes, about the centroid
+  std::vector<Point> outline;  ///< Counter-clockwise, in principal axes about the centroid.
   Point centre;
   double yaw = 0, area = 0, mass = 0;
   std::array<double, 3> inertia{};
-  std::vector<Point> column;  ///< centroids of the triangles that carry buoyancy
+  std::vector<Point> column;  ///< Centroids of the triangles that carry buoyancy.
   std::vector<double> column_area;
 };
 
 struct FloeScene {
   double thickness = 0, density = 920, water = 1005, gravity = 9.81, friction = 0.15, step = 0.01;
-  double x0 = 0, x1 = 0, y0 = 0, y1 = 0;  ///< walls
-  double current = 0;                     ///< along X [m/s]
+  double x0 = 0, x1 = 0, y0 = 0, y1 = 0;  ///< Positions of the walls [m].
+  double current = 0;                     ///< Current along X [m/s].
   double hull_x = 0, hull_length = 0, hull_bow = 0, hull_beam = 0, hull_bottom = 0, hull_top = 0, hull_speed = 0;
   std::vector<Floe> floes;
 
@@ -43,7 +44,7 @@ struct FloeScene {
 
 inline double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
 
-/// Moves the outline to its centroid and principal axes and fills mass properties and buoyancy columns.
+/// Moves the outline to its centroid and principal axes, and fills in mass properties and buoyancy columns.
 inline void prepare(Floe& f, double thickness, double density) {
   double area = 0, cx = 0, cy = 0;
   const std::size_t n = f.outline.size();
@@ -108,7 +109,7 @@ struct Load {
   double f[3]{}, t[3]{};
 };
 
-/// Water of one floe: buoyancy and heave damping on columns, linear drag towards the current.
+/// Water load of one floe: buoyancy and heave damping on columns, linear drag towards the current.
 inline Load water_load(const FloeScene& s, const Floe& f, const BodyState& q) {
   Load load;
   const double H = s.thickness, omega = std::sqrt(s.water * s.gravity / (s.density * H)), drag = 0.2;
@@ -129,14 +130,14 @@ inline Load water_load(const FloeScene& s, const Floe& f, const BodyState& q) {
   return load;
 }
 
-/// CPU time of this thread [ms]: a loaded machine does not count against an engine.
+/// CPU time of this thread [ms]. It keeps other load of the machine out of an engine's time.
 inline double now_ms() {
   timespec t{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
   return 1e3 * static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_nsec);
 }
 
-/// Times of one step by part [ms].
+/// Times of one step by stage [ms].
 struct Parts {
   double detect = 0, solve = 0, water = 0, total = 0;
 };
@@ -151,8 +152,9 @@ inline double percentile_95(std::vector<double> x) {
   return x[x.size() * 95 / 100];
 }
 
-/// One CSV row: engine,floes,sweeps,detect_ms,solve_ms,water_ms,total_ms,contacts,penetration_max_over_thickness,
-/// total_ms_95,natural_map_m_s (medians of the window but where the name says otherwise).
+/// Prints one CSV row: engine,floes,sweeps,detect_ms,solve_ms,water_ms,total_ms,contacts,
+/// penetration_max_over_thickness,total_ms_95,natural_map_m_s. Values are medians of the window unless the name says
+/// otherwise.
 inline void print_row(const char* engine, std::size_t floes, int sweeps, const std::vector<Parts>& window,
                       double contacts, double penetration, const std::vector<double>& natural_maps) {
   std::vector<double> d, s, w, t;

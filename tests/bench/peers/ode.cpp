@@ -24,7 +24,7 @@ struct World {
   double friction = 0;
 };
 
-/// ODE keeps pointers into the arrays, so they live as long as the world.
+/// Makes a prism. ODE keeps pointers into the arrays, so the world owns them.
 dGeomID prism(World& w, const std::vector<peers::Point>& outline, double bottom, double top) {
   auto planes = std::make_unique<std::vector<dReal>>();
   auto points = std::make_unique<std::vector<dReal>>();
@@ -55,7 +55,7 @@ void collide(void* data, dGeomID g1, dGeomID g2) {
   const dBodyID a = dGeomGetBody(g1), b = dGeomGetBody(g2);
   if (!a && !b) return;
   constexpr int k_most = 8;
-  constexpr double k_slow = 1e-6;  // [m/s] no slip direction is known below
+  constexpr double k_slow = 1e-6;  // No slip direction is defined below this speed [m/s].
   dContactGeom found[k_most];
   const int n = dCollide(g1, g2, k_most, found, sizeof(dContactGeom));
   for (int i = 0; i < n; ++i) {
@@ -110,10 +110,10 @@ peers::BodyState state(dBodyID body) {
   return q;
 }
 
-/// ODE's share of the depth that a step's velocities are to remove.
+/// Share of the depth that ODE removes in a step by velocities.
 constexpr double k_erp = 0.2;
 
-/// Which floe, or hull or wall, a body is.
+/// Index of the floe that a body is, or that of the hull or a wall.
 int index_of(dBodyID body) {
   if (!body) return peers::k_wall;
   if (dBodyIsKinematic(body)) return peers::k_hull;
@@ -127,7 +127,7 @@ peers::Touching touching(const Touch& touch, const dJointFeedback& feedback, dou
   t.n = peers::vec(geom.normal);
   t.impulse = h * peers::vec(feedback.f1);
   t.speed_asked = k_erp * geom.depth / h;
-  // the normal points into the first geometry; a joint whose first body is the world tells of its second
+  // The normal points into the first geometry. A joint whose first body is the world has the other one in second place.
   t.b = index_of(touch.a);
   t.a = index_of(touch.b);
   if (touch.a) return t;

@@ -1,23 +1,24 @@
 #pragma once
-/// A peer's contacts and impulses put into our contact problem, so that its error is found by the same `measure`.
+/// Converts a peer's contacts and impulses into our contact problem, so that `measure` finds the errors of all engines.
 #include "contact/law/contact_frame.h"
 #include "contact/measure/measure.h"
 #include "tests/bench/peers/floe_scene.h"
 
 namespace peers {
 
-/// One contact of a step as the peer had it. Bodies: index of a floe, k_hull or k_wall.
+/// One contact of a step in a peer. Bodies: index of a floe, k_hull or k_wall.
 struct Touching {
   int a = 0, b = 0;
-  nilas::Vec3 p, n;        ///< at the step's start; n from a to b
-  nilas::Vec3 impulse;     ///< on b [N s]
-  double speed_asked = 0;  ///< of separation along n that its stabilisation asks for; negative: what a gap allows [m/s]
+  nilas::Vec3 p, n;     ///< Point and normal at the step's start; n points from a to b.
+  nilas::Vec3 impulse;  ///< Impulse on b [N s].
+  double speed_asked =
+      0;  ///< Speed of separation along n that the stabilisation demands; negative where a gap allows approach [m/s].
 };
 constexpr int k_hull = -1, k_wall = -2;
 
 inline nilas::Vec3 vec(const double* x) { return {x[0], x[1], x[2]}; }
 
-/// Jacobian of floe k at p in the contact's frame, 3 x 6; nothing for other bodies.
+/// Jacobian of floe k at p in the contact's frame, 3 x 6; no columns for other bodies.
 inline nilas::MatX rows_of(const std::vector<BodyState>& before, int k, const nilas::Vec3& p, const nilas::Mat3& C,
                            double sign) {
   if (k < 0) return nilas::MatX(3, 0);
@@ -59,7 +60,7 @@ inline double natural_map(const FloeScene& s, const std::vector<BodyState>& befo
     problem.w.tail<3>() = hull_side * hull - nilas::Vec3(t.speed_asked, 0, 0);
     r.segment<3>(3 * static_cast<Eigen::Index>(c)) = C.transpose() * t.impulse;
   }
-  problem.f = nilas::VecX::Zero(v.size());  // the momentum row is not asked for
+  problem.f = nilas::VecX::Zero(v.size());  // Only the natural map is used, which does not depend on f.
   return touches.empty() ? 0 : nilas::measure(problem, r, v).natural_map_m_s;
 }
 
