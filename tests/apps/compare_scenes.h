@@ -1,5 +1,5 @@
 #pragma once
-/// What comparisons leave.
+/// Reads the files that comparisons write.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -13,7 +13,7 @@ namespace nilas_test {
 
 inline nlohmann::json json_of(const fs::path& file) { return nlohmann::json::parse(read_text(file)); }
 
-/// Of settings.csv, by label.
+/// Row numbers of a table, such as that of settings.csv, by the text of a column.
 inline std::map<std::string, std::size_t> rows_by(const Table& table, const std::string& column) {
   std::map<std::string, std::size_t> rows;
   for (std::size_t k = 0; k < table.rows(); ++k) rows[table.text(column)[k]] = k;

@@ -1,4 +1,4 @@
-/// What `nilas check` says about how a vessel floats.
+/// Tests of the floating position of a vessel that `nilas check` reports.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

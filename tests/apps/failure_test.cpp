@@ -1,4 +1,4 @@
-/// What a run does when its solver falls short, and the contact problems that it leaves.
+/// Tests of runs whose solver misses its tolerance, and of the contact problems that they write.
 #include <gtest/gtest.h>
 
 #include <algorithm>

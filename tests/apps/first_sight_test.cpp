@@ -1,4 +1,4 @@
-/// What a run and a check say at first sight: inputs that once gave nonsense that looked valid.
+/// Tests of run and check with inputs that once gave plausible but wrong results.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

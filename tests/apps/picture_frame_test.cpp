@@ -1,4 +1,4 @@
-/// From where drawings of contacts look, and how much of a hull or of structures they show.
+/// Tests of drawings of contacts: the direction of view, and how much of a hull or of structures they show.
 #include "apps/report/picture_frame.h"
 
 #include <gtest/gtest.h>

@@ -125,7 +125,7 @@ TEST_F(PortableRun, ACopyThatWasChangedOrIsMissingIsNamed) {
   EXPECT_TRUE(mentions(missing.err, "run/inputs/ship/fluid.stl")) << missing.err;
 }
 
-/// As builds before this one wrote them.
+/// The folder has absolute paths, as older builds wrote them.
 TEST_F(PortableRun, AnOlderFolderWithAbsolutePathsIsRead) {
   const std::string vessel = read_text(in("study/run/vessel.csv"));
   std::string scene = read_text(in("study/run/scene.xml"));

@@ -170,7 +170,8 @@ TEST_F(Resume, KilledAtAnyMomentsLeavesTheSameRun) {
   }
 }
 
-/// As a kill at the worst moments leaves it: half rows, frames that no list names, a checkpoint half written.
+/// The folder is in the state that a kill at the worst moments leaves: half rows, frames that no list names, a
+/// checkpoint half written.
 TEST_F(Resume, WhatIsBeyondTheCheckpointIsWrittenAgain) {
   run_whole();
   {

@@ -53,7 +53,7 @@ TEST(Twins, OfASceneWithoutChaosStayTogether) {
   EXPECT_FALSE(summary.contains("load_error")) << "no vessel, no load";
 }
 
-/// Before ice gets far twins stay together, and the mean load with them.
+/// Perturbed runs stay together until the ice has moved far, and so does the mean load.
 TEST(Twins, BeforeTheHorizonTheyShareTheMeanLoad) {
   const ScratchFolder folder;
   const auto result = run_nilas("run " + k_presawn + "--until 2.5 --json --out run --twins 2", folder.path());
@@ -84,7 +84,7 @@ TEST(Twins, WrongUseIsRefusedPlainly) {
   EXPECT_TRUE(mentions(resumed.err, "remove --twins")) << resumed.err;
 }
 
-/// Over the time that is predictable, solvers and tolerances are within what they say of themselves.
+/// Within the predictable time, solvers and tolerances agree within the errors that they state.
 TEST(LoadError, CoversWhatSolversDifferFromATightOne) {
   const ScratchFolder folder;
   const auto summary_of = [&](const std::string& flags) {

@@ -18,9 +18,8 @@ using namespace nilas::bench;
 constexpr double k_moved = 1e-6, k_thickness = 0.04;  // [m]
 
 struct Course {
-  double penetration = 0, in_hull = 0,
-         in_sheets =
-             0;  ///< Largest penetration by the contact search, and depths in hull and sheets by the oracle [m].
+  /// Largest penetration by the contact search, and depths in hull and sheets by the oracle [m].
+  double penetration = 0, in_hull = 0, in_sheets = 0;
   double load = 0, port = 0, starboard = 0, side = 0;  ///< Mean forces from the first contact on [N].
 };
 

@@ -21,8 +21,8 @@ using Vec = Eigen::VectorXd;
 
 struct Mesh {
   int order = 5;
-  double ratio = 0.3,
-         finest = 1e-5;  ///< Size ratio of neighbouring elements; smallest element over the smallest length.
+  /// Size ratio of neighbouring elements; smallest element over the smallest length.
+  double ratio = 0.3, finest = 1e-5;
 };
 
 /// Points of the Gauss rule with 8 points on [-1, 1] and its weights.

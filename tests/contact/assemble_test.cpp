@@ -42,7 +42,7 @@ FrictionTable ice_friction(double restitution = 0) {
   return table;
 }
 
-/// Four floes in a row of which the middle two touch at (1, 0.2, 0.1), with loads.
+/// Four floes in a row, with loads. The middle two touch at (1, 0.2, 0.1).
 struct TwoFloes {
   Bodies bodies;
   Wrenches free = Wrenches(4);
@@ -148,8 +148,8 @@ TEST(Assemble, RestitutionReplacesTheGapWhereItWouldClose) {
       scene.bodies.velocity_at(2, Vec3(1, 0.2, 0.1)).x() - scene.bodies.velocity_at(1, Vec3(1, 0.2, 0.1)).x();
   ASSERT_LT(before, -1.5);
   EXPECT_NEAR(scene.assemble(-0.001).problem.w[0], 0.5 * before, 1e-15);
-  EXPECT_NEAR(scene.assemble(0.001).problem.w[0], 0.5 * before, 1e-15);  // closes within the step
-  EXPECT_NEAR(scene.assemble(0.1).problem.w[0], 10, 1e-13);              // does not
+  EXPECT_NEAR(scene.assemble(0.001).problem.w[0], 0.5 * before, 1e-15);  // The gap closes within the step.
+  EXPECT_NEAR(scene.assemble(0.1).problem.w[0], 10, 1e-13);              // The gap does not close within the step.
   scene.settings.restitution_threshold = 3;
   EXPECT_EQ(scene.assemble(-0.001).problem.w[0], 0);
   EXPECT_NEAR(scene.assemble(0.001).problem.w[0], 0.1, 1e-15);
@@ -181,11 +181,12 @@ TEST(Assemble, ArticulatedSideIsReducedAndItsPrescribedMotionGoesToW) {
     moved.prescribed << 0.3, -0.2, 0.1, 0.5, 0.6, -0.7;
     const AssembledContacts out = scene.assemble(0.002, {block});
     validate(out.problem);
-    EXPECT_EQ(out.first_articulated_block, 1);  // behind the free body, whatever their order
+    // The articulated block comes after the free body's, whatever the order of the bodies.
+    EXPECT_EQ(out.first_articulated_block, 1);
     EXPECT_EQ(out.block_of_body[static_cast<std::size_t>(body)], 1);
     EXPECT_EQ(out.problem.f.tail<2>(), block.f);
 
-    // u for speeds s against the twist that they make
+    // u for these speeds must equal u for the twist that they produce.
     const Vec2 speeds(0.8, -0.4);
     const Vec6 twist = moved.jacobian * speeds + moved.prescribed;
     const Vec3 p(1, 0.2, 0.1);
@@ -211,13 +212,13 @@ TEST(Assemble, ABodyWithoutCoordinatesIsPrescribed) {
   const AssembledContacts out = scene.assemble(0, {carried});
   EXPECT_EQ(out.problem.num_blocks(), 1);
   EXPECT_EQ(out.problem.pairs[0].b, -1);
-  // velocity of the point (-1, 0.2, 0.1) off the centre: (-2, 0, 0) + (0, 0, 0.5) x r = (-2.1, -0.5, 0)
+  // The velocity of the point (-1, 0.2, 0.1) off the centre is (-2, 0, 0) + (0, 0, 0.5) x r = (-2.1, -0.5, 0).
   EXPECT_LT((out.problem.w - Vec3(-2.1, 0, 0.5)).norm(), 1e-15);
   EXPECT_THROW(scene.assemble(0), ContractError);
 }
 
 TEST(Assemble, BodiesOfOneSystemShareABlock) {
-  // both floes hang on one system: their contact sees the difference of their twists, and so do its moments
+  // Both floes belong to one system: their contact and its moments see the difference of their twists.
   TwoFloes scene;
   FrictionPair rolling{0.5, 0.4, 0};
   rolling.rolling = 0.01;
@@ -355,7 +356,7 @@ TEST(ContactFrame, MirroredScenesHaveMirroredTangentsToTheBit) {
   RandomStream random(4, "mirror");
   const Mat3 S = Vec3(1, -1, 1).asDiagonal();
   for (int k = 0; k < 500; ++k) {
-    const bool level = k % 2 == 0;  // level plates have exact ties
+    const bool level = k % 2 == 0;  // Level plates have exact ties.
     const double angle = random.uniform(0, 2 * k_pi);
     const Vec3 n = Vec3(std::cos(angle), std::sin(angle), level ? 0 : random.normal()).normalized();
     const Mat3 R = level

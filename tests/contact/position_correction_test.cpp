@@ -53,7 +53,7 @@ struct Row {
     bodies.add(spec);
   }
 
-  /// Pseudo speeds along x per body.
+  /// Correction speeds along x per body [m/s].
   std::vector<double> speeds(PositionCorrection* result = nullptr) const {
     std::vector<Vec3> v(bodies.id.size(), Vec3::Zero()), w = v;
     const PositionCorrection out = correction_velocities(contacts, points, settings, v, w);
@@ -68,7 +68,7 @@ struct Row {
 TEST(PositionCorrection, RemovesItsShareOfTheDepthBeyondTheSlop) {
   PositionCorrection result;
   const auto v = Row({0.006}).speeds(&result);
-  EXPECT_NEAR(v[1], 0.2 * 0.005 / k_step, 1e-12);  // the body's own speed of -3 m/s plays no part
+  EXPECT_NEAR(v[1], 0.2 * 0.005 / k_step, 1e-12);  // The body's own speed of -3 m/s has no influence.
   EXPECT_TRUE(result.converged);
   EXPECT_EQ(result.contacts, 1);
 }
@@ -79,7 +79,7 @@ TEST(PositionCorrection, LeavesPointsThatCrushOut) {
   PositionCorrection result;
   const auto v = row.speeds(&result);
   EXPECT_EQ(result.contacts, 1);
-  // the second pair shares its way out, and the first may overlap more
+  // The second pair shares its displacement, and the first may overlap more.
   EXPECT_NEAR(v[2] - v[1], 0.2 * 0.009 / k_step, 1e-12);
   EXPECT_NEAR(v[2] + v[1], 0, 1e-12);
 }
@@ -108,7 +108,7 @@ TEST(PositionCorrection, LeavesTheSlopAlone) {
 }
 
 TEST(PositionCorrection, DoesNotPushIntoTheNeighbour) {
-  // body 2 touches body 1: both go; body 3 is 0.4 mm away: it is pushed once the gap is used up
+  // Body 2 touches body 1: both move. Body 3 is 0.4 mm away: it is pushed once the gap is used up.
   const auto v = Row({0.006, 0, -0.0004}).speeds();
   EXPECT_NEAR(v[1], 0.1, 1e-11);
   EXPECT_NEAR(v[2], 0.1, 1e-11);
@@ -121,7 +121,7 @@ TEST(PositionCorrection, TwoDeepContactsSeparateBoth) {
   EXPECT_NEAR(v[2], 0.3, 1e-11);
 }
 
-/// The other way of solving gives the same motion, and bits that do not depend on the contacts' order.
+/// The order-free method gives the same motion, with bits that do not depend on the contacts' order.
 TEST(PositionCorrection, OrderFreeGivesTheSameMotionInAnyOrder) {
   Row row({0.003, 0.02, 0, 0.005, 0.011});
   row.settings.tolerance = 1e-9;
@@ -141,7 +141,7 @@ TEST(PositionCorrection, OrderFreeGivesTheSameMotionInAnyOrder) {
   EXPECT_EQ(row.speeds(), one);
 }
 
-/// One cube pressed from five sides: the sums over its contacts are what the order could show in.
+/// One cube is pressed from five sides: rounding of the sums over its contacts could show the order.
 TEST(PositionCorrection, OrderFreeSumsManyContactsOfOneBody) {
   Row row({});
   row.add(2, Motion::free);
@@ -180,7 +180,7 @@ TEST(PositionCorrection, OrderFreeSumsManyContactsOfOneBody) {
 }
 
 TEST(PositionCorrection, IslandsWithoutDepthStayStill) {
-  // body 2 is out of reach of nothing deep: the wall side island {1} alone is corrected
+  // No deep contact is in reach of body 2: only the wall's island {1} is corrected.
   Row row({0.006});
   row.add(20, Motion::free);
   row.add(20.9995, Motion::free);
@@ -212,7 +212,7 @@ TEST(PositionCorrection, ArticulatedBodiesStandStill) {
   PositionCorrection result;
   EXPECT_NEAR(row.speeds(&result)[2], 0.1, 1e-11);
   EXPECT_EQ(result.v[6], 0);
-  EXPECT_EQ(result.contacts, 1);  // the vessel's contact with the wall has nothing to move
+  EXPECT_EQ(result.contacts, 1);  // The vessel's contact with the wall moves no body.
 }
 
 TEST(PositionCorrection, DeepOverlapOfTwoImmovableBodiesIsLeftOut) {

@@ -31,8 +31,8 @@ TEST(Registry, FindsSolversAndNamesTheNearest) {
 /// Velocity of a particle that has hit a floor at (-1, 3, 0) with friction 0.5.
 Vec3 after_oblique_impact(Law law) {
   if (law == Law::frictionless) return {0, 3, 0};
-  if (law == Law::ccp) return {1, 2, 0};  // lifts off: u_N = mu |u_T|
-  return {0, 2.5, 0};                     // a corner of the polygon and a side of the box lie along the slip
+  if (law == Law::ccp) return {1, 2, 0};  // The particle lifts off: u_N = mu |u_T|.
+  return {0, 2.5, 0};                     // A corner of the polygon and a side of the box lie along the slip.
 }
 
 TEST(Registry, EveryEntrySolvesEveryLawItNames) {

@@ -1,4 +1,4 @@
-/// Closed forms of blocks that hold, break loose, slide and come to rest.
+/// Closed forms of blocks that stick, break loose, slide and come to rest.
 #include "contact/static_friction.h"
 
 #include <gtest/gtest.h>
@@ -52,17 +52,17 @@ TEST_P(StaticFrictionOf, ABlockHoldsToTheStaticLimitAndThenLosesTheDifference) {
 }
 
 TEST_P(StaticFrictionOf, WhatSlidesKeepsSlidingBetweenTheTwoLimits) {
-  const double force = 0.4 * k_mass * k_gravity;  // above the kinetic limit, below the static one
+  const double force = 0.4 * k_mass * k_gravity;  // The force is above the kinetic limit and below the static one.
   EXPECT_NEAR(step(0, force), 0, 1e-12);
   double speed = step(2, force);
   EXPECT_NEAR(speed, 2 + (0.4 - k_kinetic) * k_gravity * k_step, 1e-12);
-  speed = 1e-3;  // slow enough for the static limit to stop it, but it was slipping
+  speed = 1e-3;  // The speed is low enough for the static limit to stop the block, but the block was slipping.
   EXPECT_NEAR(step(speed, force), speed + (0.4 - k_kinetic) * k_gravity * k_step, 1e-12);
 }
 
 TEST_P(StaticFrictionOf, WhatComesToRestHoldsAgain) {
   EXPECT_GT(step(1, 0), 0.9);
-  EXPECT_NEAR(step(1e-3, 0), 0, 1e-12);  // kinetic friction stops it
+  EXPECT_NEAR(step(1e-3, 0), 0, 1e-12);  // Kinetic friction stops the block.
   EXPECT_EQ(used_, k_kinetic);
   EXPECT_NEAR(step(0, 0.45 * k_mass * k_gravity), 0, 1e-12);
   EXPECT_EQ(used_, k_static);
@@ -72,7 +72,8 @@ INSTANTIATE_TEST_SUITE_P(Solvers, StaticFrictionOf, testing::Values("nsgs", "new
                          [](const auto& each) { return std::string(each.param); });
 
 TEST(StaticFriction, BreaksAChainLooseContactByContact) {
-  // blocks side by side on a plane, glued to nothing: each has its own limit, so the weak ones go and the others stay
+  // Blocks stand side by side on a plane without connection. Each has its own limit: the weak ones slide, the others
+  // stick.
   ContactProblem problem;
   std::vector<double> pushes{0.2, 0.45, 0.55, 0.7};
   for (std::size_t k = 0; k < pushes.size(); ++k) {

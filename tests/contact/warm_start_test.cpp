@@ -1,4 +1,4 @@
-/// Last step's impulses as the next step's guess.
+/// Tests of the last step's impulses as the next step's guess.
 #include "contact/warm_start.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint64_t k_key = 7;
 
-/// As a body tilts, another of its axes becomes the one that the tangents follow: the impulse stays where it points.
+/// The body tilts until another of its axes determines the tangents. The impulse keeps its direction.
 TEST(WarmStart, KeepsAnImpulseWhereItPointsThoughTheTangentsTurn) {
   const Vec3 n = Vec3(1, 0.02, -0.01).normalized();
   const Mat3 upright = Mat3::Identity();
@@ -33,7 +33,7 @@ TEST(WarmStart, GivesNothingToNewContacts) {
   EXPECT_EQ(Vec3(guess.tail<3>()), Vec3::Ones());
 }
 
-/// Mirrored frames need not have mirrored signs; the guess is the mirrored impulse all the same, to the last bit.
+/// Mirrored frames may have other signs. The guess is still the mirrored impulse, to the last bit.
 TEST(WarmStart, MirroredContactsGetMirroredGuesses) {
   const Vec3 signs(1, -1, 1);
   const auto image = [&](const Mat3& R) -> Mat3 { return signs.asDiagonal() * R * signs.asDiagonal(); };

@@ -74,7 +74,7 @@ TEST(Failure, LoadsFollowTheirPowers) {
   EXPECT_NEAR(stiffer.radius / once.radius, 2, 1e-9) << "R ~ E^(1/4)";
 }
 
-/// What the ice bears, with its share of the strength.
+/// Failure modes below the strength are reported when asked for, with the load over the strength.
 TEST(Failure, WaysBelowTheStrengthAreToldWhereAsked) {
   FailureSettings settings = bending();
   settings.splitting = SplittingModel::lefm;
@@ -234,8 +234,8 @@ TEST(Failure, CurvedCracksInIceThatIsAlikeAreStraight) {
   }
 }
 
-/// Across all wedges at their breaking length, or along the way of the splitting crack: both loads fall by what is
-/// left.
+/// Weak lines cross all wedges at their breaking length, or follow the splitting crack: both loads fall in proportion
+/// to the remaining strength.
 TEST(Failure, WeakLinesLowerTheLoad) {
   FailureSettings settings = bending();
   settings.splitting = SplittingModel::lefm;

@@ -11,7 +11,7 @@ namespace {
 
 const Vec2 k_place(3, 1);
 
-/// Up to `peak` and down again, in steps.
+/// Loads up to `peak` and down again, in steps.
 void load_once(IceDamage& damage, double peak, const Vec2& place = k_place, std::int64_t floe = 7) {
   for (const double share : {0.3 * peak, 0.8 * peak, peak, 0.9 * peak, 0.1 * peak, 0.0}) {
     damage.load(floe, place, 0.5, share);

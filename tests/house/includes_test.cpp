@@ -95,7 +95,7 @@ std::vector<std::string> sources(const Rooms& tops) {
 /// need.
 bool is_peer(const std::string& file) { return file.rfind("contact/peers/", 0) == 0; }
 
-/// For each folder, the folders that its files include.
+/// The folders that the files of each folder include.
 std::map<std::string, Rooms> folder_graph() {
   std::map<std::string, Rooms> graph;
   for (const std::string& file : sources(k_product))

@@ -29,7 +29,7 @@ std::vector<Shape> shapes() {
           mesh_shape(lofted_hull(), {})};
 }
 
-/// Energy after a turn by `turn` (rotation vector) and a shift.
+/// Potential energy after a turn by `turn` (rotation vector) and a shift.
 double potential_near(const Bodies& bodies, const Vec3& shift, const Vec3& turn) {
   Bodies moved = bodies;
   const double angle = turn.norm();
@@ -38,7 +38,7 @@ double potential_near(const Bodies& bodies, const Vec3& shift, const Vec3& turn)
   return make_buoyancy(sea(), 1)->potential_energy(moved);
 }
 
-/// Force and torque are minus the gradient of the potential: central differences of 1e-4 m and rad (error of order
+/// Force and torque are minus the gradient of the potential, by central differences of 1e-4 m and rad (error of order
 /// 1e-8).
 TEST(Buoyancy, IsMinusTheGradientOfItsPotential) {
   constexpr double k_step = 1e-4;
@@ -60,7 +60,7 @@ TEST(Buoyancy, IsMinusTheGradientOfItsPotential) {
   }
 }
 
-/// rho g V straight up through the centre of buoyancy.
+/// The force is rho g V, straight up through the centre of buoyancy.
 TEST(Buoyancy, ForceAndMomentArm) {
   const Shape shape = box_shape({2, 1, 0.5});
   Bodies bodies;
@@ -124,7 +124,7 @@ TEST(Buoyancy, HeavePeriodOfABox) {
   EXPECT_NEAR((crossings[5] - crossings[0]) / 5, expected, 1e-4 * expected);
 }
 
-/// Free floes and rigid bodies and the vessel; no wall, no fixed body, no plane.
+/// Buoyancy acts on free floes, rigid bodies and the vessel, but on no wall, fixed body or plane.
 TEST(Buoyancy, ActsOnWhatFloatsOnly) {
   const Shape box = box_shape({1, 1, 1});
   Bodies bodies;
@@ -140,8 +140,8 @@ TEST(Buoyancy, ActsOnWhatFloatsOnly) {
   for (int b = 0; b < bodies.size(); ++b) EXPECT_EQ(buoyancy_on(bodies, b).force.z() > 0, b < 4) << b;
 }
 
-/// The energy right after the forces is that of a module that never saw the poses, also when one body moves, one
-/// changes its shape, and the list grows and shrinks.
+/// The energy right after the forces equals that of a new module, also when one body moves, one changes its shape, and
+/// the list grows and shrinks.
 TEST(Buoyancy, RemembersNothingWrong) {
   const auto module = make_buoyancy(sea(), 1);
   Bodies bodies;

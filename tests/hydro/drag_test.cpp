@@ -7,7 +7,7 @@ namespace nilas::water_test {
 
 namespace {
 
-constexpr double k_deep = -50;  // [m] wholly under water
+constexpr double k_deep = -50;  // A depth at which bodies are wholly under water [m].
 
 Water still() { return {}; }
 
@@ -57,8 +57,8 @@ double energy_in(const Bodies& bodies, const Vec3& current) {
   return 0.5 * bodies.mass[0] * v.squaredNorm() + 0.5 * w.dot(bodies.inertia_G(0) * w);
 }
 
-/// Explicit steps of a sliver that flies and spins: drag takes its energy relative to the water in each, however long
-/// the step; without the limit the first one multiplies it. A slow one keeps its load to the bit.
+/// A sliver that flies and spins takes explicit steps. Drag reduces its energy relative to the water in each, however
+/// long the step; without the limit the first step multiplies it. A slow sliver keeps its load to the bit.
 TEST(Drag, ASliverIsBrakedByAnyStep) {
   const Vec3 current(0.3, -0.2, 0);
   const DragCoefficients coefficients{1.0, 0.005};
@@ -148,7 +148,7 @@ TEST(Drag, SinkingFloe) {
   EXPECT_LT((wrench.torque - expected.torque).norm(), 1e-12 * expected.force.norm());
 }
 
-/// A plate sliding along itself: 0.5 rho C_s A v^2 over both faces and the two rims along the way.
+/// A plate slides along itself: 0.5 rho C_s A v^2 over both faces and the two rims parallel to the motion.
 TEST(Drag, SkinOfASlidingPlate) {
   const double L = 3, B = 2, T = 0.05, v = 0.8, skin = 0.004;
   const Shape prism = prism_shape(rectangle(L, B), T), box = box_shape({L, B, T});
@@ -174,7 +174,7 @@ TEST(Drag, TowedFloatingBox) {
     const double pressure = q * form * B * d, bottom = q * skin * L * B, sides = q * skin * 2 * L * d;
     const double force = pressure + bottom + sides;
     EXPECT_LT((wrench.force + Vec3(force, 0, 0)).norm(), 1e-12 * force);
-    // Arms below the centre of mass: wet sides and bow at their middle, the bottom at T/2.
+    // Lever arms below the centre of mass: wet sides and bow at their middle, the bottom at T/2.
     const double torque = (pressure + sides) * (0.5 * T - 0.5 * d) + bottom * 0.5 * T;
     EXPECT_LT((wrench.torque - Vec3(0, torque, 0)).norm(), 1e-12 * force);
   }
@@ -196,7 +196,8 @@ TEST(Drag, Sphere) {
   }
 }
 
-/// At rest in a current -U as moving at U in still water: the same bits; and a common velocity changes nothing.
+/// A body at rest in a current -U has the same bits as one that moves at U in still water. A common velocity changes
+/// nothing.
 TEST(Drag, DependsOnTheRelativeVelocityOnly) {
   const Vec3 U(0.7, -0.2, 0.1);
   Bodies moving = random_bodies("galilei", 5), resting = moving, carried = moving;
@@ -215,7 +216,7 @@ TEST(Drag, DependsOnTheRelativeVelocityOnly) {
   }
 }
 
-/// Turning body, motion and current together about z turns the wrench.
+/// The wrench turns with body, motion and current about z.
 TEST(Drag, TurnsWithTheFrame) {
   const Quat turn(Eigen::AngleAxisd(1.234, Vec3::UnitZ()));
   const Vec3 current(0.4, 0.3, 0);
@@ -235,7 +236,7 @@ TEST(Drag, TurnsWithTheFrame) {
   }
 }
 
-/// In still water drag only takes energy out, face by face: F v + T w <= 0.
+/// Drag in still water only dissipates energy, face by face: F v + T w <= 0.
 TEST(Drag, Dissipates) {
   const Bodies bodies = random_bodies("power", 30);
   for (const DragCoefficients& c : {DragCoefficients{1, 0}, DragCoefficients{0, 1}}) {
@@ -245,8 +246,8 @@ TEST(Drag, Dissipates) {
   }
 }
 
-/// One point per face: a square floe that spins or rocks about its centre meets no flow at any face's centroid, so no
-/// form drag; the stated limit of the rule.
+/// The rule has one point per face. A square floe that spins or rocks about its centre has no flow at any face's
+/// centroid, so there is no form drag. This limit of the rule is documented.
 TEST(Drag, OnePointPerFaceSeesNoFormDragOnASpinningSquareFloe) {
   Bodies bodies;
   add_body(bodies, prism_shape(rectangle(1, 1), 0.2), {Quat::Identity(), {0, 0, k_deep}});
@@ -282,7 +283,7 @@ TEST(Drag, SameBitsForAnyThreadCount) {
   }
 }
 
-/// F = coefficient (velocity - v) on free floes and nothing else.
+/// The force F = coefficient (velocity - v) acts on free floes only.
 TEST(VirtualDrag, PullsFloesTowardsItsVelocity) {
   const Shape shape = prism_shape(rectangle(1, 1), 0.1);
   Bodies bodies;
@@ -304,7 +305,7 @@ TEST(VirtualDrag, PullsFloesTowardsItsVelocity) {
   EXPECT_LT((out[0].force - Vec3(0.0289, -0.02, 0.03)).norm(), 1e-16) << "h c is as small as the mass";
 }
 
-/// An explicit step would overshoot.
+/// An explicit step would overshoot the velocity.
 TEST(VirtualDrag, BringsAFloeToItsVelocityAtMost) {
   const Shape shape = prism_shape(rectangle(1, 1), 0.1);
   Bodies bodies;

@@ -24,7 +24,7 @@ TEST(FloatingHeight, Box) {
   EXPECT_NEAR(z, 1.5 + 0.5 * T - T * 917 / 1025, 1e-12);
 }
 
-/// Cone-like corner, apex down: V = h^3 times its constant, so h = (m / (rho k))^(1/3).
+/// A cone-like corner, apex down: V = h^3 times its constant, so h = (m / (rho k))^(1/3).
 TEST(FloatingHeight, PyramidApexDown) {
   const TriangleMesh mesh = tetrahedron({0, 0, 0}, {1, 0, 1}, {-1, 1, 1}, {-1, -1, 1});  // base area 2 at height 1
   const double mass = 100;
@@ -35,7 +35,7 @@ TEST(FloatingHeight, PyramidApexDown) {
 TEST(FloatingHeight, BalancesEveryMassAndAttitude) {
   for (const Solid& solid : solids()) {
     const double volume = mesh_properties(solid.mesh, 1).mass;
-    // A plate at 1e3 m from its origin has its heights to 1e-13 m only: 1e-11 of its thickness.
+    // A plate at 1e3 m from its origin has its heights only to 1e-13 m: 1e-11 of its thickness.
     const double balance = solid.name == "thin plate far from its origin" ? 1e-10 : 1e-12;
     RandomStream random(8, solid.name);
     for (int k = 0; k < 30; ++k) {
@@ -81,8 +81,8 @@ TEST(FloatingEquilibrium, UprightBox) {
   }
 }
 
-/// A wall-sided body inclined by t = tan(angle) rests where its centre of mass is off by t (GM + BM t^2 / 2): exact
-/// while bottom and deck stay uncut.
+/// A wall-sided body inclined by t = tan(angle) rests where its centre of mass is off by t (GM + BM t^2 / 2). This is
+/// exact while bottom and deck stay uncut.
 TEST(FloatingEquilibrium, OffCentreMassTrimsAndHeelsABoxByTheWallSidedFormula) {
   const double l = 4, b = 2, depth = 1, d = 0.5, kg = 0.6, mass = 1025 * l * b * d;
   for (const double angle : {0.01, 0.1, 0.2, -0.15}) {
@@ -101,8 +101,8 @@ TEST(FloatingEquilibrium, OffCentreMassTrimsAndHeelsABoxByTheWallSidedFormula) {
   }
 }
 
-/// GZ = sin(a) (GM + BM tan^2(a) / 2) of a wall-sided hull of any waterplane: a centre of mass e aside heels it to
-/// where GZ = e cos(a).
+/// GZ = sin(a) (GM + BM tan^2(a) / 2) for a wall-sided hull of any waterplane. A centre of mass off by e heels it to
+/// the angle where GZ = e cos(a).
 TEST(FloatingEquilibrium, RightingLeverOfAWallSidedHull) {
   std::vector<Vec2> waterline{{-4, -0.8}, {2, -0.9}, {4, 0}, {2, 0.9}, {-4, 0.8}};
   const PolygonMoments moments = polygon_moments(waterline);
@@ -118,8 +118,8 @@ TEST(FloatingEquilibrium, RightingLeverOfAWallSidedHull) {
   }
 }
 
-/// Upright, a box of equal width and depth and half the water's density is unstable; by symmetry that is where it
-/// starts. On its edge it is stable.
+/// A box of equal width and depth and half the water's density is unstable when upright, where the search starts by
+/// symmetry. It is stable on its edge.
 TEST(FloatingEquilibrium, ASquareBeamIsUnstableFlatAndStableOnItsEdge) {
   const Shape beam = about(box_shape({8, 1, 1}).surface, Vec3::Zero());
   const double mass = 1025 * 8 * 0.5;
@@ -148,7 +148,7 @@ TEST(FloatingEquilibrium, SphereAndPrismFloe) {
   EXPECT_NEAR(level.heel, 0, 1e-10);
 }
 
-/// At the equilibrium of any hull the buoyancy module of the simulation leaves no force and no torque.
+/// The buoyancy module of the simulation leaves no force and no torque at the equilibrium of any hull.
 TEST(FloatingEquilibrium, TheSimulationsBuoyancyBalancesIt) {
   const TriangleMesh hull = lofted_hull();
   const MassProperties whole = mesh_properties(hull, 1);

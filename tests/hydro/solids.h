@@ -15,10 +15,10 @@ namespace nilas::water_test {
 struct Solid {
   std::string name;
   TriangleMesh mesh;
-  double size = 1;  ///< half extent, for the range of heights [m]
+  double size = 1;  ///< Half extent, for the range of heights [m].
 };
 
-/// L-shaped, about its centroid.
+/// An L-shaped outline about its centroid.
 inline std::vector<Vec2> concave_outline() {
   std::vector<Vec2> outline{{0, 0}, {4, 0}, {4, 1}, {1.5, 1.5}, {1, 3}, {0, 3}};
   const Vec2 centre = polygon_moments(outline).centroid;
@@ -26,7 +26,7 @@ inline std::vector<Vec2> concave_outline() {
   return outline;
 }
 
-/// W-shaped: a level cut through its arms leaves three separate wet parts of each cap.
+/// A W-shaped outline: a level cut through its arms leaves three separate wet regions of each cap.
 inline std::vector<Vec2> forked_outline() {
   std::vector<Vec2> outline{{0, 0}, {5, 0}, {5, 4}, {4, 4}, {3.5, 1}, {3, 4}, {2, 4}, {1.5, 1}, {1, 4}, {0, 4}};
   const Vec2 centre = polygon_moments(outline).centroid;
@@ -41,8 +41,8 @@ inline TriangleMesh tetrahedron(const Vec3& a, const Vec3& b, const Vec3& c, con
   return mesh;
 }
 
-/// Ship-like, not convex (hollow waterlines forward), exactly symmetric about y = 0. Stations along x, each a loop of
-/// points from the deck's middle down the port side to the keel and up the starboard side.
+/// A ship-like solid, not convex (hollow waterlines forward), exactly symmetric about y = 0. Each station along x is a
+/// loop of points from the deck's middle down the port side to the keel and up the starboard side.
 inline TriangleMesh lofted_hull() {
   constexpr int k_stations = 24, k_half = 8, k_loop = 2 * k_half;
   TriangleMesh mesh;
@@ -58,7 +58,7 @@ inline TriangleMesh lofted_hull() {
   const auto index = [](int i, int j) { return i * k_loop + j % k_loop; };
   const auto add_quad = [&](int i, int j) {
     const int a = index(i, j), b = index(i, j + 1), c = index(i + 1, j + 1), d = index(i + 1, j);
-    const bool port = j < k_half;  // diagonals mirrored too
+    const bool port = j < k_half;  // The diagonals are mirrored, too.
     mesh.triangles.push_back(port ? std::array{a, b, c} : std::array{a, b, d});
     mesh.triangles.push_back(port ? std::array{a, c, d} : std::array{b, c, d});
   };

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double k_exact = 1e-10;
 
-/// Volume relative to itself; centre relative to the solid's size.
+/// Compares the relative error of the volume, and the error of the centre over the solid's size.
 void expect_same(const Submerged& wet, const LongSolid& oracle, const Vec3& p, double size, const std::string& what) {
   const double volume = static_cast<double>(oracle.volume);
   EXPECT_NEAR(wet.volume, volume, k_exact * volume) << what;
@@ -48,7 +48,7 @@ TEST(Submerged, LevelTiltedSixtyDegreesAndCapsized) {
           compare_at(solid, Eigen::AngleAxisd(degrees * k_deg, axis).toRotationMatrix(), height, 0);
 }
 
-/// Far from the ground origin and deep below the surface: a plate at a depth of 10^5 times its thickness.
+/// The plate is far from the ground origin and at a depth of 10^5 times its thickness.
 TEST(Submerged, DeepAndFarFromTheOrigin) {
   const Solid plate{"plate", box_shape({10, 8, 0.01}).surface, 5};
   RandomStream random(2, "deep");
@@ -82,7 +82,7 @@ TEST(Submerged, VertexEdgeOrFaceExactlyOnThePlane) {
   EXPECT_LT((wet.centre - Vec3(0, 0.5, -0.25)).norm(), 1e-15);
 }
 
-/// Every vertex in turn set on the plane, as near as rounding allows.
+/// Every vertex in turn is set on the plane, as near as rounding allows.
 TEST(Submerged, EachVertexOnThePlane) {
   for (const Solid& solid : solids()) {
     RandomStream random(3, solid.name);
@@ -91,7 +91,7 @@ TEST(Submerged, EachVertexOnThePlane) {
       const Vec3 p = -(R * solid.mesh.vertices[v]);
       const LongSolid oracle = submerged_oracle(solid.mesh, R, p, 0);
       const double total = mesh_properties(solid.mesh, 1).mass;
-      if (oracle.volume < 1e-9 * total) continue;  // the vertex is the lowest one: nothing is left but rounding
+      if (oracle.volume < 1e-9 * total) continue;  // The vertex is the lowest one: only rounding is left.
       expect_same(submerged_mesh(solid.mesh, R, p, 0), oracle, p, solid.size, solid.name);
     }
   }
@@ -110,7 +110,7 @@ TEST(Submerged, DryAndWhollySubmerged) {
   }
 }
 
-/// The floe's closed form and its polygon clipping against the clipped triangles and the oracle.
+/// The floe's closed form and its polygon clipping are compared with the clipped triangles and the oracle.
 TEST(Submerged, FloesMatchTheirMeshes) {
   for (const auto& outline : {concave_outline(), forked_outline()})
     for (const double thickness : {0.02, 0.4, 3.0}) {
@@ -118,7 +118,7 @@ TEST(Submerged, FloesMatchTheirMeshes) {
       const PrismWater floe(shape);
       RandomStream random(4, std::to_string(thickness));
       for (int k = 0; k < 300; ++k) {
-        // A third level (caps uncut), a third tilted, a third anyhow, some of each capsized.
+        // A third is level (caps uncut), a third tilted, a third at any attitude; some of each are capsized.
         const double tilt = k % 3 == 0 ? 0.1 * thickness * random.uniform() : random.uniform(0, k_pi);
         Mat3 R(Eigen::AngleAxisd(random.uniform(0, 7), Vec3::UnitZ()) * Eigen::AngleAxisd(tilt, Vec3::UnitX()) *
                Eigen::AngleAxisd(random.uniform(0, 7), Vec3::UnitZ()));

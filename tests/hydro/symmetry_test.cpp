@@ -1,4 +1,4 @@
-/// Mirror and frame symmetry of the water forces: what makes port and starboard of a scene equal.
+/// Mirror and frame symmetry of the water forces, on which equal port and starboard sides of a scene depend.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ Vec3 mirrored_axial(const Vec3& x) { return {-x.x(), x.y(), -x.z()}; }
 Quat mirrored(const Quat& q) { return {q.w(), -q.x(), q.y(), -q.z()}; }
 
 TriangleMesh mirrored(TriangleMesh mesh) {
-  // turned over, the vertices numbered backwards, and every triangle begun at another corner
+  // The mesh is mirrored, its vertices are numbered in reverse, and every triangle begins at another corner.
   for (auto& x : mesh.vertices) x.y() = -x.y();
   std::reverse(mesh.vertices.begin(), mesh.vertices.end());
   const int last = static_cast<int>(mesh.vertices.size()) - 1;
@@ -58,8 +58,8 @@ Wrench wrench_on(const Bodies& bodies, ForceModule& module) {
   return out[0];
 }
 
-/// Mirrored outline or mesh, pose and motion give the mirrored wrench to the last bit, though the sums run the other
-/// way round.
+/// Mirrored outline or mesh, pose and motion give the mirrored wrench to the last bit, although the sums have the
+/// reverse order.
 TEST(Symmetry, MirroredFloesAndMeshes) {
   std::vector<std::pair<Shape, Shape>> shapes;
   for (const auto& outline : {concave_outline(), forked_outline()})
@@ -81,7 +81,7 @@ TEST(Symmetry, MirroredFloesAndMeshes) {
   }
 }
 
-/// A hull moving in its centre plane: no side force, no roll or yaw moment.
+/// A hull that moves in its centre plane has no side force, and no roll or yaw moment.
 TEST(Symmetry, SymmetricHullAheadHasNoSideLoads) {
   Bodies bodies;
   add_body(bodies, mesh_shape(lofted_hull(), {}), {Quat(Eigen::AngleAxisd(0.02, Vec3::UnitY())), {0, 0, 0}}, 500,
@@ -96,7 +96,7 @@ TEST(Symmetry, SymmetricHullAheadHasNoSideLoads) {
   }
 }
 
-/// Buoyancy turned about z: 1e-13 relative.
+/// Buoyancy turned about z agrees to 1e-13 relative.
 TEST(Symmetry, BuoyancyTurnsWithTheFrame) {
   const auto module = make_buoyancy({}, 1);
   const Quat turn(Eigen::AngleAxisd(-2.1, Vec3::UnitZ()));

@@ -1,7 +1,7 @@
 #pragma once
-/// An independent reckoning of the submerged part: any closed mesh is the signed sum of the tetrahedra from one point
-/// over its triangles, and the part of one tetrahedron below a plane is a tetrahedron, a wedge of three, or the
-/// complement of one. In long double, in ground coordinates; shares no code with hydro/.
+/// An independent computation of the submerged volume. Any closed mesh is the signed sum of the tetrahedra from one
+/// point over its triangles. The part of one tetrahedron below a plane is a tetrahedron, a wedge of three, or the
+/// complement of one. The oracle uses long double and ground coordinates, and shares no code with hydro/.
 #include <algorithm>
 #include <array>
 
@@ -13,7 +13,7 @@ using Long3 = Eigen::Matrix<long double, 3, 1>;
 
 struct LongSolid {
   long double volume = 0;
-  Long3 moment = Long3::Zero();  ///< volume times centre
+  Long3 moment = Long3::Zero();  ///< Volume times centre.
   void add(long double weight, const LongSolid& other) {
     volume += weight * other.volume;
     moment += weight * other.moment;
@@ -25,7 +25,7 @@ inline LongSolid whole(const Long3& a, const Long3& b, const Long3& c, const Lon
   return {volume, volume / 4 * (a + b + c + d)};
 }
 
-/// Below z = 0.
+/// The part of a tetrahedron below z = 0.
 inline LongSolid below(std::array<Long3, 4> p) {
   std::sort(p.begin(), p.end(), [](const Long3& a, const Long3& b) { return a.z() < b.z(); });
   const auto cut = [&](std::size_t i, std::size_t j) -> Long3 {

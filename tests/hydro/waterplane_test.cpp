@@ -58,7 +58,7 @@ TEST(Waterplane, NothingWithoutACut) {
   EXPECT_EQ(waterplane(box, Mat3::Identity(), {0, 0, -2}, 0).area, 0);
 }
 
-/// dV/dz = -A_w by central differences on a hull: second-order in 1e-5, so 1e-8.
+/// The slope is dV/dz = -A_w, by central differences on a hull: second-order in 1e-5, so 1e-8.
 TEST(Waterplane, IsTheSlopeOfTheVolume) {
   const TriangleMesh hull = lofted_hull();
   RandomStream random(7, "slope");

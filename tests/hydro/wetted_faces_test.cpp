@@ -103,7 +103,7 @@ TEST(WettedFaces, AppendsToTheList) {
   EXPECT_EQ(faces.size(), 3u + 12u);
 }
 
-/// Closed, outward, of the sphere's area; its volume is then 0.4 % less than the sphere's.
+/// The faces are closed and outward, with the sphere's area. Their volume is 0.4 % less than the sphere's.
 TEST(WettedFaces, FacetedSphere) {
   const TriangleMesh mesh = sphere_surface(0.5);
   std::vector<WettedFace> faces;

@@ -1,4 +1,4 @@
-/// What simplifications cost: every row shows a cost, and none of it is left without the simplification.
+/// Tests of the cost of simplifications: every row shows a cost, which vanishes without the simplification.
 #include "apps/verify/limitations.h"
 
 #include <gtest/gtest.h>

@@ -11,8 +11,8 @@ struct Touching {
   int a = 0, b = 0;
   nilas::Vec3 p, n;     ///< Point and normal at the step's start; n points from a to b.
   nilas::Vec3 impulse;  ///< Impulse on b [N s].
-  double speed_asked =
-      0;  ///< Speed of separation along n that the stabilisation demands; negative where a gap allows approach [m/s].
+  /// Speed of separation along n that the stabilisation demands [m/s]; negative where a gap allows approach.
+  double speed_asked = 0;
 };
 constexpr int k_hull = -1, k_wall = -2;
 

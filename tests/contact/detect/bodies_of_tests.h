@@ -1,5 +1,5 @@
 #pragma once
-/// Bodies for the detector's tests.
+/// Bodies for tests of the detector.
 #include <algorithm>
 #include <memory>
 #include <string>
@@ -33,7 +33,7 @@ inline std::vector<Vec2> regular_outline(int corners, double radius, double turn
   return outline;
 }
 
-/// Convex outline of 4 to 10 corners on a circle of the given radius.
+/// A convex outline of 4 to 10 corners on a circle of the given radius.
 inline std::vector<Vec2> random_outline(RandomStream& random, double radius) {
   const int corners = 4 + static_cast<int>(random.uniform(0, 7));
   std::vector<Vec2> outline;
@@ -44,7 +44,7 @@ inline std::vector<Vec2> random_outline(RandomStream& random, double radius) {
   return outline;
 }
 
-/// Floe with its centroid at the origin, as prism_shape asks.
+/// A floe with its centroid at the origin, as prism_shape requires.
 inline Shape floe_shape(std::vector<Vec2> outline, double thickness) {
   const Vec2 centroid = polygon_moments(outline).centroid;
   for (Vec2& x : outline) x -= centroid;
@@ -55,7 +55,7 @@ inline Quat random_attitude(RandomStream& random) {
   return Quat(random.normal(), random.normal(), random.normal(), random.normal()).normalized();
 }
 
-/// Any yaw, tilted by about `tilt` [rad].
+/// A random attitude: any yaw, tilted by about `tilt` [rad].
 inline Quat random_tilt(RandomStream& random, double tilt) {
   const Vec3 axis(random.normal(), random.normal(), 0);
   const double yaw = random.uniform(0, 2 * k_pi);

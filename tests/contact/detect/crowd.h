@@ -1,5 +1,5 @@
 #pragma once
-/// A crowd of drifting floes, and points compared to the bit.
+/// A crowd of drifting floes, and exact comparison of contact points.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -45,7 +45,7 @@ inline std::vector<int> in_order(std::size_t count) {
   return order;
 }
 
-/// Moves every body a little, each in its own way.
+/// Moves every body a little, each along a path of its own.
 inline void drift(Bodies& bodies, int step) {
   for (int b = 0; b < bodies.size(); ++b) {
     const double phase = 0.7 * b + 0.05 * step;

@@ -1,4 +1,4 @@
-/// What the detector remembers from call to call, when bodies come and go, and over a checkpoint.
+/// Tests of the detector's memory from call to call, when bodies come and go, and over a checkpoint.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace nilas {
 namespace {
 
-/// Depths of bodies of about a metre are right within this [m].
+/// Largest error of a correct depth for bodies of about a metre [m].
 constexpr double k_right_depth = 1e-9;
 
 std::map<std::pair<int, int>, std::vector<ContactPoint>> by_pair(const std::vector<ContactPoint>& points) {
@@ -28,8 +28,8 @@ double deepest_gap(const std::vector<ContactPoint>& points) {
       ->gap;
 }
 
-/// Memory decides which corners of a pair's common area are kept, where several sets are nearly as good, and nothing
-/// else: the deepest is always among them.
+/// Memory only decides which corners of a pair's common area are kept, where several sets are nearly as good. The
+/// deepest corner is always kept.
 TEST(Detector, MemoryChangesNothingButWhichCornersAreKept) {
   const auto floes = crowd(80, 4);
   Bodies bodies = bodies_of(floes, in_order(floes.size()));
@@ -64,7 +64,7 @@ TEST(Detector, MemoryChangesNothingButWhichCornersAreKept) {
   EXPECT_LT(other_corners, pairs_seen / 10);  // 5 % in this crowd of deep overlaps, by the 2 % band of k_kept_area
 }
 
-/// Two plates of so many corners, one on the other, that rock by less than a part in a thousand of their room.
+/// Two plates of so many corners, one on the other, that rock by less than a thousandth of their size.
 struct RockingPlates {
   explicit RockingPlates(int corners) {
     add_body(bodies, floe_shape(regular_outline(corners, 1), 0.2), {0, 0, 0});
@@ -86,7 +86,7 @@ std::set<std::uint64_t> keys_of(const std::vector<ContactPoint>& points) {
   return keys;
 }
 
-/// The four corners stay, whichever of the others is the deepest and joins them; without memory the best four change.
+/// The four corners stay, whichever of the others is the deepest and joins them. Without memory the best four change.
 TEST(Detector, APairThatRocksKeepsItsCornersAndItsDepth) {
   RockingPlates plates(8);
   ContactDetector detector;
@@ -106,8 +106,8 @@ TEST(Detector, APairThatRocksKeepsItsCornersAndItsDepth) {
   EXPECT_GT(changes_without, 20);
 }
 
-/// Squares turned against each other have eight common corners: once each that takes its turn in being the deepest has
-/// joined, none comes or goes.
+/// Squares turned against each other have eight common corners. Once each corner has been the deepest and has joined,
+/// the set no longer changes.
 TEST(Detector, APairThatRocksOnEightCornersComesToKeepThem) {
   RockingPlates plates(4);
   ContactDetector detector;
@@ -125,7 +125,7 @@ TEST(Detector, APairThatRocksOnEightCornersComesToKeepThem) {
 
 TEST(Detector, APairKeepsItsAxisThroughATie) {
   const auto normal_at_the_tie = [](const Vec3& before) {
-    const Vec3 tie(0.625, 0.625, 0);  // the overlap along x is that along y, to the bit
+    const Vec3 tie(0.625, 0.625, 0);  // The overlap along x equals that along y to the bit.
     Bodies bodies;
     for (const double size : {1.0, 0.5}) add_body(bodies, box_shape(Vec3(size, size, size)), Vec3::Zero());
     ContactDetector detector;
@@ -148,7 +148,8 @@ TEST(Detector, NewBodiesArePickedUp) {
   add_body(bodies, box_shape({1, 1, 1}), {1, 0, 0});
   EXPECT_EQ(detector.detect(bodies, 0.01).size(), 4u);
   add_body(bodies, box_shape({1, 1, 1}), {0, 0, 1});
-  EXPECT_EQ(detector.detect(bodies, 0.01).size(), 10u);  // 4 below the third body, 4 beside, 2 on the edge it shares
+  // 4 points below the third body, 4 beside it, 2 on the shared edge.
+  EXPECT_EQ(detector.detect(bodies, 0.01).size(), 10u);
 }
 
 TEST(Detector, AnotherListOfBodiesStartsAfresh) {
@@ -161,7 +162,7 @@ TEST(Detector, AnotherListOfBodiesStartsAfresh) {
   EXPECT_TRUE(detector.detect(others, 0.01).empty());
 }
 
-/// As when ice breaks: what pairs of the others remember stays, so their points are those of a detector that lost none.
+/// When ice breaks, the memory of the other pairs stays. Their points are those of a detector that lost no body.
 TEST(Detector, BodiesThatGoTakeNoMemoryOfOthers) {
   const auto floes = crowd(120, 9);
   Bodies all = bodies_of(floes, in_order(floes.size()));
@@ -201,8 +202,8 @@ TEST(Detector, BodiesThatGoTakeNoMemoryOfOthers) {
   }
 }
 
-/// A detector that goes on from a saved state lists the same pairs and finds the same points; a new one does not list
-/// the same pairs, since its boxes were made at other poses.
+/// A detector restored from a saved state lists the same pairs and finds the same points. A new detector lists other
+/// pairs, since its boxes were made at other poses.
 TEST(Detector, GoesOnAsItWasSaved) {
   const auto floes = crowd(120, 5);
   Bodies bodies = bodies_of(floes, in_order(floes.size()));
@@ -244,7 +245,7 @@ TEST(Detector, RefusesAStateOfOtherParts) {
   EXPECT_THROW(other.restore(nine, StateReader(state)), InputError);
   State wrong_axis = state;
   auto& axes = std::get<std::vector<std::int64_t>>(wrong_axis.entries.at("pairs/contact_axis"));
-  axes.at(0) = 0;  // of a face that no floe has
+  axes.at(0) = 0;  // No floe has a face with this number.
   axes.at(1) = 1000;
   EXPECT_THROW(other.restore(ten, StateReader(wrong_axis)), InputError);
 }

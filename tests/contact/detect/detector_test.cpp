@@ -1,4 +1,4 @@
-/// The detector as a whole: which bodies pair, order, threads, counts.
+/// Tests of the detector as a whole: pairs of bodies, order, threads, counts.
 #include "contact/detect/detector.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ TEST(Detector, NoPairIsOverlooked) {
         Bodies pair;
         for (int k : {a, b}) add_body(pair, floes[k].shape, bodies.p_GB[k], bodies.q_GB[k]);
         const int anew = static_cast<int>(ContactDetector().detect(pair, 0.01).size()), remembered = found[{a, b}];
-        EXPECT_GE(remembered, anew) << a << " " << b;  // a deeper point may have joined the four that stayed
+        EXPECT_GE(remembered, anew) << a << " " << b;  // A deeper point may have joined the four kept ones.
         EXPECT_EQ(remembered > 0, anew > 0) << a << " " << b;
       }
   }
@@ -83,8 +83,8 @@ TEST(Detector, ThreadsDoNotChangeABit) {
   }
 }
 
-/// A cut leaves pieces that touch along it; near the end of a seam within the larger one their parts overlap by
-/// rounding, which is no way through its whole length.
+/// A cut leaves pieces that touch along it. Near the end of a seam in the larger one, their convex pieces overlap by
+/// rounding. The depth must not be the length of the seam.
 TEST(Detector, PiecesThatTouchBesideASeamAreNotDeep) {
   Bodies bodies;
   std::vector<Vec2> notched{{0, -3}, {13, -3}, {13, 3}, {0, 3}, {0, 0.3}, {0.2, 0.1}, {0.2, -0.1}, {0, -0.3}};
@@ -114,7 +114,7 @@ TEST(Detector, PartsOfOneConcaveFloeDoNotPair) {
   ASSERT_GT(shape.parts.size(), 1u);
   add_body(bodies, shape, {0, 0, 0});
   EXPECT_TRUE(ContactDetector().detect(bodies, 0.05).empty());
-  // A floe in the inner corner, touches both arms.
+  // The floe in the inner corner touches both arms.
   const double corner_at = 1 - 5.0 / 6;
   add_body(bodies, box_shape({0.5, 0.5, 0.2}), {corner_at + 0.251, corner_at + 0.251, 0});
   const auto points = ContactDetector().detect(bodies, 0.05);
@@ -137,7 +137,7 @@ TEST(Detector, BodiesThatCannotMoveDoNotPair) {
   EXPECT_EQ(ContactDetector().detect(bodies, 0.01).size(), 8u);
 }
 
-/// Pairs that a filter names are listed and not searched; all others have what they have without it.
+/// Pairs that a filter names are listed but not searched. All others have the same contacts as without it.
 TEST(Detector, PairsAreLeftToTheCaller) {
   const auto floes = crowd(80, 7);
   Bodies bodies = bodies_of(floes, in_order(floes.size()));

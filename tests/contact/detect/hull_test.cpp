@@ -1,4 +1,4 @@
-/// Parts with many small facets: hulls.
+/// Tests of convex pieces with many small facets, as those of hulls.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace nilas {
 namespace {
 
-/// Sphere of `radius` stretched to an ellipsoid, each triangle of an icosahedron split in four `levels` times.
+/// A sphere of facets stretched to an ellipsoid. Each triangle of an icosahedron is split in four `levels` times.
 TriangleMesh ellipsoid(int levels, const Vec3& half_axes) {
   const double g = 0.5 * (1 + std::sqrt(5.0));
   TriangleMesh mesh;
@@ -117,7 +117,7 @@ TEST(HullContacts, TwoHullsMatchBruteForce) {
 }
 
 TEST(HullContacts, AFloeThatSlidesOverSeamsKeepsItsContact) {
-  // 0.8 degrees between neighbouring stations amidships.
+  // Neighbouring stations amidships differ by 0.8 degrees.
   const Shape hull = hull_shape(4, {60, 10, 8});
   Bodies bodies;
   add_body(bodies, hull, {0, 0, 0}, Quat::Identity(), Motion::articulated);
@@ -141,13 +141,13 @@ TEST(HullContacts, AFloeThatSlidesOverSeamsKeepsItsContact) {
     last_gap = deepest.gap;
     last_n = deepest.n;
   }
-  // A step of 2 cm along facets that follow the curve: the gap changes by the sagitta, the normal by a facet's turn.
+  // A step is 2 cm along facets that follow the curve: the gap changes by the sagitta, the normal by a facet's turn.
   EXPECT_LT(worst_gap, 2e-4);
   EXPECT_LT(worst_turn, 1 * k_deg);
 }
 
 TEST(HullContacts, APointsNormalIsTheGradientOfItsGapOnACurvedSide) {
-  // Facets turn by 0.8 degrees; a floe of 1.5 m against a side that turns by 10 degrees along it.
+  // Facets turn by 0.8 degrees; the side turns by 10 degrees along a floe of 1.5 m.
   const Shape hull = hull_shape(4, {60, 10, 8});
   RandomStream random(5, "gradient");
   double worst = 0, farthest_normals = 0;

@@ -25,7 +25,7 @@ std::vector<Vec2> mirrored(std::vector<Vec2> outline, std::size_t first) {
 
 using Row = std::tuple<double, double, double, double, double, double, double>;  ///< p, n, gap
 
-/// As a set: the order of a pair's points follows their names.
+/// The contacts as a set, since the order of a pair's points follows their keys.
 std::vector<Row> rows(const std::vector<ContactPoint>& points, bool mirror) {
   std::vector<Row> rows;
   for (const ContactPoint& c : points) {
@@ -38,9 +38,10 @@ std::vector<Row> rows(const std::vector<ContactPoint>& points, bool mirror) {
 
 struct MirrorCase {
   const char* name;
-  double tilt;               ///< of the floes [rad]
-  double nearest, farthest;  ///< distance of the centres in radii
-  bool rectangles = false;   ///< which are their own images, so that an edge's image may run the other way
+  double tilt;               ///< Tilt of the floes [rad].
+  double nearest, farthest;  ///< Distance of the centres in radii.
+  bool rectangles =
+      false;  ///< Rectangles are their own images, so that an edge's image may have the reverse direction.
 };
 
 std::vector<Vec2> rectangle(RandomStream& random) {
@@ -70,7 +71,7 @@ TEST_P(MirroredPair, HasMirroredPoints) {
     const auto points = one.detect(port, 0.05);
     touching += points.empty() ? 0 : 1;
     EXPECT_EQ(rows(points, true), rows(two.detect(starboard, 0.05), false)) << "pair " << k;
-    // once more, from what was remembered
+    // The second search uses the detectors' memory.
     EXPECT_EQ(rows(one.detect(port, 0.05), true), rows(two.detect(starboard, 0.05), false)) << "pair " << k;
     EXPECT_EQ(one.counts().fcl_queries, two.counts().fcl_queries) << "pair " << k;
   }
@@ -85,8 +86,9 @@ INSTANTIATE_TEST_SUITE_P(Floes, MirroredPair,
                                          MirrorCase{"tilted_rectangles", 0.6, 1, 2.1, true}),
                          [](const testing::TestParamInfo<MirrorCase>& one) { return std::string(one.param.name); });
 
-/// Two floes that touch across the plane, one the image of the other: their points lie on it and press across it, so
-/// that neither is favoured. Otherwise a face of one is as good an axis as its image, a face of the other.
+/// Two floes that touch across the plane and are images of each other. Their points lie on the plane and their normals
+/// are normal to it, so that neither floe is favoured. Otherwise a face of one is as good an axis as its image, a face
+/// of the other.
 TEST(MirroredPair, ImagesOfEachOtherTouchOnThePlaneBetweenThem) {
   RandomStream random(3, "across");
   int touching = 0;

@@ -1,4 +1,4 @@
-/// The three narrow phases beside each other: FCL in front changes no bit, and FCL's own contacts are an alternative
+/// Compares the three narrow phases: FCL as a first query changes no bit, and FCL's own contacts are an alternative
 /// with a memory of its own.
 #include <gtest/gtest.h>
 
@@ -27,11 +27,11 @@ TEST(NarrowPhases, FclInFrontChangesNoBit) {
   for (int step = 0; step < 40; ++step) {
     drift(bodies, step);
     expect_same_bits(in_front.detect(bodies, k_margin), alone.detect(bodies, k_margin));
-    EXPECT_EQ(alone.counts().by_fcl + alone.counts().corrected, 0);  // asked at last, for a few round pairs
+    EXPECT_EQ(alone.counts().by_fcl + alone.counts().corrected, 0);  // FCL is asked last, for a few round pairs.
     sum += in_front.counts();
   }
   EXPECT_GT(sum.by_fcl, 0);
-  EXPECT_GT(sum.by_fcl, sum.corrected);  // in a crowd of deep overlaps; of ice in contact it settles nearly all
+  EXPECT_GT(sum.by_fcl, sum.corrected);  // The crowd has deep overlaps. Of ice in contact FCL settles nearly all pairs.
   EXPECT_EQ(sum.candidate_pairs,
             sum.cached_separations + sum.kept_axes + sum.by_fcl + sum.corrected + sum.searched + sum.closed_forms);
 }
@@ -57,7 +57,7 @@ TEST(NarrowPhases, FclGoesOnAsItWasSavedOnAnyNumberOfThreads) {
   }
 }
 
-/// A box that lies on another: FCL's one point, and the four corners of the common area.
+/// A box lies on another: the one point of FCL is completed to the four corners of the common area.
 TEST(NarrowPhases, FclsPointIsCompletedToAManifold) {
   Bodies bodies;
   add_body(bodies, box_shape({1, 1, 0.2}), {0, 0, 0});
@@ -75,7 +75,7 @@ TEST(NarrowPhases, FclsPointIsCompletedToAManifold) {
   EXPECT_LT((high - Vec3(0.4, 0.25, 0.09975)).norm(), 1e-6);
 }
 
-/// Gaps above a half space are those of the closed form, below the margin and under the plane.
+/// Gaps above a half space are those of the closed form, both for gaps below the margin and for overlaps.
 TEST(NarrowPhases, FclAndThePlaneAgreeWithTheClosedForm) {
   RandomStream random(4, "plane");
   for (int k = 0; k < 200; ++k) {
@@ -96,8 +96,8 @@ TEST(NarrowPhases, FclAndThePlaneAgreeWithTheClosedForm) {
   }
 }
 
-/// A plate half a metre or less aside on an equal one, at a hundred places: FCL's way out is the long one, sideways,
-/// where the plates lie deep in each other.
+/// A plate is shifted by half a metre or less on an equal one, at a hundred positions. Where the plates lie deep in
+/// each other, FCL separates them along the longer direction, sideways.
 TEST(NarrowPhases, FclErrsInPlatesDeepInEachOther) {
   constexpr double k_thickness = 0.01;
   int wrong = 0;
@@ -113,12 +113,13 @@ TEST(NarrowPhases, FclErrsInPlatesDeepInEachOther) {
       if (pairs::deepest_point(found)->n.z() > std::cos(8 * k_deg)) continue;
       ++wrong;
       EXPECT_GT(depth, 0.5 * k_thickness) << aside;
-      EXPECT_LT(pairs::deepest_point(found)->gap, -0.99 * (1 - aside)) << depth;  // the overlap sideways
+      EXPECT_LT(pairs::deepest_point(found)->gap, -0.99 * (1 - aside)) << depth;  // FCL returns the sideways overlap.
     }
   EXPECT_GE(wrong, 20);
 }
 
-/// FCL misses none of these pairs; on compact bodies nearly all of its depths are right, on plates that overlap not.
+/// FCL misses none of these pairs. On compact bodies nearly all of its depths are right, on overlapping plates they are
+/// not.
 TEST(NarrowPhases, FclsContactsAreJudgedByTheOracle) {
   for (const pairs::PairClass& c : pairs::all_classes()) {
     const std::string name = c.name;

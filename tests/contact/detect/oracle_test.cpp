@@ -1,5 +1,5 @@
-/// Random pairs against brute force, class by class (tests/support/collision/pair_classes.h): a hundredth of those that
-/// `./dev bench collision` goes through.
+/// Random pairs against brute force, class by class (tests/support/collision/pair_classes.h): a hundredth of those of
+/// `./dev bench collision`.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -43,7 +43,7 @@ TEST_P(OracleTest, FindsTheBestAxisAndTheTrueGaps) {
   EXPECT_GE(remembered.kept_axes, remembers ? k_batch / 10 : 0);
 }
 
-/// Test names know letters, digits and underscores only.
+/// Test names may contain letters, digits and underscores only.
 std::string test_name(const testing::TestParamInfo<PairClass>& one) {
   std::string name = one.param.name;
   std::replace(name.begin(), name.end(), '-', 'm');
@@ -52,8 +52,8 @@ std::string test_name(const testing::TestParamInfo<PairClass>& one) {
 
 INSTANTIATE_TEST_SUITE_P(Pairs, OracleTest, testing::ValuesIn(all_classes()), test_name);
 
-/// Of this pair of plates, one a little above the other, two edges cross well inside both and yet on the far side of
-/// them: their axis goes through both plates, six times as deep as the best.
+/// One plate lies a little above the other. Two edges cross well inside both, each on the far side of its plate: their
+/// axis goes through both plates, six times as deep as the best.
 TEST(ThinPlates, AreNotPushedThroughEachOther) {
   const auto classes = all_classes();
   const auto c = std::find_if(classes.begin(), classes.end(),
@@ -69,7 +69,7 @@ TEST(ThinPlates, AreNotPushedThroughEachOther) {
   EXPECT_EQ(tally.wrong_normals + tally.wrong_depths, 0) << tally.worst_depth;
 }
 
-/// Two bodies whose best direction is near to a cylinder's axis or among other tops of nearly the same height.
+/// Two bodies whose best direction is near a cylinder's axis, or among other maxima of nearly the same height.
 struct NarrowTop {
   const char* name;
   Shape a, b;
@@ -141,13 +141,13 @@ struct PosedFloe {
 struct RememberedPair {
   const char* name;
   PosedFloe a, b;
-  Vec3 p_earlier;  ///< of B
+  Vec3 p_earlier;  ///< Position of B at the earlier call.
   std::array<double, 4> q_earlier;
   double margin_earlier, s;
 };
 
-/// Pairs whose deepest corner was not among the four that stayed from the pose before: by 6e-5, 2e-6 and 6e-7 of the
-/// size too shallow.
+/// Pairs whose deepest corner was not among the four kept from the earlier pose. The depth found was too small by 6e-5,
+/// 2e-6 and 6e-7 of the size.
 const std::vector<RememberedPair> k_remembered_pairs{
     {"Deep",
      {{{0.9460727849313582, -0.295584148057528},

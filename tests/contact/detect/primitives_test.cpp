@@ -204,7 +204,7 @@ TEST(Primitives, TwoCylinders) {
   for (const ContactPoint& c : stacked) EXPECT_NEAR(c.gap, -0.001, 1e-13);
 }
 
-/// All directions square to the common axis are as good as each other.
+/// All directions normal to the common axis are equally good.
 TEST(Primitives, CoaxialCylindersInsideEachOtherOverlapByBothRadii) {
   Bodies bodies;
   add_body(bodies, cylinder_shape(0.5, 4), {0, 0, 0});
@@ -217,14 +217,14 @@ TEST(Primitives, CoaxialCylindersInsideEachOtherOverlapByBothRadii) {
   }
 }
 
-/// Nearest point of a solid cylinder (axis z through the origin).
+/// The vector from x to the nearest point of a solid cylinder (axis z through the origin).
 Vec3 into_cylinder(const Vec3& x, double radius, double half_height) {
   const double r = x.head<2>().norm();
   const double scale = r > radius ? radius / r : 1.0;
   return {scale * x.x(), scale * x.y(), std::clamp(x.z(), -half_height, half_height)};
 }
 
-/// Distance of a cylinder and a box by projecting to and fro, which converges for convex bodies [von Neumann 1933].
+/// Distance of a cylinder and a box by alternating projections, which converge for convex bodies [von Neumann 1933].
 double distance_by_projections(const Vec3& size, const Pose& cylinder, double radius, double half_height) {
   Vec3 in_box = Vec3::Zero(), in_cylinder = cylinder.p;
   for (int k = 0; k < 20000; ++k) {

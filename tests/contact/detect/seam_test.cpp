@@ -1,4 +1,5 @@
-/// Bodies of several convex parts that touch or overlap: what lies between the parts is no surface.
+/// Tests of bodies of several convex pieces that touch or overlap: faces between the pieces are not part of the
+/// surface.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,7 +20,7 @@ ConvexPolytope box_part(const Vec3& low, const Vec3& high) {
   return box;
 }
 
-/// A wall along x from -4 to 4, y from -1 to 0, z from -0.5 to 0.5, in the given stretches of x.
+/// A wall along x from -4 to 4, y from -1 to 0, z from -0.5 to 0.5, cut into the given stretches of x.
 Shape wall(const std::vector<std::pair<double, double>>& stretches) {
   std::vector<ConvexPolytope> parts;
   for (const auto& [from, to] : stretches) parts.push_back(box_part({from, -1, -0.5}, {to, 0, 0.5}));
@@ -64,7 +65,7 @@ TEST(Seams, OnePartAloneHasNoCover) {
   EXPECT_FALSE(make_parts(bodies, 0)[0].cover);
 }
 
-/// The floe's place along the wall in steps that pass the seams, at depths between touching and deep.
+/// Moves the floe along the wall in steps that pass the seams, at depths between touching and deep.
 void expect_contacts_of_one_wall(const std::vector<std::pair<double, double>>& stretches, const Shape& floe,
                                  const Vec3& at, const Vec3& out, const Quat& turn) {
   Bodies one, several;
@@ -123,7 +124,7 @@ TEST(Seams, DiscsAndBallsPassSeams) {
   }
 }
 
-/// Arms along x and y, [0, 2] x [0, 1] and [0, 1] x [0, 2], in several partings.
+/// Arms along x and y, [0, 2] x [0, 1] and [0, 1] x [0, 2], in several decompositions.
 TEST(Seams, AConcaveCornerKeepsBothContacts) {
   const auto arm = [](double x0, double y0, double x1, double y1) { return box_part({x0, y0, -0.5}, {x1, y1, 0.5}); };
   const std::vector<std::vector<ConvexPolytope>> partings{{arm(0, 0, 2, 1), arm(0, 0, 1, 2)},
@@ -147,11 +148,11 @@ TEST(Seams, AConcaveCornerKeepsBothContacts) {
       }
       EXPECT_EQ(along_x, 4);
       EXPECT_EQ(along_y, 4);
-      EXPECT_NEAR(nearest_to_corner, 0, 1e-5);  // the floe is held up to the corner itself
+      EXPECT_NEAR(nearest_to_corner, 0, 1e-5);  // The floe is held up to the corner itself.
     }
 }
 
-/// A face half hidden by the neighbour touches with the half that is not.
+/// A face half hidden by the neighbour touches with its visible half.
 TEST(Seams, AFaceThatStandsOutTouchesWithWhatStandsOut) {
   Bodies bodies;
   const std::vector<ConvexPolytope> parts{box_part({-4, -1, -0.5}, {0, 0, 0.5}), box_part({0, -1, -0.5}, {4, 0, 1.5})};
@@ -169,7 +170,7 @@ TEST(Seams, AFaceThatStandsOutTouchesWithWhatStandsOut) {
   EXPECT_EQ(on_top, 4);
 }
 
-/// A convex floe cut in pieces, side by side or overlapping, touches as the whole one: as deep, along the same normal.
+/// A convex floe cut in pieces, side by side or overlapping, has the depth and the normal of the whole floe.
 TEST(Seams, APartedFloeTouchesAsTheWholeOne) {
   RandomStream random(17, "parted");
   int compared = 0;
@@ -201,7 +202,7 @@ TEST(Seams, APartedFloeTouchesAsTheWholeOne) {
       return *std::min_element(points.begin(), points.end(),
                                [](const auto& p, const auto& q) { return p.gap < q.gap; });
     };
-    double near = 0, far = 4;  // touching in between
+    double near = 0, far = 4;  // Touching lies between these distances.
     for (int i = 0; i < 40; ++i) {
       const double middle = 0.5 * (near + far);
       const auto points = ContactDetector().detect(placed(whole, middle), 0.01);
@@ -215,7 +216,7 @@ TEST(Seams, APartedFloeTouchesAsTheWholeOne) {
       const ContactPoint one = deepest(of_whole), several = deepest(of_parted);
       EXPECT_NEAR(one.gap, several.gap, 1e-10) << k << " " << sink;
       EXPECT_LT((one.n - several.n).norm(), 1e-6) << k << " " << sink;
-      for (const ContactPoint& c : of_parted)  // within the two tilts
+      for (const ContactPoint& c : of_parted)  // The tolerance is that of the two tilts.
         EXPECT_TRUE(c.gap > 0 || (c.n - one.n).norm() < 0.04) << k << " " << sink;
       ++compared;
     }
@@ -223,7 +224,7 @@ TEST(Seams, APartedFloeTouchesAsTheWholeOne) {
   EXPECT_GT(compared, 1000);
 }
 
-/// However deep; up to half the thinner body's thickness also how deep.
+/// A body is found at any depth. Up to half the thinner body's thickness the depth is right, too.
 TEST(Seams, ABodyDeepInAPartedOneIsFound) {
   const Shape whole = box_shape({2, 1, 0.5});
   const std::vector<Shape> parted{

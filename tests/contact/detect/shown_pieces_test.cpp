@@ -1,4 +1,4 @@
-/// What of the faces of a body in parts is its surface.
+/// Tests of the visible regions of the faces of a body of several convex pieces.
 #include <gtest/gtest.h>
 
 #include "contact/detect/broad/part.h"
@@ -20,7 +20,7 @@ ConvexPolytope moved(ConvexPolytope polytope, const Vec3& by) {
   return polytope;
 }
 
-/// Area of the surface of a body of these parts, and a mean of its normals that vanishes for a closed one.
+/// Area of the surface of a body of these convex pieces, and a mean of its normals that vanishes for a closed surface.
 std::pair<double, double> surface(const std::vector<ConvexPolytope>& parts) {
   Bodies bodies;
   BodySpec spec;
@@ -40,7 +40,7 @@ std::pair<double, double> surface(const std::vector<ConvexPolytope>& parts) {
   return {area, sum.norm()};
 }
 
-/// Parts touch within 1e-6 of the largest one's radius: strips 1.7e-6 m wide along 12 m of borders are left out.
+/// Pieces touch within 1e-6 of the largest one's radius: strips 1.7e-6 m wide along 12 m of borders are left out.
 constexpr double k_tolerance = 3e-5;  // [m^2]
 
 TEST(ShownPieces, OfABoxAloneAreItsFaces) {

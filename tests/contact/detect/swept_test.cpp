@@ -13,7 +13,7 @@ namespace {
 
 BodyMotion motion_of(const oracle::Way& way) { return {way.p, way.q.toRotationMatrix(), way.way, way.turn}; }
 
-/// Parts of bodies that begin at the poses of a pair.
+/// Convex pieces of bodies that begin at the poses of a pair.
 struct SweptPair {
   explicit SweptPair(const oracle::PairOnItsWay& pair) : SweptPair(mesh_of(pair.a), mesh_of(pair.b)) {
     motions = {motion_of(pair.way_a), motion_of(pair.way_b)};
@@ -41,7 +41,7 @@ struct SweptPair {
 
 class SweptPlates : public ::testing::TestWithParam<oracle::PairClass> {};
 
-/// A hundredth of `./dev bench collision swept`.
+/// A hundredth of the pairs of `./dev bench collision swept`.
 constexpr int k_pairs = 200;
 constexpr double k_time_tolerance = 1e-6;
 
@@ -58,7 +58,7 @@ TEST_P(SweptPlates, CertainHitsAreFoundInTime) {
     const oracle::FirstContact truth = oracle::first_contact(pair);
     ASSERT_TRUE(truth.hit);
     ASSERT_NEAR(found.t, truth.t, k_time_tolerance) << "pair " << hits;
-    // along n they are apart by the distance and no more; both points lie on the surfaces
+    // The separation along n is the distance and no more; both points lie on the surfaces.
     const oracle::Solid a = pair.way_a.at(pair.a, found.t), b = pair.way_b.at(pair.b, found.t);
     const double resolution = 1e-8 * pair.size();
     EXPECT_NEAR(oracle::separation(a, b, found.n), 0, resolution);
@@ -123,7 +123,7 @@ TEST(Swept, RoundPartsAndPlanesHitAtTheirInstants) {
   }
 }
 
-/// A rod that turns in place by 2.5 rad meets a post beside it when it has turned by the post's angle.
+/// A rod that turns in place by 2.5 rad meets a post beside it when it has turned to the post's angle.
 TEST(Swept, ATurningRodMeetsThePostAtItsAngle) {
   SweptPair swept(box_shape({0.02, 0.02, 1}), box_shape({2, 0.01, 0.01}));
   const double angle = 1.2, reach = 0.8;

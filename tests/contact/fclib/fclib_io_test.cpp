@@ -1,4 +1,4 @@
-/// FCLIB files: what is read is what was written, in every storage; every fault has a message.
+/// Tests of FCLIB files: every storage is read as it was written, and every fault has a message.
 #include "contact/fclib/fclib_io.h"
 
 #include <gtest/gtest.h>
@@ -20,14 +20,14 @@ namespace fs = std::filesystem;
 
 constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
 
-/// One matrix group as it stands in a file.
+/// One matrix group as stored in a file.
 struct Stored {
   int m = 0, n = 0, nzmax = 0, nz = 0;
   std::vector<int> p, i;
   std::vector<double> x;
 };
 
-/// A global problem of two bodies with three degrees of freedom each and two contacts; free to be spoilt.
+/// A global problem of two bodies with three degrees of freedom each and two contacts. Tests may change its members.
 struct GlobalFile {
   Stored mass{6, 6, 6, 6, {0, 1, 2, 3, 4, 5}, {0, 1, 2, 3, 4, 5}, {2, 2, 2, 3, 3, 3}};
   Stored jacobian{6, 6, 40, -1, {0, 1, 2, 3, 5, 7, 9}, {0, 1, 2, 0, 3, 1, 4, 2, 5}, {1, 1, 1, -1, 1, -1, 1, -1, 1}};
@@ -72,7 +72,7 @@ void write_local(const Stored& w, const fs::path& path, const std::vector<double
   file.save(path);
 }
 
-/// W with an entry off the diagonal and its slightly different mirror, as triplets, p = columns.
+/// W with an entry off the diagonal and a slightly different transposed entry, as triplets, p = columns.
 Stored triplets() {
   return {6, 6, 30, 8, {0, 1, 2, 3, 4, 5, 3, 0}, {0, 1, 2, 3, 4, 5, 0, 3}, {2, 2, 2, 1, 1, 1, 0.5, 0.501}};
 }
@@ -178,7 +178,7 @@ TEST(FclibIo, GlobalProblemsComeBackAsWritten) {
 
 TEST(FclibIo, DegreesOfFreedomKeepTheFilesOrder) {
   const ScratchFolder folder;
-  GlobalFile problem;  // the parts are {0,5}, {1,4}, {2,3}: blocks hold no consecutive rows
+  GlobalFile problem;  // The bodies' rows are {0,5}, {1,4}, {2,3}: no block has consecutive rows.
   problem.mass = {6,
                   6,
                   12,
@@ -298,7 +298,7 @@ TEST(FclibIo, FilesThatCannotBeOpenedAreNoBadInput) {
   EXPECT_THROW(write_fclib(folder.path() / "none/out.hdf5", LocalProblem{}, nullptr), FileError);
 }
 
-/// True where a damaged file was refused with a message, false where the damage did not matter.
+/// Whether a damaged file was refused with a message; false where the damage did not matter.
 bool refused(const ScratchFolder& folder, const std::string& bytes) {
   const auto path = folder.write("damaged.hdf5", bytes);
   try {

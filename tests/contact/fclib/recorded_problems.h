@@ -1,6 +1,6 @@
 #pragma once
-/// Recorded contact problems for tests: those of tests/data/fclib, and with NILAS_FCLIB_DIR those of the FCLIB
-/// collection in that folder.
+/// Recorded contact problems for tests: those of tests/data/fclib, and the FCLIB collection if NILAS_FCLIB_DIR names
+/// its folder.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -21,7 +21,7 @@ inline std::vector<std::filesystem::path> own_problems() {
   return files;
 }
 
-/// The files of the folder NILAS_FCLIB_DIR, by name; none where it is not set. Throws where there is no such folder.
+/// The files of the folder NILAS_FCLIB_DIR, by name; none where it is not set. Throws if there is no such folder.
 inline std::vector<std::filesystem::path> collected_problems() {
   std::vector<std::filesystem::path> files;
   const char* const folder = std::getenv("NILAS_FCLIB_DIR");
@@ -51,7 +51,7 @@ inline std::vector<std::filesystem::path> collected_problem(const std::string& n
   return {std::filesystem::path(folder) / (name + ".hdf5")};
 }
 
-/// The local form of what a file holds.
+/// The local form of a file's problem.
 inline LocalProblem local_form(const FclibProblem& file) {
   const auto* const local = std::get_if<LocalProblem>(&file.problem);
   return local != nullptr ? *local : reduce(std::get<ContactProblem>(file.problem));

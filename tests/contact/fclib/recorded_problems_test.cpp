@@ -1,4 +1,4 @@
-/// The problems of tests/data/fclib: they are small, and the impulses in them solve them.
+/// The problems of tests/data/fclib are small, and their stored impulses solve them.
 #include "tests/contact/fclib/recorded_problems.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ TEST(OwnProblems, HoldTheirSolutions) {
   }
 }
 
-/// One of them needs what FCLIB has no place for.
+/// One of the problems needs data that FCLIB cannot store.
 TEST(OwnProblems, LevelIceHasContactsWithALimitOfForce) {
   const FclibProblem file = read_fclib(test::own_problem("scene-level-ice"));
   const auto& limits = std::get<ContactProblem>(file.problem).force_limit;

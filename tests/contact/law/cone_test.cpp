@@ -41,7 +41,8 @@ Vec3 random_member(RandomStream& random, double mu, int facets, double cap) {
   return {height, t.x(), t.y()};
 }
 
-/// y is the nearest point of a convex set to x iff y is a member and (x - y).(z - y) <= 0 for every member z.
+/// Checks that y is the nearest point of a convex set to x. This holds iff y is a member and (x - y).(z - y) <= 0 for
+/// every member z.
 void expect_nearest(const Vec3& x, const Vec3& y, const Vec3& member) {
   EXPECT_LE((x - y).dot(member - y), 1e-12 * (1 + x.squaredNorm()));
 }

@@ -1,4 +1,4 @@
-/// One contact against closed forms and against the yardstick on random blocks.
+/// Tests of one contact against closed forms, and against the natural map on random blocks.
 #include "contact/law/local_solve.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ Vec3 random_vector(RandomStream& random) {
   return {x, y, z};
 }
 
-/// 1/m I + lever arms, as of two rigid bodies.
+/// A block of two rigid bodies: 1/m I plus the terms of lever arms.
 Mat3 rigid_block(RandomStream& random) {
   const Mat3 arm = skew(random_vector(random));
   const Vec3 moments(random.uniform(0.5, 1.5), random.uniform(0.5, 1.5), random.uniform(0.5, 1.5));
@@ -36,7 +36,7 @@ Mat3 gram(RandomStream& random, int rank) {
   return sum;
 }
 
-/// law_map of the answer over (1 + mu) |b| + d |r|: u_hat holds mu |u_T|.
+/// The law's residual of the solution over (1 + mu) |b| + d |r|, since u_hat contains mu |u_T|.
 double miss(Law law, const Mat3& w, const Vec3& b, double mu, double limit, double compliance) {
   ContactStart start;
   const Vec3 r = solve_contact(law, k_facets, ContactBlock(w, mu, limit, compliance), b, start);
@@ -47,7 +47,7 @@ double miss(Law law, const Mat3& w, const Vec3& b, double mu, double limit, doub
 
 class EveryLaw : public testing::TestWithParam<Law> {
  protected:
-  /// The worst over random velocities, frictions, limits and compliances.
+  /// The largest residual over random velocities, frictions, limits and compliances.
   template <class MakeBlock>
   double worst(const MakeBlock& make_block, int count = 3000) const {
     RandomStream random(7, "blocks");
@@ -160,7 +160,7 @@ TEST(LocalSolve, ParticleSlidesOrSticksInCoulombsLaw) {
 
 TEST(LocalSolve, ParticleLiftsInTheConvexLaw) {
   EXPECT_LT((velocity_after(Law::ccp, 7, 1, 3, 0.5) - Vec3(1, 2, 0)).norm(), 1e-15);
-  // a particle that only slides, or leaves too slowly, is lifted as well
+  // A particle that only slides, or leaves too slowly, is lifted as well.
   EXPECT_LT((velocity_after(Law::ccp, 7, 0, 3, 0.5) - 3 / 1.25 * Vec3(0.5, 1, 0)).norm(), 1e-15);
   EXPECT_LT((velocity_after(Law::ccp, 7, -1, 3, 0.5) - 3.5 / 1.25 * Vec3(0.5, 1, 0)).norm(), 1e-15);
   EXPECT_EQ(velocity_after(Law::ccp, 7, -2, 3, 0.5), Vec3(2, 3, 0));

@@ -1,4 +1,4 @@
-/// Rolling and spinning friction: the cone, the yardstick, the solvers and FCLIB's rolling form.
+/// Tests of rolling and spinning friction: the cone, the residual, the solvers and FCLIB's rolling form.
 #include "contact/law/moment_cone.h"
 
 #include <gtest/gtest.h>
@@ -60,12 +60,12 @@ TEST(MomentCone, ProjectionRespectsTheCap) {
   }
 }
 
-/// A sphere on the ground with gravity in its momentum, turning so that it rolls along x; rows in z, x, y.
+/// A sphere on the ground that turns so that it rolls along x. Gravity is in its momentum; rows are in z, x, y.
 struct Sphere {
   static constexpr double k_mass = 3, k_radius = 0.4, k_step = 0.01, k_gravity = 9.81;
   static constexpr double k_inertia = 0.4 * k_mass * k_radius * k_radius;
   double rolling = 0, spinning = 0, mu = 0.5;
-  double slope = 0;  ///< tangent of the ground's slope along x
+  double slope = 0;  ///< Tangent of the slope of the ground along x.
   Vec3 v = Vec3::Zero(), w = Vec3::Zero();
 
   ContactProblem problem(Law law = Law::coulomb) const {
@@ -126,7 +126,7 @@ TEST(SpinningFriction, SlowsASpinAboutTheNormal) {
 }
 
 TEST(RollingFriction, MeasureByHand) {
-  // no impulses, at rest but for rolling at 1 rad/s: u_hat_N = delta |w_R| once gravity is left out
+  // There are no impulses, and the only motion is rolling at 1 rad/s. Without gravity, u_hat_N = delta |w_R|.
   ContactProblem problem = Sphere{.rolling = 0.05, .w = Vec3(0, 1, 0)}.problem();
   problem.f[2] = 0;
   const double d = delassus_diagonal(problem)[0].trace() / 3;
@@ -150,7 +150,7 @@ ContactProblem heap_with_moments() {
   for (int c = 0; c < count; c += 2) {
     const auto rows = [&](const ContactProblem::ConstJacobian& jacobian) -> MatX {
       MatX moment = MatX::Zero(3, jacobian.cols());
-      // the linear part of a row of a body is its direction, up to the side's sign
+      // The linear columns of a row hold its direction, up to the sign of the side.
       if (jacobian.cols() == 6) moment.rightCols<3>() = 0.1 * jacobian.leftCols<3>();
       moment.row(0).setZero();
       return moment;
@@ -188,7 +188,7 @@ TEST(RollingFriction, GoesThroughAFileAndBack) {
   ASSERT_TRUE(read.solution.has_value());
   const Residuals before = measure(problem, solution.r), after = measure(again, *read.solution);
   EXPECT_NEAR(after.natural_map_m_s, before.natural_map_m_s, 1e-14);
-  // both lie about the same solution
+  // Both solutions lie near the same exact one.
   const ContactSolution two =
       find_solver("nsgs").make({.tolerance = 1e-10, .max_iterations = 100000})->solve(again, {});
   EXPECT_LE(measure(again, two.r).natural_map_m_s, 1e-10);

@@ -1,4 +1,4 @@
-/// What contacts do, by problems whose answer is known.
+/// Tests of the counts of contact states, with problems of known solution.
 #include "contact/measure/contact_counts.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-/// A known wrong impulse must be told as such.
+/// The residual of a known wrong impulse must equal its error.
 #include "contact/measure/impulse_residual.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double k_mass = 2, k_mu = 0.3, k_weight = 0.2, k_slide = 1;  // kg, -, N s, N s
 
-/// A particle on the ground that slides along t1, pressed down with k_weight over the step.
+/// A particle on the ground that slides along t1 and is pressed down with k_weight over the step.
 ContactProblem sliding(Law law) {
   ContactProblem problem;
   problem.h = 0.01;
@@ -40,13 +40,13 @@ ImpulseResidual residual_of(const ContactProblem& problem, const Vec3& r, double
 TEST(ImpulseResidual, IsWhatTheImpulseIsOffForEveryComponent) {
   const Vec3 exact(k_weight, -k_mu * k_weight, 0);
   EXPECT_LT(residual_of(sliding(Law::coulomb), exact).law.norm(), 1e-16);
-  // friction that is off stays off by as much, whatever the velocity
+  // An error of friction stays the same, whatever the velocity.
   for (const double off : {1e-3, -2e-3}) {
     const ImpulseResidual e = residual_of(sliding(Law::coulomb), exact + Vec3(0, 0, off));
     EXPECT_NEAR(e.law.z(), off, 0.01 * std::abs(off));
     EXPECT_EQ(e.law, e.coulomb);
   }
-  // without friction a normal impulse that is off is told exactly
+  // Without friction an error of the normal impulse is found exactly.
   EXPECT_NEAR(residual_of(sliding(Law::frictionless), {k_weight + 0.01, 0, 0}).law.x(), 0.01, 1e-15);
 }
 
@@ -56,13 +56,13 @@ TEST(ImpulseResidual, OfAPyramidIsTheFrictionBeyondTheCone) {
   const double bound = k_mu * k_weight;
   const ImpulseResidual e = residual_of(problem, {k_weight, -bound, -bound});
   EXPECT_LT(e.law.norm(), 1e-15);
-  // along the slip, both boxes at their bounds push sqrt(2) - 1 too much
+  // Along the slip, both boxes at their bounds give sqrt(2) - 1 too much friction.
   const double along = e.coulomb.dot(Vec3(0, -1, -1)) / std::sqrt(2.0);
   EXPECT_NEAR(along, (std::sqrt(2.0) - 1) * bound / (1 + k_mu * k_mu), 1e-12);
 }
 
 TEST(ImpulseResidual, TheHoverOfAConvexifiedLawIsNoLoad) {
-  // steady sliding: the gap h mu |u_T| that the law left last step is what it asks for in this one
+  // In steady sliding the gap h mu |u_T| that the law left in the last step is the gap that it requires in this one.
   ContactProblem problem = sliding(Law::ccp);
   const Vec3 exact(k_weight, -k_mu * k_weight, 0);
   const double hover = k_mu * (k_slide + exact.y()) / k_mass;
@@ -70,7 +70,7 @@ TEST(ImpulseResidual, TheHoverOfAConvexifiedLawIsNoLoad) {
   const ImpulseResidual e = residual_of(problem, exact, hover);
   EXPECT_LT(e.law.norm(), 1e-15);
   EXPECT_LT(e.coulomb.norm(), 1e-15);
-  // without a gap the particle leaves the ground, which Coulomb's would not
+  // Without a gap the particle leaves the ground, which Coulomb's law does not allow.
   EXPECT_GT(residual_of(problem, exact).coulomb.norm(), 0.1);
 }
 

@@ -9,7 +9,7 @@
 namespace nilas {
 namespace {
 
-/// A particle of 2 kg on a fixed plane, normal along its first axis: W = 1/2, d = 1/2, u = v.
+/// A particle of 2 kg on a fixed plane whose normal is its first axis: W = 1/2, d = 1/2, u = v.
 ContactProblem particle(Law law, double mu) {
   ContactProblem problem;
   problem.law = law;
@@ -20,7 +20,7 @@ ContactProblem particle(Law law, double mu) {
   return problem;
 }
 
-/// r inside the cone, sliding, opening: nearly every column differs from zero.
+/// r lies inside the cone, while the contact slides and opens: nearly every residual differs from zero.
 const Vec3 k_r(4, 1, 0), k_v(0.3, -0.4, 0);
 
 TEST(Measure, HandWorkedColumns) {
@@ -68,12 +68,12 @@ TEST(Measure, ViolationsOfEachKind) {
   EXPECT_NEAR(m.slip_angle_deg, 45, 1e-12);
   EXPECT_EQ(m.creep_m_s, 0);
   EXPECT_NEAR(m.bipotential_J, -2 + 0.5 * std::sqrt(2) * 4, 1e-15);
-  m = measure(problem, Vec3(4, 2, 0), Vec3(0, 1, 0));  // friction that drives
+  m = measure(problem, Vec3(4, 2, 0), Vec3(0, 1, 0));  // The friction drives the slip.
   EXPECT_NEAR(m.slip_angle_deg, 180, 1e-12);
 }
 
 TEST(Measure, ExactSolutionsOfEachLaw) {
-  // stick, slide, open for exact Coulomb
+  // The cases are stick, slip and open for exact Coulomb friction.
   const ContactProblem problem = particle(Law::coulomb, 0.5);
   for (const auto& [r, v] : std::vector<std::pair<Vec3, Vec3>>{
            {Vec3(4, 1, -1), Vec3::Zero()}, {Vec3(5, -1.5, 2), Vec3(0, 0.3, -0.4)}, {Vec3::Zero(), Vec3(1, 2, 3)}}) {
@@ -118,7 +118,7 @@ TEST(Measure, AForceLimitMakesCrushingLawful) {
   const Residuals sliding = measure(problem, Vec3(2, -1, 0), Vec3(-3, 5, 0));
   EXPECT_LT(sliding.law_map_m_s, 1e-15);
   EXPECT_LT(std::abs(sliding.bipotential_J), 1e-14);
-  // below the limit it may not close
+  // Below the limit the contact may not close.
   const Residuals early = measure(problem, Vec3(1.5, 0, 0), Vec3(-3, 0, 0));
   EXPECT_NEAR(early.law_map_m_s, 0.25, 1e-15);
   EXPECT_NEAR(early.penetration_rate_m_s, 0.25, 1e-15);
@@ -149,7 +149,7 @@ TEST(Measure, BothSidesPrescribed) {
   problem.w[0] = 0.2;
   EXPECT_EQ(measure(problem, Vec3(0, 0, 0), none).law_map_m_s, 0);
   EXPECT_NEAR(measure(problem, Vec3(7, 0, 0), none).law_map_m_s, 0.2, 1e-15);
-  problem.compliance[0] = 0.5;  // now it can yield: r_N = 0.2/0.5
+  problem.compliance[0] = 0.5;  // With a compliance the contact yields: r_N = 0.2/0.5.
   problem.w[0] = -0.2;
   EXPECT_LT(measure(problem, Vec3(0.4, 0, 0), none).law_map_m_s, 1e-15);
   EXPECT_NEAR(measure(problem, Vec3(0.3, 0, 0), none).law_map_m_s, 0.05, 1e-15);

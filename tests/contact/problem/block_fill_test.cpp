@@ -12,7 +12,7 @@ namespace {
 
 using Pattern = std::vector<std::set<int>>;
 
-/// Of n rows, each joined to a few rows near it; listed on one side only for every other entry.
+/// The pattern of n rows, each joined to a few near rows. Every other entry is listed on one side only.
 Pattern band(int n, int reach, std::uint64_t seed) {
   RandomStream random(seed, "band");
   Pattern rows(static_cast<std::size_t>(n));
@@ -37,7 +37,7 @@ BlockFill fill_of(const Pattern& rows) {
   return block_fill(start, column);
 }
 
-/// Blocks right of the diagonal after elimination in the order of `fill`, one row after the other.
+/// Blocks right of the diagonal after elimination in the order of `fill`, row by row.
 Pattern eliminated(const Pattern& rows, const BlockFill& fill) {
   Pattern upper(rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i)

@@ -33,7 +33,7 @@ TEST(Islands, AChainIsOneIslandWhateverTheOrder) {
   for (int k = 0; k < 100; ++k) EXPECT_EQ(islands[0][static_cast<std::size_t>(k)], k);
 }
 
-/// A problem of which every entry differs from its default and from every other.
+/// A problem in which every entry differs from its default and from all others.
 ContactProblem telling_problem() {
   ContactProblem problem = test::box_stack({1, 2, 3}, 0.5);  // contacts touch all blocks
   problem.law = Law::pyramid;
@@ -55,7 +55,7 @@ std::vector<int> all_of(int count) {
   return all;
 }
 
-/// Selecting all loses nothing, whatever members a problem has.
+/// Selecting all contacts loses nothing, whatever members a problem has.
 TEST(Select, AllContactsAreTheProblemItself) {
   const ContactProblem problem = telling_problem();
   EXPECT_TRUE(select(problem, all_of(problem.num_contacts())) == problem);
@@ -63,7 +63,7 @@ TEST(Select, AllContactsAreTheProblemItself) {
   EXPECT_TRUE(select(local, all_of(local.num_contacts())) == local);
 }
 
-/// Every list per contact is visited: the lists fill the struct but for the law and its facets.
+/// Every list per contact is visited: the struct has no other members than the lists, the law and its facets.
 TEST(Coefficients, EveryListIsVisited) {
   ContactCoefficients coefficients;
   std::size_t bytes = sizeof(coefficients.law) + sizeof(coefficients.facets);

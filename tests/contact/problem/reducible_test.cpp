@@ -1,4 +1,4 @@
-/// Islands whose Delassus operator is too large are solved without it, or left alone with a message.
+/// Islands whose Delassus operator is too large are solved without it, or left unsolved with a message.
 #include "contact/problem/reducible.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace nilas {
 namespace {
 
-/// `count` particles falling on one body that they outweigh tenfold: all contacts share it.
+/// `count` particles of 1 kg that fall on one body of 300 kg. All contacts share the body.
 ContactProblem rain(int count) {
   ContactProblem problem;
   problem.h = 0.01;

@@ -1,5 +1,5 @@
-/// Closed forms of small scenes in which the law shows, for every solver that takes it: the way of a sliding particle,
-/// a rope around a drum, piles of round bodies at the friction that just holds them, copies of a contact.
+/// Closed forms of small scenes that show the law, for every solver that takes it: the path of a sliding particle, a
+/// rope around a drum, piles of round bodies at their critical friction, copies of a contact.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,8 @@ namespace {
 constexpr double k_gravity = 9.81;
 constexpr double k_step = 0.01;
 constexpr double k_tolerance = 1e-12;
-/// The tolerance times the condition of these problems [m/s]; what is told apart from rest moves 1e4 times faster.
+/// The tolerance times the condition of these problems [m/s]. Motion that must be distinguished from rest is 1e4 times
+/// faster.
 constexpr double k_same = 1e-10;
 
 class Artefacts : public testing::TestWithParam<std::string> {
@@ -30,10 +31,10 @@ class Artefacts : public testing::TestWithParam<std::string> {
     return solution;
   }
 
-  /// Brute force takes few contacts.
+  /// Brute force takes only problems of few contacts.
   bool takes(const ContactProblem& problem) const { return GetParam() != "enumerate" || problem.num_contacts() <= 8; }
 
-  /// A particle slides on a level floor until it rests; semi-implicit Euler. Returns where.
+  /// A particle slides on a level floor until it rests, with semi-implicit Euler. Returns its final position.
   Vec2 slide_to_rest(Law law, int facets, const Vec2& start, double mu) const {
     Vec3 v(0, start.x(), start.y());
     Vec2 x = Vec2::Zero();
@@ -63,10 +64,10 @@ std::vector<std::string> solvers_of(Law law) {
 }
 
 constexpr double k_start = 5, k_sliding = 0.2;
-/// Of a way: 1e-12 m/s more in each of 250 steps of 0.01 s is 3e-10 m.
+/// Tolerance of a distance: 1e-12 m/s more in each of 250 steps of 0.01 s is 3e-10 m.
 constexpr double k_same_way = 1e-9;
 
-/// Way to rest of one row under its own friction: sum of h (v0 - k mu g h)+, which tends to v0^2 / (2 mu g).
+/// Braking distance of one row under its own friction: sum of h (v0 - k mu g h)+, which tends to v0^2 / (2 mu g).
 double braking_way(double v0, double mu, double h = k_step) {
   double sum = 0;
   for (int k = 1; v0 - k * mu * k_gravity * h > 0; ++k) sum += h * (v0 - k * mu * k_gravity * h);
@@ -136,14 +137,14 @@ double product_of_ratios(const std::vector<Bend>& bends) {
   return product;
 }
 
-/// A rope of point masses around a fixed drum. Contacts: each node with the drum; then each link between two nodes,
-/// frictionless and turned inside out: its gap is what the link lacks to its length, r_N = h times its tension.
+/// A rope of point masses around a fixed drum. Contacts: each node with the drum; then each link between two nodes. A
+/// link is frictionless and reversed: its gap is the length minus the distance of its nodes, r_N = h times its tension.
 class Rope {
  public:
-  static constexpr double k_mass = 0.1;    ///< of a node [kg]
-  static constexpr double k_tension = 10;  ///< that pulls at the slack end [N]
+  static constexpr double k_mass = 0.1;    ///< Mass of a node [kg].
+  static constexpr double k_tension = 10;  ///< Tension at the slack end [N].
 
-  /// `speed`: of the links along themselves, before the step.
+  /// `speed`: speed of the links along themselves before the step [m/s].
   Rope(const std::vector<Bend>& bends, double speed) : bends_(bends) {
     double link = 0;
     for (int k = 0; k < num_nodes(); ++k) {
@@ -163,10 +164,10 @@ class Rope {
     end_ = along(link + bends.back().angle);
   }
 
-  /// Pulls at the tight end [N].
+  /// Adds the pull at the tight end [N].
   void pull(double tension) { problem_.f.tail<3>() += k_step * tension * end_; }
 
-  /// A winch takes the tight end in at this speed, by one more link.
+  /// Adds a link by which a winch hauls in the tight end at this speed.
   void haul(double speed) {
     touch(num_nodes() - 1, -1, -end_, 0);
     problem_.w[3 * (problem_.num_contacts() - 1)] = -speed;
@@ -175,8 +176,8 @@ class Rope {
   const ContactProblem& problem() const { return problem_; }
   int num_nodes() const { return static_cast<int>(bends_.size()); }
 
-  /// Speed of the links after a step from rest under this pull, all nodes slipping: at each, with s its speed,
-  /// m s / h = (T2 - T1) cos(angle/2) - mu (T1 + T2) sin(angle/2).
+  /// Speed of the links after a step from rest under this pull, when all nodes slip. At each, with s its speed, m s / h
+  /// = (T2 - T1) cos(angle/2) - mu (T1 + T2) sin(angle/2).
   double slip_speed(double tension) const {
     double share_of_pull = 1, share_of_speed = 0;  // T = share_of_pull k_tension + share_of_speed speed
     for (const Bend& bend : bends_) {
@@ -188,7 +189,7 @@ class Rope {
     return (tension - share_of_pull * k_tension) / share_of_speed;
   }
 
-  /// A node moves along the drum, its links along themselves.
+  /// Speed of a node along the drum, when its links move along themselves.
   static double node_speed(const Bend& bend, double speed) { return speed / std::cos(bend.angle / 2); }
 
  private:
@@ -242,7 +243,7 @@ TEST_P(CoulombArtefacts, RopeHoldsBelowTheCapstansTensionAndSlipsAbove) {
       Rope rope(bends, 0);
       const double tension = (1 + margin) * product_of_ratios(bends) * Rope::k_tension;
       rope.pull(tension);
-      // of the many impulses that hold a rope, brute force tries only the least, and those may leave the cone
+      // Many impulses hold a rope. Brute force tries only the least, which may leave the cone.
       if (!takes(rope.problem()) || (margin < 0 && GetParam() == "enumerate")) continue;
       const ContactSolution s = solve(rope.problem());
       const double speed = margin < 0 ? 0 : rope.slip_speed(tension);
@@ -257,7 +258,7 @@ TEST_P(CoulombArtefacts, RopeHoldsBelowTheCapstansTensionAndSlipsAbove) {
 /// support and the top bears N = 1/n of a weight, and needs friction N tan(lean/2) there and on the floor.
 struct Pile {
   int supports;
-  double lean;      ///< of the lines of centres from the vertical
+  double lean;      ///< Angle of the lines of centres from the vertical.
   double gyration;  ///< moment of inertia over m R^2
 
   double critical_between() const { return std::tan(lean / 2); }
@@ -272,9 +273,9 @@ const Pile k_logs{2, 30 * k_deg, 0.5};
 const Pile k_piles[] = {k_spheres, k_logs};
 
 constexpr double k_mass = 2, k_radius = 0.5;
-constexpr double k_weight = k_mass * k_gravity * k_step;  ///< of one body, times h
-constexpr double k_ample = 0.6;                           ///< friction that holds
-constexpr double k_share = 1e-4;                          ///< of the critical friction, on either side of it
+constexpr double k_weight = k_mass * k_gravity * k_step;  ///< Weight of one body times h.
+constexpr double k_ample = 0.6;                           ///< Friction that holds the pile.
+constexpr double k_share = 1e-4;  ///< Relative distance from the critical friction, on either side of it.
 
 /// One step from rest. Contacts: supports with the floor, with the top, with each other.
 ContactProblem build(const Pile& pile, double mu_between, double mu_on_floor) {
@@ -307,14 +308,15 @@ ContactProblem build(const Pile& pile, double mu_between, double mu_on_floor) {
 /// tan(lean) times as fast.
 double rolling_out(const Pile& pile, double mu_between) {
   const double c = std::cos(pile.lean), s = std::sin(pile.lean), inertia = (1 + pile.gyration) * k_mass;
-  const double push = s - mu_between * (1 + c);  // on a support's motion, per unit of N
+  const double push = s - mu_between * (1 + c);  // Push on a support's motion per unit of N.
   return k_weight / (k_mass * s / c + pile.supports * (c + mu_between * s) * inertia / push);
 }
 
-/// The same where they skid on the floor and roll under the top.
+/// The same speed when they skid on the floor and roll under the top.
 double skidding_out(const Pile& pile, double mu_on_floor) {
   const double c = std::cos(pile.lean), t = std::tan(pile.lean), n = pile.supports;
-  const double drag = mu_on_floor * (1 + 1 / c);  // of the floor, and by the spin that it forces on the support
+  // Drag of the floor, with that of the spin that it forces on the support.
+  const double drag = mu_on_floor * (1 + 1 / c);
   // each support bears P = (k_weight - m speed t) / n of the top: (m + J / c^2) speed = P t - drag (k_weight + P)
   return (k_weight * (t - drag) / n - drag * k_weight) /
          (k_mass * (1 + pile.gyration / (c * c)) + k_mass * t * (t - drag) / n);
@@ -348,8 +350,8 @@ TEST_P(CoulombArtefacts, PileStandsJustAboveItsCriticalFriction) {
       if (!takes(problem)) continue;
       const ContactSolution s = solve(problem);
       EXPECT_LT(s.v.cwiseAbs().maxCoeff(), k_same) << mu_between << " " << mu_on_floor;
-      // balance of moments leaves the floor no choice; the supports may press on each other with what little friction
-      // there is to spare
+      // The balance of moments determines the friction on the floor. The supports may press on each other with the
+      // friction that is left.
       double on_top = 0;
       for (int k = 0; k < pile.supports; ++k) {
         EXPECT_NEAR(s.r[3 * k] / k_weight, 1 + 1.0 / pile.supports, 1e-9) << mu_between << " " << mu_on_floor;

@@ -39,7 +39,8 @@ TEST(Auto, SaysWhatItUsed) {
   EXPECT_EQ(solve(test::raft(6, 0.3, 1, 1), solution.r).message, "guess");
 }
 
-/// Sweeps hardly move tall stacks, where all sticks; most of a raft slips. A guess of zeros tells nothing.
+/// Sweeps hardly move tall stacks, where all contacts stick; most of a raft slips. A guess of zeros carries no
+/// information.
 TEST(Auto, TakesAdmmForStiffStacksFromCold) {
   const ContactProblem stack = test::box_stack(std::vector<double>(12, 5.0), 0.4);
   const ContactSolution cold = solve(stack);
@@ -88,8 +89,8 @@ TEST(Auto, NamesWhatIsNotFinite) {
   EXPECT_NE(solution.message.find("finite"), std::string::npos) << solution.message;
 }
 
-/// Sweeps run away from an answer that Newton's method finds: each multiplies the distance by ten, and find at sweep
-/// 303 that velocities have overflown.
+/// Sweeps diverge from a solution that Newton's method finds: each multiplies the distance by ten, and at sweep 303 the
+/// velocities overflow.
 TEST(Auto, GoesOnWhereSweepsLeaveAllNumbers) {
   const LocalProblem problem = test::runaway_pair(std::sqrt(10.0), 1e8);
   const VecX guess = VecX::Constant(6, 5);
@@ -118,7 +119,7 @@ TEST(Auto, NoContacts) {
   EXPECT_EQ(solve(LocalProblem{}).status, SolveStatus::converged);
 }
 
-/// Contacts in another order.
+/// The same problem with contacts in another order.
 LocalProblem shuffled(const LocalProblem& problem) {
   const int nc = problem.num_contacts();
   std::vector<int> place(static_cast<std::size_t>(nc));
@@ -152,7 +153,7 @@ LocalProblem shuffled(const LocalProblem& problem) {
   return out;
 }
 
-/// Tangents turned by an angle of each contact's own, all masses larger by `factor`.
+/// The same problem with tangents turned by an angle of each contact's own, and all masses multiplied by `factor`.
 LocalProblem turned_and_scaled(const LocalProblem& problem, double factor) {
   LocalProblem out = problem;
   const auto turn = [](int c) {
@@ -171,7 +172,7 @@ LocalProblem turned_and_scaled(const LocalProblem& problem, double factor) {
   return out;
 }
 
-/// Recorded problems in local form, but the two hardest of the collection.
+/// Recorded problems in local form, without the two hardest of the collection.
 std::vector<std::pair<std::string, LocalProblem>> recorded() {
   std::vector<std::pair<std::string, LocalProblem>> problems;
   for (const auto& path : test::recorded_problems()) {
@@ -190,7 +191,8 @@ TEST(Files, AreSolvedAsTheyAre) {
   }
 }
 
-/// The rock pile of the collection needs continuation in friction. Our own stack stands for it in a plain run.
+/// The rock pile of the collection needs continuation in friction. Our own stack replaces it in a run without the
+/// collection.
 TEST(Files, TheHardestAreSolvedWithinAMinute) {
   std::vector<std::filesystem::path> hardest = test::collected_problem("RockPile_tob1");
   hardest.push_back(test::own_problem("stack-10-1e6"));

@@ -1,4 +1,4 @@
-/// What every solver says of problems that have no answer, or that it cannot take: one table of statuses for all.
+/// Statuses of every solver for problems that have no solution, or that it cannot take: one table for all.
 #include "tests/support/bad_problems.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ constexpr double k_infinite = std::numeric_limits<double>::infinity();
 constexpr double k_tolerance = 1e-9;
 const SolverSettings k_settings{.tolerance = k_tolerance, .max_iterations = 2000};
 
-/// The same pair twice over: four contacts on the same two rows of W.
+/// The same pair twice: four contacts on the same two rows of W.
 LocalProblem all_twice() {
   ContactProblem heap = test::random_heap(1, 3, 3, 0.3);
   const int nc = heap.num_contacts();
@@ -42,24 +42,24 @@ LocalProblem with(LocalProblem problem, const std::function<void(LocalProblem&)>
   return problem;
 }
 
-/// Boxes of very different masses, the heaviest on top.
+/// Boxes of very different masses with the heaviest on top.
 LocalProblem steep_stack() { return reduce(test::box_stack({1e-3, 1, 1e3}, 0.5)); }
 
 struct BadProblem {
   std::string name;
   LocalProblem problem;
   VecX guess;
-  SolveStatus expected;                         ///< of every solver ...
-  std::map<std::string, SolveStatus> except{};  ///< ... but these
+  SolveStatus expected;                         ///< Status of every other solver.
+  std::map<std::string, SolveStatus> except{};  ///< Status of the solvers that differ, by name.
 };
 
 std::vector<BadProblem> bad_problems() {
   using enum SolveStatus;
   const auto shared = test::coupled_pair(0);
   return {
-      // an answer exists, but W has the eigenvalue -2
+      // A solution exists, but W has the eigenvalue -2.
       {"indefinite", test::coupled_pair(3), {}, converged, {{"admm", numerical_error}}},
-      // impulses feed each other without end: no answer
+      // Impulses amplify each other without end: there is no solution.
       {"indefinite without answer",
        test::coupled_pair(-3),
        {},
@@ -69,7 +69,7 @@ std::vector<BadProblem> bad_problems() {
         {"newton", iteration_limit},
         {"newton-order-free", iteration_limit},
         {"auto", iteration_limit}}},
-      // one contact can only open as far as the other closes, and both close
+      // One contact can open only as far as the other closes, and both close: there is no solution.
       {"singular without answer",
        test::coupled_pair(-1),
        {},
@@ -89,7 +89,7 @@ std::vector<BadProblem> bad_problems() {
       {"infinite inverse mass", with(shared, [](auto& p) { p.block[3](1, 1) = k_infinite; }), {}, numerical_error, {}},
       {"negative mass", with(shared, [](auto& p) { p.block[0] *= -1; }), {}, numerical_error, {}},
       {"limit not a number", with(shared, [](auto& p) { p.force_limit[0] = k_nan; }), {}, numerical_error, {}},
-      // continuation takes no guess, and a second solver starts afresh
+      // Continuation takes no guess, and a second solver starts without one.
       {"guess not a number",
        shared,
        VecX::Constant(6, k_nan),
@@ -106,7 +106,7 @@ std::vector<BadProblem> bad_problems() {
         {"eg-order-free", iteration_limit},
         {"apgd", iteration_limit},
         {"enumerate", numerical_error}}},
-      // products with the guess overflow; those who measure it first start from nothing
+      // Products with the guess overflow. Solvers that measure it first start from zero.
       {"numbers near the largest",
        test::coupled_pair(0, 1e200),
        VecX::Constant(6, 1e200),
@@ -115,7 +115,7 @@ std::vector<BadProblem> bad_problems() {
   };
 }
 
-/// Every solver by name, friction continuation and a solver with a second one behind it too.
+/// Solves with a solver by name, also with friction continuation and with a solver followed by a second one.
 ContactSolution solve(const std::string& name, const LocalProblem& problem, const VecX& guess) {
   if (name == "continuation") return continue_in_friction(problem, {.shared = k_settings}, Budget(k_settings));
   if (name == "with retry")

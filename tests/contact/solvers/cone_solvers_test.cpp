@@ -1,4 +1,4 @@
-/// Closed forms, mass ratios, random heaps and honesty of the solvers of convex problems.
+/// Closed forms, mass ratios, random heaps and stated residuals of the solvers of convex problems.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -72,7 +72,7 @@ TEST_P(ConeSolver, ForceLimitCrushesAndComplianceYields) {
 }
 
 TEST_P(ConeSolver, LimitedImpulseBoundsFriction) {
-  // at the limit the particle goes on into the plane and slides with friction mu times the limit
+  // At the limit the particle moves on into the plane, and slides with friction mu times the limit.
   ContactProblem problem = test::particle(Law::coulomb, 2, 0.5, {-3, 5, 0});
   problem.force_limit[0] = 4;
   expect_velocity(problem, {-1, 4, 0});

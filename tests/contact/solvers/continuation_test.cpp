@@ -21,7 +21,8 @@ TEST(Continuation, ReachesFullFriction) {
   }
 }
 
-/// Largest share of mu r_N that friction uses: the s of the problem that the impulses solve, if anything slips there.
+/// Largest share of mu r_N that friction uses. It is the s of the problem that the impulses solve, if any contact
+/// slips.
 double friction_share(const LocalProblem& problem, const VecX& r) {
   double share = 0;
   for (int c = 0; c < problem.num_contacts(); ++c)
@@ -66,7 +67,8 @@ TEST_F(ContinuationLimits, EndsOnThePathWithItsLastSolution) {
   EXPECT_LT(share, 0.99);
   LocalProblem there = problem_;
   for (double& mu : there.mu) mu *= share;
-  EXPECT_LE(measure(there, short_of_one.r).natural_map_m_s, 10 * k_tolerance);  // share is known by rounding only
+  // The share is known only up to rounding.
+  EXPECT_LE(measure(there, short_of_one.r).natural_map_m_s, 10 * k_tolerance);
   EXPECT_GT(measure(problem_, short_of_one.r).natural_map_m_s, 1e-3);
 }
 

@@ -1,4 +1,4 @@
-/// Extragradient and accelerated projected gradient, and brute force as their judge.
+/// Tests of extragradient and accelerated projected gradient, with brute force as the reference.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -77,7 +77,8 @@ TEST(Descent, EndsAtItsLimitWithTheBestThatItMeasured) {
     ASSERT_EQ(s.history.size(), 60u) << solver->name();
     const double left = measure(problem, s.r).law_map_m_s;
     EXPECT_LT(left, 0.7 * k_gravity * k_step) << solver->name();
-    EXPECT_LT(left, 0.99 * s.history.back()) << solver->name();  // the residual swings: the last is not the best
+    // The residual oscillates: the last one is not the least.
+    EXPECT_LT(left, 0.99 * s.history.back()) << solver->name();
     double nearest = HUGE_VAL;
     for (const double residual : s.history) nearest = std::min(nearest, std::abs(residual - left));
     EXPECT_LT(nearest, 1e-13) << solver->name();

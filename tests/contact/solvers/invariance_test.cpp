@@ -1,4 +1,5 @@
-/// What must not change the answer, for every solver of the registry and every law that it knows.
+/// Changes of a problem that must not change the solution, for every solver of the registry and every law that it
+/// supports.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -80,7 +81,7 @@ TEST_P(Invariance, SwapOfTheTwoSides) {
 }
 
 TEST_P(Invariance, TurnOfTheTangents) {
-  // a quarter turn maps the box pyramid onto itself, sixty degrees this hexagon
+  // A quarter turn maps the box pyramid onto itself, a turn of sixty degrees this hexagon.
   const double angle = isotropic() ? 0.7 : GetParam().law == Law::pyramid ? k_pi / 2 : k_pi / 3;
   for (int seed = 0; seed < k_seeds; ++seed)
     expect_same_motion(heap_of(seed), test::with_turned_tangents(heap_of(seed), angle));
@@ -148,7 +149,7 @@ TEST_P(Invariance, LimitsAndComplianceAreKept) {
   }
 }
 
-/// A particle of mass m with velocity (-v, w, 0) before contact: the closed forms that tell the laws apart.
+/// A particle of mass m has velocity (-v, w, 0) before contact: the closed forms of the laws differ.
 TEST_P(Invariance, ObliqueImpactOfAParticle) {
   for (const double v : {1.0, 0.2, 0.0})
     for (const double w : {3.0, 0.1})
@@ -235,7 +236,8 @@ TEST_P(Invariance, NoContactsAreNothingToDo) {
   EXPECT_LT((solution.v - velocities(problem, VecX())).cwiseAbs().maxCoeff(), 1e-15);
 }
 
-/// Neither side can move: the force limit says what happens, without one it is named. Other contacts are solved.
+/// Neither side can move. The impulse is the force limit, and a contact without a limit is named. Other contacts are
+/// solved.
 TEST_P(Invariance, ImmovableContactsTakeTheirLimitOrAreNamed) {
   ContactProblem problem = test::with_order(heap_of(0), {0, 1, 2});
   problem.add_contact(-1, MatX(3, 0), -1, MatX(3, 0), 987);
@@ -254,7 +256,7 @@ TEST_P(Invariance, ImmovableContactsTakeTheirLimitOrAreNamed) {
   }
 }
 
-/// The mass of a file may be a little asymmetric, and is meant as it stands.
+/// The mass of a file may be slightly asymmetric, and is used as stored.
 TEST_P(Invariance, AsymmetricMassesAreSolvedAsStored) {
   ContactProblem problem = heap_of(1);
   const double inertia = problem.mass_data[21];
@@ -270,7 +272,7 @@ TEST_P(Invariance, ToleranceZeroEnds) {
   EXPECT_TRUE(solution.r.allFinite());
 }
 
-/// The budget is of the whole solve, not of each island.
+/// The budget holds for the whole solve, not for each island.
 TEST_P(Invariance, ManyIslandsShareTheWallTime) {
   const ContactProblem one = heap_of(0);
   ContactProblem many = test::without_contacts(one);
@@ -292,7 +294,7 @@ TEST_P(Invariance, ManyIslandsShareTheWallTime) {
   const auto start = std::chrono::steady_clock::now();
   solver->solve(many, {});
   const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  EXPECT_LT(took, GetParam().solver == "enumerate" ? HUGE_VAL : k_enough);  // it tries what there is
+  EXPECT_LT(took, GetParam().solver == "enumerate" ? HUGE_VAL : k_enough);  // Brute force tries all combinations.
 }
 
 INSTANTIATE_TEST_SUITE_P(AllSolvers, Invariance, testing::ValuesIn(subjects()), name_of);

@@ -38,13 +38,13 @@ TEST(Newton, ParticleShowsTheArtefactOfEachLaw) {
 TEST(Newton, ParticleSticksBelowTheConeAndIsCrushedAtTheLimit) {
   EXPECT_LT(solve(particle(2, 1, 0.4, 0.5)).v.norm(), 1e-11);
   ContactProblem problem = particle(2, 1, 3, 0.5);
-  problem.force_limit[0] = 1;  // of the 2 N s that would stop it
+  problem.force_limit[0] = 1;  // 2 N s would stop the particle.
   EXPECT_LT((solve(problem).v.head<3>() - Vec3(2.75, 0, -0.5)).norm(), 1e-12);
 }
 
 TEST(Newton, ComplianceYields) {
   ContactProblem problem = particle(2, 1, 0, 0.5);
-  problem.compliance[0] = 0.5;  // as much as the mass gives
+  problem.compliance[0] = 0.5;  // The compliance equals that of the mass.
   EXPECT_NEAR(solve(problem).v[2], -0.5, 1e-12);
 }
 

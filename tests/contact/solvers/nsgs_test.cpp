@@ -1,4 +1,4 @@
-/// Rates, stops, limits and forms of block Gauss-Seidel.
+/// Tests of block Gauss-Seidel: rates, stops, limits and forms.
 #include "contact/solvers/nsgs.h"
 
 #include <gtest/gtest.h>
@@ -105,7 +105,8 @@ TEST(Nsgs, AWarmStartFromTheAnswerIsDoneAtOnce) {
 }
 
 TEST(Nsgs, SaysWhenItStallsAndReturnsItsBest) {
-  // 1e6 on 1: a sweep stops the lower body, then makes both one, at M/(M + m) times the speed; that is no progress
+  // The masses are 1e6 on 1. A sweep stops the lower body, then gives both M/(M + m) times the speed; that is no
+  // progress.
   const double ratio = 1e6;
   ContactProblem problem = test::column({1.0, ratio}, k_step, k_gravity);
   problem.law = Law::coulomb;
@@ -143,7 +144,7 @@ TEST(Nsgs, AHistoryDoesNotChangeTheAnswer) {
 
 TEST(Nsgs, SymmetricSweepsReachTheSameAnswer) {
   ContactProblem problem = test::raft(4, 0.3, 1.0, 2);
-  problem.law = Law::ccp;  // convex: one motion only
+  problem.law = Law::ccp;  // The problem is convex: its motion is unique.
   const SolverSettings shared{.tolerance = 1e-10, .max_iterations = 100000};
   const ContactSolution there = NsgsSolver({.shared = shared}).solve(problem, {});
   const ContactSolution back = NsgsSolver({.shared = shared, .symmetric_sweeps = true}).solve(problem, {});

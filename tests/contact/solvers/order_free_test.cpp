@@ -1,5 +1,5 @@
-/// eg-order-free and newton-order-free: the same bits whatever the order of contacts and bodies, the thread count, and
-/// for mirror images.
+/// Tests of eg-order-free and newton-order-free: the same bits for any order of contacts and bodies, for any thread
+/// count, and for mirror images.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ std::vector<int> shuffled(int count, std::uint64_t seed) {
   return order;
 }
 
-/// Block k of the answer is block order[k] of `problem`.
+/// The problem with permuted blocks: block k is block order[k] of `problem`.
 ContactProblem with_block_order(const ContactProblem& problem, const std::vector<int>& order) {
   ContactProblem out;
   out.h = problem.h;
@@ -58,7 +58,7 @@ ContactProblem with_block_order(const ContactProblem& problem, const std::vector
 /// Signs of (vx, vy, vz, wx, wy, wz) in the mirror image in the plane y = 0.
 constexpr double k_signs[6] = {1, -1, 1, -1, 1, -1};
 
-/// The mirror image, with second tangents turned over.
+/// The mirror image, with second tangents reversed.
 ContactProblem mirrored(const ContactProblem& problem) {
   ContactProblem out = problem;
   for (int k = 0; k < problem.num_blocks(); ++k)
@@ -79,7 +79,7 @@ ContactProblem mirrored(const ContactProblem& problem) {
   return out;
 }
 
-/// Contacts and bodies enough for sums whose rounding would show.
+/// Problems with enough contacts and bodies for visible rounding of sums.
 std::vector<ContactProblem> subjects() {
   std::vector<ContactProblem> all{test::random_heap(7, 40, 200, 0.4), test::raft(12, 0.3, 0.6, 5)};
   all.push_back(all.front());
@@ -127,7 +127,7 @@ TEST_P(OrderFree, PermutedBodiesAndSwappedSidesGiveTheSameBits) {
 
 TEST_P(OrderFree, MirrorImagesGiveTheMirroredBits) {
   for (const ContactProblem& problem : subjects()) {
-    if (problem.law == Law::pyramid_k) continue;  // its corners are not mirrored
+    if (problem.law == Law::pyramid_k) continue;  // The corners of the polygon are not mirrored.
     const ContactSolution one = solve(problem), two = solve(mirrored(problem));
     EXPECT_EQ(one.iterations, two.iterations);
     for (int k = 0; k < problem.num_blocks(); ++k)
@@ -135,7 +135,7 @@ TEST_P(OrderFree, MirrorImagesGiveTheMirroredBits) {
   }
 }
 
-/// The plain method does not get there in so many steps, and the answers are solutions.
+/// newton-order-free converges, and each solver reports convergence exactly when its residual meets the tolerance.
 TEST_P(OrderFree, ReachesTheTolerance) {
   const ContactProblem problem = test::random_heap(7, 40, 200, 0.4);
   const ContactSolution found = solve(problem);
@@ -145,7 +145,7 @@ TEST_P(OrderFree, ReachesTheTolerance) {
   EXPECT_EQ(found.status == SolveStatus::converged, measure(problem, found.r).law_map_m_s <= 1e-6);
 }
 
-/// A particle (three velocities) against a body (six): the body's rows begin at an odd place.
+/// A particle (three velocities) touches a body (six): the body's rows begin at an odd index.
 TEST(OrderFreeSolvers, BlocksOfUnlikeSize) {
   ContactProblem problem;
   problem.h = 0.01;
@@ -168,14 +168,14 @@ TEST(OrderFreeSolvers, ThePlainSolverDoesNotHaveThisProperty) {
   EXPECT_NE(solve(problem, "eg").v, solve(test::with_order(problem, order), "eg").v);
 }
 
-/// Large enough to be coloured and shared out.
+/// The islands are large enough to be coloured and distributed.
 TEST(Threads, LargeIslandsGiveTheSameBitsOnAnyNumber) {
   const ContactProblem problem = test::raft(24, 0.3, 1.0, 5);
   ASSERT_GE(problem.num_contacts(), static_cast<int>(k_fewest_coloured));
   for (const char* name : {"nsgs", "eg", "eg-order-free", "apgd", "pgs"}) {
     ContactProblem asked = problem;
     if (std::string(name) == "pgs") asked.law = Law::pyramid;
-    constexpr int k_few = 20;  // more threads than cores wait for each other
+    constexpr int k_few = 20;  // More threads than cores wait for each other.
     const ContactSolution one = solve(asked, name, k_few, 1);
     for (const int threads : {2, 3})
       EXPECT_EQ(one.r, solve(asked, name, k_few, threads).r) << name << " on " << threads;
@@ -186,7 +186,7 @@ TEST(Colouring, RunsOfOneColourShareNoBlock) {
   ContactProblem problem = test::raft(24, 0.3, 1.0, 5);
   std::vector<int> contacts(static_cast<std::size_t>(problem.num_contacts())), runs, colours;
   std::iota(contacts.begin(), contacts.end(), 0);
-  // one body that touches many: its contacts come in turn
+  // One body touches many: its contacts are solved one after the other.
   for (int c = 0; c < 200; c += 2) problem.pairs[static_cast<std::size_t>(c)].b = 0;
   colour(problem, contacts, 10, runs, colours);
   std::vector<int> sorted = contacts;

@@ -149,12 +149,12 @@ TEST(PgsConvergence, WarmStartSavesSweeps) {
   const ContactSolution again = solver.solve(problem, cold.r);
   EXPECT_EQ(again.status, SolveStatus::converged);
   EXPECT_LE(again.iterations, 1);
-  problem.f *= 1.001;  // the next step of a slow scene
+  problem.f *= 1.001;  // The problem is that of the next step of a slow scene.
   EXPECT_LT(solver.solve(problem, cold.r).iterations, solver.solve(problem, {}).iterations);
 }
 
 TEST(PgsConvergence, BackwardSweepsCarryAPushDownAChain) {
-  // contacts listed against the push: a forward sweep passes it on by one contact, a backward sweep by all
+  // The contacts are listed against the push: a forward sweep transmits it by one contact, a backward sweep by all.
   const int n = 60;
   ContactProblem problem;
   problem.law = Law::frictionless;

@@ -1,4 +1,4 @@
-/// What must not change the answer of pgs, beside what invariance_test.cpp asks of every solver.
+/// Changes of a problem that must not change the solution of pgs, in addition to those of invariance_test.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,8 @@ ContactSolution solve(const ContactProblem& problem, int threads = 1) {
   return PgsSolver({.shared = {.tolerance = 1e-12, .max_iterations = 500000, .threads = threads}}).solve(problem, {});
 }
 
-/// The same heap in a frame turned by R; contact rows are made anew, with tangents turned by `turn` for every contact.
+/// The same heap in a frame turned by R. Contact rows are made anew, with tangents turned by an angle of each contact's
+/// own.
 ContactProblem turned(const ContactProblem& problem, const Mat3& R) {
   ContactProblem out = problem;
   Mat6 blocks = Mat6::Zero();
@@ -59,7 +60,7 @@ TEST(PgsInvariance, IslandsApartAndTogether) {
   ContactProblem problem = test::random_heap(2, 14, 9, 0.3);
   problem.law = Law::coulomb;
   ASSERT_GT(find_islands(problem).size(), 1u);
-  ContactProblem linked = problem;  // open contacts join all bodies into one island
+  ContactProblem linked = problem;  // Open contacts join all bodies into one island.
   for (int k = 0; k + 1 < problem.num_blocks(); ++k) {
     linked.add_contact(k, MatX::Ones(3, 6), k + 1, -MatX::Ones(3, 6), 1000 + static_cast<std::uint64_t>(k));
     linked.w[linked.w.size() - 3] = 1e6;
@@ -99,7 +100,8 @@ TEST(PgsInvariance, SameBitsForOneAndTwoThreads) {
   }
 }
 
-/// Blocks 0 and 1 written as one block of twelve, so that contacts have blocks of any size and both sides in one.
+/// The same problem with blocks 0 and 1 as one block of twelve: contacts have blocks of any size, and both sides in
+/// one.
 ContactProblem merged(const ContactProblem& problem) {
   ContactProblem out;
   out.h = problem.h;
@@ -141,7 +143,7 @@ TEST(PgsInvariance, BlocksOfAnySizeAreSweptAlike) {
 }
 
 TEST(PgsInvariance, SweepsAreSequentialOnSingleRows) {
-  // the definition, row by row on dense matrices, against the blockwise arithmetic of the sweeps
+  // The definition, row by row on dense matrices, is compared with the blockwise arithmetic of the sweeps.
   for (const Law law : {Law::pyramid, Law::coulomb}) {
     ContactProblem problem = test::random_heap(8, 4, 9, 0.4);
     problem.law = law;

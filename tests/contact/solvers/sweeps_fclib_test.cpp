@@ -1,4 +1,4 @@
-/// First-order solvers on recorded problems: our own, and with NILAS_FCLIB_DIR those of the FCLIB collection.
+/// Tests of first-order solvers on recorded problems: our own, and the FCLIB collection if NILAS_FCLIB_DIR is set.
 #include <gtest/gtest.h>
 
 #include "contact/registry.h"
@@ -7,7 +7,7 @@
 namespace nilas {
 namespace {
 
-/// law_map that a solver reaches within two seconds, where it says so itself.
+/// Checks the law's residual that a solver reaches within two seconds, where it reports convergence.
 void expect_solved(const std::string& solver, const std::filesystem::path& file) {
   const FclibProblem read = read_fclib(file);
   const SolverSettings settings{.tolerance = 1e-8, .max_iterations = 1000000, .max_seconds = 2};

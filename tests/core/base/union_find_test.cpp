@@ -38,7 +38,7 @@ TEST(UnionFind, PlacesOfThingsThatStandOftenOrNowhere) {
   EXPECT_EQ(things.groups_of({4, none, 2, 0, none, 2}), (Groups{{0, 3}, {1}, {2, 5}, {4}}));
 }
 
-/// Against labels that are changed one by one.
+/// The reference is a list of labels that are changed one by one.
 TEST(UnionFind, RandomJoinsAgreeWithLabels) {
   RandomStream random(1, "joins");
   constexpr std::size_t count = 200;

@@ -36,7 +36,7 @@ void expect_packed(const PackedSpec& spec, const FieldResult& field, double larg
 
 struct Case {
   SizeDistribution distribution;
-  double width;  ///< of the region, for about 120 floes [m]
+  double width;  ///< Width of the region for about 120 floes [m].
 };
 
 class DensePolygons : public testing::TestWithParam<Case> {};

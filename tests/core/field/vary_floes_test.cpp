@@ -50,7 +50,7 @@ std::vector<std::vector<double>> samples(const FloeVariation& variation, int cou
   return values;
 }
 
-/// Of 20000 floes: distances within that of one sample in a hundred, moments within four standard errors.
+/// Tolerances for 20000 floes: the distance that one sample in a hundred exceeds, and four standard errors for moments.
 TEST(VaryFloes, EachPropertyFollowsItsDistribution) {
   constexpr int k_floes = 20000;
   const auto values = samples(FloeVariation(three(), matrix(0.5, 0.3), 5), k_floes);
@@ -148,7 +148,7 @@ TEST_F(Texture, IsOneFieldOverAllFloes) {
   for (std::size_t k = 0; k < 3; ++k) EXPECT_DOUBLE_EQ(left[k].texture.at(0.5, 0.2), right[k].texture.at(-0.5, 0.2));
 }
 
-/// Against the midpoint rule on a fine grid, for a concave floe.
+/// The reference is the midpoint rule on a fine grid, for a concave floe.
 TEST_F(Texture, TheBodyHasTheMeanOverItsArea) {
   FieldFloe floe;
   floe.outline = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 3}, {0, 3}};
@@ -169,8 +169,8 @@ TEST_F(Texture, TheBodyHasTheMeanOverItsArea) {
   }
 }
 
-/// At 4000 places far apart: distribution, and correlation between properties at one point. (On a lattice the waves
-/// would be sampled in step.)
+/// Distribution, and correlation between properties at one point, at 4000 distant places. (A lattice would sample the
+/// waves at equal phases.)
 TEST_F(Texture, PointsFollowTheDistributionsAndTheirCorrelation) {
   constexpr int k_points = 4000;
   FieldFloe floe = square_at({0, 0}, 0.1);

@@ -21,7 +21,7 @@ std::vector<MeshAxes> all_attitudes() {
   return all;
 }
 
-/// As alike as a solid and its image: a ship and itself, a barge and itself stern first.
+/// Whether two hulls are as alike as a solid and its image: a ship and itself, or a barge and itself stern first.
 bool alike(const HullMeasures& a, const HullMeasures& b) {
   constexpr double k_line = 0.03;  // a line of the views more or less
   const auto near = [](double x, double y) { return std::abs(x - y) < k_line; };

@@ -47,7 +47,7 @@ inline TriangleMesh together(const std::vector<TriangleMesh>& shells) {
   return all;
 }
 
-/// What a quarter circle of radius `bilge` takes off the half breadth at height z.
+/// Reduction of the half breadth at height z by a quarter circle of radius `bilge` [m].
 inline double bilge_off(double z, double bilge) {
   const double down = std::max(0.0, bilge - z);
   return bilge - std::sqrt(bilge * bilge - down * down);

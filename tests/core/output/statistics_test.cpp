@@ -66,7 +66,7 @@ TEST(RunStatistics, GoOnAsSaved) {
   EXPECT_THROW(RunStatistics(other).restore(StateReader(state)), InputError);
 }
 
-/// What rings while the carriage starts is no reading of the test.
+/// Oscillations while the carriage starts do not count as readings of the test.
 TEST(RunStatistics, CellsAreTaredAndLeaveTheRampOut) {
   RunInfo info = full_run();
   info.ramp_end = 0.1;

@@ -13,7 +13,7 @@ using testing::SceneFolder;
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-/// As a run folder holds them.
+/// Copies the inputs to the paths that they have in a run folder.
 void copy_inputs(const Scene& scene, const SceneFolder& folder) {
   for (const auto& input : scene.inputs) {
     const auto copy = folder.path() / input.copy;

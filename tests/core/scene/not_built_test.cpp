@@ -1,4 +1,4 @@
-/// What a scene names and this version lacks is refused with its place, never passed over.
+/// A scene that names a feature which this version lacks is refused with the place, never ignored.
 #include <gtest/gtest.h>
 
 #include "tests/core/scene/scene_files.h"

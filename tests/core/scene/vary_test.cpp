@@ -61,7 +61,7 @@ struct Refused {
   int line = 4;
 };
 
-/// Without the third pair the first two would not be possible.
+/// The third pair makes the first two possible.
 TEST(Vary, CorrelationsAreJudgedTogether) {
   const SceneFolder folder;
   const std::string two = "<vary property='thickness'/><vary property='density' with='thickness' correlation='0.9'/>";

@@ -43,7 +43,7 @@ struct BreakingRig {
         }()),
         simulation(std::make_unique<Simulation>(scene, threads, warnings)) {}
 
-  /// Up to the first step in which ice breaks.
+  /// Steps until ice breaks, and returns that step's record.
   StepRecord until_broken(int most = 2000) {
     for (int k = 0; k < most; ++k)
       if (StepRecord record = simulation->step(); !record.broken.empty()) return record;

@@ -98,7 +98,7 @@ struct Rig {
       x = std::max(x, (bodies().p_GB[b] + bodies().R_GB[b] * v).x());
     return x;
   }
-  /// Of the only body that is no floe.
+  /// Index of the only body that is not a floe.
   std::size_t hull() const {
     const auto found =
         std::find_if(bodies().kind.begin(), bodies().kind.end(), [](BodyKind k) { return k != BodyKind::floe; });

@@ -64,7 +64,7 @@ TEST(Moreau, AnElasticBallKeepsItsHeight) {
   }
 }
 
-/// What would be through a thin plate before it is met is hit before.
+/// A ball that would cross a thin plate within a step hits it first.
 TEST(Moreau, AFastBallDoesNotPassAThinPlate) {
   for (const double restitution : {0.5, 1.0}) {
     Rig rig(time(0.01) + "<gravity value='0 0 0'/>" + contact("moreau", restitution) +

@@ -150,7 +150,7 @@ TEST(MoreauVessel, AFreeVesselBounces) {
   }
 }
 
-/// With theta 1 a towed vessel's motion is that of semi-implicit Euler where no axis of its joint turns.
+/// A towed vessel with theta 1 moves as with semi-implicit Euler where no axis of its joint turns.
 TEST(MoreauVessel, ThetaOneIsSemiImplicitEuler) {
   const auto towed = [](const std::string& integrator) {
     Rig rig(time(0.01) + contact(integrator) + k_water +

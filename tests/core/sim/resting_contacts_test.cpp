@@ -96,8 +96,8 @@ TEST_P(AtRest, KeepsItsContacts) {
 INSTANTIATE_TEST_SUITE_P(All, AtRest, ::testing::ValuesIn(k_rests),
                          [](const auto& instance) { return instance.param.name; });
 
-/// Without friction a plate that slides off a shelf keeps its speed and is held by its weight, wherever its corners
-/// are, until its centre passes the edge; then it tips.
+/// A plate slides off a shelf without friction. It keeps its speed and its weight holds it, wherever its corners are,
+/// until its centre passes the edge; then it tips.
 TEST(Sliding, OverAnEdgeIsQuasiStatic) {
   constexpr double k_mass = 2, k_h = 0.01, k_g = 9.81, k_speed = 0.37;
   for (const double yaw : {0.0, 25.0}) {

@@ -13,7 +13,7 @@
 namespace nilas::test {
 
 struct SceneRig {
-  /// `inside`: what stands in <scene>. A hull of 2 m x 1 m x 0.5 m about its frame's origin, box.stl, lies beside it.
+  /// `inside`: the content of <scene>. The folder holds a hull box.stl of 2 m x 1 m x 0.5 m about its frame's origin.
   explicit SceneRig(const std::string& inside, int threads = 1)
       : scene(read_scene(write(inside))), simulation(scene, threads, warnings) {}
 
@@ -44,7 +44,7 @@ inline void expect_energy_kept(const StepRecord& record, double share) {
   EXPECT_LE(std::abs(energy.imbalance), share * (1 + energy.kinetic + std::abs(energy.potential)));
 }
 
-/// Of a vessel with joints or rods, whose steps balance their momenta and close their account of energy.
+/// A scene of a vessel with joints or rods. Its steps must balance their momenta and close their energy ledger.
 struct JointedSceneRig : SceneRig {
   using SceneRig::SceneRig;
   StepRecord step() {

@@ -62,10 +62,10 @@ struct Push {
 void PrintTo(const Push& push, std::ostream* out) { *out << push.name; }
 
 struct Course {
-  double mean = 0, noise = 0;  ///< of the force along the push, and its largest deviation [N]
+  double mean = 0, noise = 0;  ///< Mean force along the push, and its largest deviation [N].
   double across = 0;           ///< largest force across it [N]
   double turning = 0;          ///< largest angular velocity [rad/s]
-  double way = 0;              ///< along the barge [m]
+  double way = 0;              ///< Distance along the barge [m].
 };
 
 constexpr double k_h = 0.01, k_mass = 2, k_push = 3;  // [s], [kg], [m/s^2]

@@ -69,7 +69,7 @@ TEST(Simulation, ABoxAtRestStaysAtRest) {
   EXPECT_NEAR(rig.simulation.bodies().p_GB[1].z(), 0.5, 1e-8);
 }
 
-/// On a 20 degree slope: sticks for mu > tan 20, else slides with g (sin a - mu cos a).
+/// A box on a 20 degree slope sticks for mu > tan 20, else slides with g (sin a - mu cos a).
 TEST(Simulation, ASlopeHoldsBelowTheFrictionAngle) {
   for (const double mu : {0.40, 0.30}) {
     Rig rig(
@@ -87,7 +87,7 @@ TEST(Simulation, ASlopeHoldsBelowTheFrictionAngle) {
   }
 }
 
-/// On a 20 degree slope with mu_s 0.4 and mu_k 0.3 a box at rest stays, and one that slides goes on and faster.
+/// A slope of 20 degrees with mu_s 0.4 and mu_k 0.3: a box at rest stays, and one that slides accelerates.
 TEST(Simulation, ASlopeBetweenTheTwoCoefficientsHoldsWhatRestsAndNotWhatSlides) {
   for (const double start : {0.0, 0.02}) {
     Rig rig(

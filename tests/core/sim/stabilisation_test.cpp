@@ -1,4 +1,4 @@
-/// What each stabilisation does to a box that stands a millimetre deep in the ground, and to one that only rests.
+/// Tests of each stabilisation with a box that stands a millimetre deep in the ground, and with one that only rests.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -68,7 +68,7 @@ TEST(Stabilisation, BaumgarteTakesItsShareAtASpeed) {
   }
 }
 
-/// Out in one step, with the speed that took; gravity brings it back.
+/// The box leaves the ground in one step and keeps the speed of that motion; gravity brings it back.
 TEST(Stabilisation, TasoraThrowsTheBoxOut) {
   BoxOnGround box("tasora' integrator='semi-implicit-euler", k_depth);
   box.step();
@@ -79,7 +79,7 @@ TEST(Stabilisation, TasoraThrowsTheBoxOut) {
   EXPECT_NEAR(slow.speed(), 0.02, 1e-10);
 }
 
-/// Out in one step and at rest: the ledger books the work against weight and nothing else.
+/// The box leaves the ground in one step and is at rest: the ledger books the work against weight and nothing else.
 TEST(Stabilisation, ProjectionMovesTheBoxOutAtRest) {
   BoxOnGround box("projection", k_depth);
   const StepRecord record = box.step();

@@ -120,7 +120,8 @@ TEST(Swept, ARowOfPlatesHitsInTurnWithinOneStep) {
   EXPECT_NEAR(rig.bodies().v_GB[2].x(), k_fast, k_exact);
 }
 
-/// Without cuts the velocity that one solution gives the second would carry it through the third.
+/// A solution for the whole step would give the second body a velocity that carries it through the third. Substeps
+/// prevent that.
 TEST(Swept, WhatIsHitDoesNotPassTheNextInTheSameStep) {
   Rig rig(contact("substeps='0'", 1) + plate("a", 10, -0.3, {k_fast, 0, 0}) + plate("b", 0.1, 0, Vec3::Zero()) +
           plate("c", 1, 0.9, Vec3::Zero()));
@@ -278,7 +279,7 @@ TEST(Swept, ThreadsGiveTheSameBits) {
   EXPECT_EQ(hash(1), hash(2));
 }
 
-/// With weight the instant of the hit depends on the part's length; height and speed are those of the scheme.
+/// The instant of the hit depends on the substep's length when weight acts. Height and speed are those of the scheme.
 TEST(Swept, ACutUnderLoadEndsAtTheInstant) {
   Rig rig(
       "<gravity value='0 0 -1000'/><contact solver='newton' tolerance='1e-12' substeps='3'>"

@@ -15,7 +15,7 @@ namespace {
 
 using namespace nilas;
 
-/// What holds the hull, 4 mm thick across x and 2 m wide, whose mass is 500 kg.
+/// Supports of the hull, which is 4 mm thick across x and 2 m wide and has a mass of 500 kg.
 const std::vector<std::string> k_vessels{"<carriage speed='0.5'><force_balance kind='rigid'/></carriage>",
                                          "<carriage speed='0.5' ramp='0.02' free='heave pitch' joint='0 0 0.3'/>",
                                          "<carriage speed='0.5' ramp='0.02' free='heave'><force_balance "

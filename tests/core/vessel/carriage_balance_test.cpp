@@ -1,4 +1,4 @@
-/// What the force balance reads: pure loads, dynamic peaks, ramps, drag.
+/// Tests of the readings of the force balance: pure loads, dynamic peaks, ramps, drag.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -62,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(AllAxes, CarriagePureLoad,
 
 struct StepLoadCase {
   double h_omega;
-  int settling_steps;  ///< until 1e-5 of the transient is left; one second is enough for the stiff ones
+  int settling_steps;  ///< Steps until 1e-5 of the transient is left; one second is enough for stiff cells.
 };
 
 class CarriageStepLoad : public testing::TestWithParam<StepLoadCase> {
@@ -164,7 +164,7 @@ TEST(CarriageBalance, RampLoadIsMassTimesAcceleration) {
   }
 }
 
-/// At constant speed the mean tow force is the drag law's.
+/// The mean tow force at constant speed is that of the drag law.
 TEST(CarriageBalance, TowForceIsTheDrag) {
   for (const BalanceKind balance : {BalanceKind::rigid, BalanceKind::six_cells, BalanceKind::prismatic}) {
     VesselModel model = example::carried(balance);
@@ -183,7 +183,7 @@ TEST(CarriageBalance, TowForceIsTheDrag) {
   }
 }
 
-/// In the linear regime the reaction is the cells' own law: -K q at rest, for any direction of load and layout.
+/// The reaction in the linear regime is the cells' own law: -K q at rest, for any direction of load and layout.
 TEST(CarriageBalance, ReactionIsTheCellsLaw) {
   VesselModel model = example::carried(BalanceKind::six_cells);
   CarriageModel& carriage = *model.carriage;

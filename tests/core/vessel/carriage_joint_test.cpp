@@ -88,7 +88,7 @@ TEST(CarriageJoint, HeaveFreeFallsAndTransmitsNothing) {
   }
 }
 
-/// Under a hydrostatic spring, free heave is the semi-implicit Euler oscillator.
+/// Free heave on a hydrostatic spring is the semi-implicit Euler oscillator.
 TEST(CarriageJoint, HeaveOnASpringIsTheOscillator) {
   const double k = 4e4;
   VesselSystem system(example::carried(BalanceKind::rigid, k_heave), 0);
@@ -262,7 +262,7 @@ TEST(CarriageJoint, FreeAxesConverge) {
   EXPECT_NEAR(coarse.q.angularDistance(fine.q) / half.q.angularDistance(fine.q), 2, 0.1);
 }
 
-/// On six cells with free axes the joint transmits nothing on them, also while everything swings.
+/// The joint on six cells transmits nothing along its free axes, also while everything swings.
 TEST(CarriageJoint, CellsTransmitNothingOnFreeAxes) {
   VesselModel model = example::carried(BalanceKind::six_cells, k_heave_roll_pitch);
   VesselSystem system(model, 0);

@@ -13,7 +13,7 @@
 namespace nilas::example {
 
 constexpr double k_mass = 500;  ///< [kg]
-constexpr double k_arm = 1.5;   ///< of the default cells [m]
+constexpr double k_arm = 1.5;   ///< Lever arm of the default cells [m].
 
 inline VesselModel vessel() {
   VesselModel model;

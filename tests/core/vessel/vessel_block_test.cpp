@@ -29,7 +29,7 @@ TEST(VesselBlock, IsSymmetricPositiveDefiniteAtAnyStiffness) {
   }
 }
 
-/// What the solver computes from the block is what finish() does: displacement / h = mass^-1 (f + J^T r).
+/// The solver's velocities from the block are the displacement of finish(): displacement / h = mass^-1 (f + J^T r).
 TEST(VesselBlock, MeanSpeedsAreTheDisplacement) {
   for (const BalanceKind balance : {BalanceKind::rigid, BalanceKind::six_cells, BalanceKind::prismatic})
     for (const double k : {1e5, 1e7, 1e10}) {
@@ -83,7 +83,7 @@ TEST(VesselBlock, RigidVesselIsPrescribed) {
   }
 }
 
-/// With soft cells the block is the vessel's own mass: a contact sees a free body.
+/// The block for soft cells is the vessel's own mass: a contact sees a free body.
 TEST(VesselBlock, SoftCellsAreNone) {
   VesselModel model = example::carried(BalanceKind::six_cells);
   model.carriage->stiffness = 1e-6;

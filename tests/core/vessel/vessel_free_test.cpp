@@ -60,7 +60,7 @@ TEST(VesselFree, TorqueFreeRotationKeepsAngularMomentum) {
   EXPECT_LT(worst_energy, 1e-4);
 }
 
-/// Against the fine solution of Euler's equations: the attitude error falls with h^2.
+/// The reference is a fine solution of Euler's equations: the attitude error falls with h^2.
 TEST(VesselFree, RotationIsOfSecondOrder) {
   VesselModel model = example::vessel();
   model.w = {0.3, 0.8, -0.4};

@@ -55,7 +55,7 @@ TEST(VesselMoreauCarriage, FollowsItsMotionExactly) {
   }
 }
 
-/// What the solver computes from the block leads from one middle pose to the next.
+/// The solver's velocities from the block lead from one middle pose to the next.
 TEST(VesselMoreauCarriage, MeanSpeedsLeadToTheNextMiddlePose) {
   for (const BalanceKind balance : {BalanceKind::rigid, BalanceKind::six_cells, BalanceKind::prismatic})
     for (const double theta : {0.5, 0.7, 1.0}) {
@@ -195,8 +195,8 @@ TEST_P(VesselMoreauPendulum, ItsPeriodIsOfSecondOrder) {
   }
 }
 
-/// In 100 periods the energy comes back in every swing and departs by no more than O(h^2), but for what the cells'
-/// damping takes; no moment passes the joint's own pitch axis, about which the cells let it move.
+/// The energy returns in every swing of 100 periods and departs by no more than O(h^2), except for the damping of the
+/// cells. The joint transmits no moment about its own pitch axis, which the cells let move.
 TEST_P(VesselMoreauPendulum, ItsEnergyIsBounded) {
   const double amplitude = 1.2, period = exact_period(amplitude), start = k_scale * (1 - std::cos(amplitude));
   const bool has_cells = GetParam() == BalanceKind::six_cells;
@@ -226,7 +226,7 @@ TEST_P(VesselMoreauPendulum, ItsEnergyIsBounded) {
   EXPECT_NEAR(coarse[0] / fine[0], 4, 0.1);
 }
 
-/// Above 1/2 the swing loses the share (theta - 1/2) h omega^2 of its energy per second.
+/// The swing with theta above 1/2 loses the share (theta - 1/2) h omega^2 of its energy per second.
 TEST_P(VesselMoreauPendulum, LargerThetasLoseEnergy) {
   const double amplitude = 1e-3, start = k_scale * (1 - std::cos(amplitude)), duration = 40;
   for (const double theta : {0.5, 0.7, 1.0}) {
@@ -334,8 +334,8 @@ TEST(VesselMoreauCarriage, OneThatHoldsNothingIsNone) {
   EXPECT_NEAR(coarse / fine, 4, 0.3);
 }
 
-/// With theta 1 what turns no axis of the joint is semi-implicit Euler's motion; where axes turn, the joint's condition
-/// halfway instead of at the end makes a difference of the first order.
+/// The motion with theta 1 is that of semi-implicit Euler if no axis of the joint turns. Otherwise the joint's
+/// condition halfway instead of at the end makes a difference of first order.
 TEST(VesselMoreauCarriage, ThetaOneIsSemiImplicitEuler) {
   const auto largest_difference = [](BalanceKind balance, const std::array<bool, 6>& free, double h) {
     VesselModel euler = example::carried(balance, free), moreau = euler;

@@ -11,7 +11,7 @@ namespace nilas {
 namespace {
 
 constexpr double k_h = 0.01;
-constexpr int k_surge = 3;  ///< among the coordinates
+constexpr int k_surge = 3;  ///< Index of surge among the coordinates.
 
 /// Surge alone is one cell: omega = sqrt(k / m).
 VesselModel one_cell(double h_omega, double zeta, double theta) {
@@ -25,8 +25,8 @@ VesselModel one_cell(double h_omega, double zeta, double theta) {
 
 Vec3 ahead(double size) { return Quat(Eigen::AngleAxisd(0.3, Vec3::UnitZ())) * Vec3(size, 0, 0); }
 
-/// After a blow the middle poses follow x'' + 2 zeta omega x' + omega^2 x = 0 without error: of two successive ones
-/// the exponentials of the exact solution make the next.
+/// The middle poses after a blow follow x'' + 2 zeta omega x' + omega^2 x = 0 without error: the exponentials of the
+/// exact solution give the next of two successive ones.
 TEST(VesselMoreauCells, MiddlePosesFollowTheExactMotion) {
   for (const double theta : {0.0, 0.5, 0.7, 1.0})
     for (const double a : {0.05, 0.5, 1.5})
@@ -50,7 +50,7 @@ TEST(VesselMoreauCells, MiddlePosesFollowTheExactMotion) {
       }
 }
 
-/// Under a constant load the cells rest at load / stiffness, at any stiffness, any step and any theta.
+/// The cells rest at load / stiffness under a constant load, for any stiffness, step and theta.
 TEST(VesselMoreauCells, AConstantLoadRestsExactly) {
   for (const double theta : {0.5, 0.7, 1.0})
     for (const double a : {0.045, 0.45, 4.5, 45.0, 450.0}) {
@@ -163,7 +163,7 @@ TEST_F(VesselMoreauRamp, LoadIsMassTimesAccelerationAtAnyStiffness) {
     }
 }
 
-/// At constant speed the mean tow force is the drag law's.
+/// The mean tow force at constant speed is that of the drag law.
 TEST_F(VesselMoreauRamp, TowForceIsTheDrag) {
   for (const double theta : {0.5, 0.7, 1.0}) {
     VesselSystem system(towed(1e7, 1e4, theta), 0);
@@ -179,7 +179,7 @@ TEST_F(VesselMoreauRamp, TowForceIsTheDrag) {
   }
 }
 
-/// With free axes the joint transmits nothing along them, taken halfway through the step, also while everything swings.
+/// The joint transmits nothing along its free axes halfway through the step, also while everything swings.
 TEST(VesselMoreauCells, TransmitNothingOnFreeAxes) {
   for (const double theta : {0.5, 0.7, 1.0}) {
     VesselModel model = example::carried(BalanceKind::six_cells, {false, false, true, true, true, false});

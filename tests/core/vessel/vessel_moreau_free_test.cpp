@@ -46,7 +46,7 @@ TEST(VesselMoreauFree, MovesItsShareBeforeTheImpulses) {
   EXPECT_EQ(system.state().w, w);
 }
 
-/// At 1 rad/s for a million steps: momentum and energy of the asymmetric body to rounding.
+/// The asymmetric body keeps momentum and energy to rounding for a million steps at 1 rad/s.
 TEST(VesselMoreauFree, TorqueFreeRotationKeepsAngularMomentumAndEnergy) {
   VesselModel model = vessel(0.5);
   model.w = Vec3(0.5, 0.8, -0.4).normalized();
@@ -144,7 +144,7 @@ TEST(VesselMoreauFree, VelocityAfterImpulsesIsThatOfTheContactProblem) {
   }
 }
 
-/// With theta 1 the vessel moves as with semi-implicit Euler, but for the mean by which it turns.
+/// The vessel with theta 1 moves as with semi-implicit Euler, except for the mean angular velocity by which it turns.
 TEST(VesselMoreauFree, ThetaOneIsSemiImplicitEuler) {
   VesselModel moreau = vessel(1), euler = example::vessel();
   for (VesselModel* model : {&moreau, &euler}) {

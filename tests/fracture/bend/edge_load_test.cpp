@@ -70,7 +70,7 @@ TEST(EdgeLoad, TableKeepsItsAccuracyBetweenNodes) {
   }
 }
 
-/// Beyond widest_centred the largest stress lies off the middle. The search over y in steps of b / 400 falls short by
+/// The largest stress lies off the middle beyond widest_centred. The search over y in steps of b / 400 falls short by
 /// half its curvature times (b / 800)^2, here below 2e-4.
 TEST(EdgeLoad, LongLoadsBreakNearTheirEnds) {
   const EdgeIntegral integral(0.3);

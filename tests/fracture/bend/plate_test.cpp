@@ -8,7 +8,7 @@
 
 namespace nilas {
 
-/// From the definitions by hand, in metres as printed.
+/// Values computed by hand from the definitions, in metres as printed.
 TEST(Plate, CharacteristicLengths) {
   const IcePlate full{1.0, 5e9}, thin{0.5, 2e9}, model{0.03, 60e6};
   EXPECT_NEAR(characteristic_length(full), 14.608, 5e-4);

@@ -40,7 +40,7 @@ TEST(Resistance, PowersOfLindqvist) {
   EXPECT_EQ(s.submersion, r.submersion);
 }
 
-/// By hand: B 20 m, h 0.8 m, 1 m/s, nine tenths.
+/// Computed by hand: B 20 m, h 0.8 m, 1 m/s, nine tenths.
 TEST(Resistance, Zuev) {
   EXPECT_NEAR(zuev_resistance(20, ice(), 0.9, 1), 388847.06, 0.01);
   EXPECT_EQ(zuev_resistance(20, ice(), 0, 1), 0);

@@ -42,7 +42,7 @@ TEST(SlopingStructure, PowersOfCroasdale) {
   EXPECT_NEAR(croasdale_load(k_slope, k_ice, k_rubble).breaking / breaking, 4.604, 5e-4);
 }
 
-/// Without rubble there is nothing to push through, lift or carry.
+/// There is no rubble to push through, lift or carry.
 TEST(SlopingStructure, CleanSlope) {
   Rubble none = k_rubble;
   none.height = 0;
@@ -57,7 +57,7 @@ TEST(SlopingStructure, Ralston) {
   EXPECT_NEAR(load.ride_up, 341212.37, 0.01);
 }
 
-/// Without friction the ride-up is the weight W times tan a.
+/// The ride-up without friction is the weight W times tan a.
 TEST(SlopingStructure, FrictionlessRalston) {
   LevelIce smooth = k_ice;
   smooth.friction = 0;

@@ -168,7 +168,7 @@ TEST(PressurePoints, ReproduceForceMomentAndSecondMoment) {
   EXPECT_LE((0.5 * (two.points[0] + two.points[1]) - face.centroid).norm(), k_round_off);
 }
 
-/// Of a triangle, by the formula for its second moments.
+/// The reference is the formula for the second moments of a triangle.
 TEST(PressurePoints, SpreadOfATriangle) {
   const auto hull = std::vector<HullFace>{make_hull_face(0, {Vec3(0, 0, 0), Vec3(0.3, 0, 0), Vec3(0, 0.6, 0)})};
   const auto found = faces_in_ice(hull, {}, {make_box(Vec3(4, 4, 4))});

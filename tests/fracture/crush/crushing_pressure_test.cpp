@@ -24,7 +24,7 @@ TEST(CrushingPressure, IsoLocal) {
   EXPECT_NEAR(iso_local_pressure(10) / 1.48e6, 1, 0.003);
 }
 
-/// By hand: h 0.5 m has n = -0.4, so 2.8 MPa 0.5^-0.4 20^-0.16 on 10 m; from 1 m on n = -0.3.
+/// Computed by hand: h 0.5 m has n = -0.4, so 2.8 MPa 0.5^-0.4 20^-0.16 on 10 m; from 1 m on n = -0.3.
 TEST(CrushingPressure, IsoGlobal) {
   EXPECT_NEAR(iso_global_pressure(k_iso_arctic, 0.5, 10), 2.8e6 * 1.31950791 * 0.61920606, 1);
   EXPECT_NEAR(iso_global_pressure(k_iso_baltic, 1, 1), 1.8e6, 1e-6);

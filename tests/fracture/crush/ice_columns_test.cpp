@@ -73,7 +73,7 @@ TEST(CrushedIce, HasTheAreaOfItsColumnsWithinTheOutline) {
       << "what is in both counts once";
 }
 
-/// Of ice between the columns of two parts that meet in a face which leans, no part alone has the whole thickness.
+/// Two convex pieces meet in a leaning face. Neither alone has the whole thickness of the ice between their columns.
 TEST(CrushedIce, TakesWhatIsShutInBetweenColumns) {
   const CrushedIce ice{{box(0, 0, 1, 1), box(1.1, 0, 2, 1)}, {box(-0.1, -0.1, 1.05, 1.1), box(1.05, -0.1, 2.1, 1.1)}};
   EXPECT_TRUE(is_squeezed_out(ice, box(0, 0, 1, 0.5)));

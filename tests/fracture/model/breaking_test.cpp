@@ -121,7 +121,7 @@ TEST(Breaking, SmallPiecesAreBrashOrStopIt) {
   EXPECT_GT(refuse.warnings.counts().at("floes that could not be cut"), 0);
 }
 
-/// In the middle of a square floe the bow opens it with F_Y on each side.
+/// The bow in the middle of a square floe opens it with F_Y on each side.
 TEST(Breaking, LefmSplitsAFloeThatIsHeld) {
   Rig rig(bow("outline='0 -1 2 -1 2 1 0 1' fixed='true'") +
           fracture("<splitting model='lefm'/>", "fracture_toughness='2e3'"));

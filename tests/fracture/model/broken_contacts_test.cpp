@@ -1,4 +1,4 @@
-/// What pressed on a floe that broke is the first guess of what presses on its pieces.
+/// The impulses on a floe that broke are the first guess of the impulses on its pieces.
 #include "fracture/model/broken_contacts.h"
 
 #include <gtest/gtest.h>
@@ -187,7 +187,7 @@ struct Pressed : BluntHull, test::Rig {
   StepRecord record;
 };
 
-/// On the body with this id.
+/// Sum of the impulses on the body with this id [N s].
 Vec3 sum_on(std::int64_t id, const SolvedProblem& solved, const std::vector<Vec3>& impulses) {
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 0; i < solved.points.size(); ++i) {

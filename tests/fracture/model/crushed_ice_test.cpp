@@ -13,7 +13,7 @@ using namespace nilas;
 using namespace nilas::test;
 
 constexpr double k_clear = 2e-3, k_density = 920, k_speed = 0.5;
-/// Of ice that stays along the surface of a hull of width 0.4: an eighth of it, which is less than T/4.
+/// Width of the ice that stays along a hull of width 0.4: an eighth of it, which is less than T/4.
 constexpr double k_strip = 0.05;
 
 std::string clearing(const std::string& model, const std::string& more = "") {
@@ -183,7 +183,7 @@ TEST(CrushedIceCut, AHullThatGoesThroughPartsTheFloe) {
   }
 }
 
-/// Of a hull narrower than two strips an eighth of its width stays.
+/// The remaining strip is an eighth of the width for a hull narrower than two strips.
 TEST(CrushedIceCut, ANarrowHullLeavesAChannelToo) {
   Rig rig(box(0.1) + sheet("fixed='true'") + clearing(k_seed), 0.01);
   for (int k = 0; k < 200; ++k) rig.step();

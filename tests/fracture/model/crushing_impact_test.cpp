@@ -16,7 +16,7 @@ using namespace nilas::test;
 /// A free body of mass 5000 kg at 1 m/s into a fixed sheet.
 struct Impact {
   double depth = 0, force = 0, left = 0;  ///< largest; and the speed after it, positive on
-  int steps = 0;                          ///< until 20 after it came to rest
+  int steps = 0;                          ///< Steps until 20 steps after it came to rest.
 };
 
 Impact impact(const std::string& mesh, const std::string& model, double h, const std::string& integrator,

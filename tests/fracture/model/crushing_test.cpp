@@ -59,7 +59,7 @@ TEST(Crushing, DoublingTheStrengthDoublesTheForce) {
   }
 }
 
-/// With steady speed the implicit force is that of the area at the step's end.
+/// The implicit force at steady speed is that of the area at the step's end.
 TEST(Crushing, ImplicitForceIsThatOfTheStepsEnd) {
   Rig rig(towed("wedge.stl", -0.0025) + crushing(k_compliant), 0.01);
   for (int k = 0; k < 60; ++k) {

@@ -1,4 +1,4 @@
-/// What a study may take from a folder, and what it leaves alone.
+/// Tests of the files of a folder that a study may replace, and of those that it must leave alone.
 #include "apps/compare/workshop/study_folder.h"
 
 #include <gtest/gtest.h>

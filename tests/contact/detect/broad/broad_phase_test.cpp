@@ -1,4 +1,4 @@
-/// Which pairs of parts the tree of boxes gives, whoever walks it.
+/// Tests of the candidate pairs of the tree of boxes.
 #include "contact/detect/broad/broad_phase.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace nilas {
 namespace {
 
-/// Floes beside and over each other, every seventh fixed.
+/// Floes beside and over each other, every seventh of them fixed.
 Bodies bodies_in_a_square(int count, double side) {
   RandomStream random(11, "square");
   Bodies bodies;
@@ -30,7 +30,7 @@ std::vector<Part> parts_of(const Bodies& bodies) {
   return parts;
 }
 
-/// Every two boxes of the tree compared with each other.
+/// All overlapping pairs of boxes of the tree, by comparison of every two.
 std::vector<PartPair> overlaps(const Bodies& bodies, const BroadPhase& broad, std::size_t count) {
   State state;
   broad.save(StateWriter(state));
@@ -46,7 +46,7 @@ std::vector<PartPair> overlaps(const Bodies& bodies, const BroadPhase& broad, st
   return pairs;
 }
 
-/// The pairs; each is met once on the walk.
+/// The candidate pairs. The walk over the tree must meet each once.
 std::vector<PartPair> candidates(BroadPhase& broad, const Bodies& bodies, const std::vector<Part>& parts, int threads) {
   std::vector<PartPair> pairs;
   std::vector<int> walk;

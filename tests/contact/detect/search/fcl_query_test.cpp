@@ -1,4 +1,4 @@
-/// The library's direction, asked for in the pair's own scale.
+/// Tests of FCL's direction, which is queried in the pair's own scale.
 #include "contact/detect/search/fcl_query.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace nilas {
 namespace {
 
-/// A box with its top at z = 0 and another thing `gap` above it, all `scale` large and far from the origin.
+/// A box with its top at z = 0 and a body `gap` above it. All sizes are multiplied by `scale`, far from the origin.
 struct Stack {
   Bodies bodies;
   std::vector<Part> parts;

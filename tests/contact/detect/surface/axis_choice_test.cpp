@@ -1,4 +1,4 @@
-/// Of axes that separate a pair equally well the same one wins, whatever their order.
+/// The same axis wins among axes that separate a pair equally well, whatever their order.
 #include "contact/detect/surface/axis_choice.h"
 
 #include <gtest/gtest.h>
@@ -32,8 +32,8 @@ struct TwoBoxes {
 
 Axis edge_axis(const Vec3& n, double s, int edge) { return {n.normalized(), s, AxisKind::edges, edge, edge}; }
 
-/// Each is within the tolerance of the next, and lies nearer to the line of centres the less it separates: two at a
-/// time, the winner would be the first or the second of them, as they come.
+/// Each axis is within the tolerance of the next, and lies nearer to the line of centres the less it separates. With
+/// comparisons of two at a time, the winner would depend on the order.
 TEST(AxisContest, HasTheSameWinnerInEveryOrder) {
   TwoBoxes boxes;
   const double tie = boxes.pair().tolerance;
@@ -59,7 +59,7 @@ TEST(AxisContest, PrefersAFaceToEdgesAlongTheSameAxis) {
   EXPECT_EQ(boxes.winner({edges, face}).kind, AxisKind::face_b);
 }
 
-/// Equal by the line of centres, |n_x| and |n_y|: the one towards x.
+/// The axes are equal by the line of centres, |n_x| and |n_y|: the one towards x wins.
 TEST(AxisContest, AMirroredPairMakesTheMirroredChoice) {
   TwoBoxes boxes;
   boxes.bodies.p_GB[1] = {0, 0, 1};
@@ -68,7 +68,7 @@ TEST(AxisContest, AMirroredPairMakesTheMirroredChoice) {
   EXPECT_EQ(boxes.winner({other, one}).feature_a, 1);
 }
 
-/// With the line of centres along x: the one towards z.
+/// The line of centres lies along x: the axis towards z wins.
 TEST(AxisContest, TellsUpFromDown) {
   TwoBoxes boxes;
   boxes.bodies.p_GB[1] = {1, 0, 0};

@@ -1,4 +1,4 @@
-/// Contact patches of two polytopes: corners, local gaps, symmetry, names.
+/// Tests of contact patches of two polytopes: corners, local gaps, symmetry, keys.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace nilas {
 namespace {
 
-constexpr double k_exact = 1e-14;  // [m] rounding of coordinates of about 1 m
+constexpr double k_exact = 1e-14;  // Rounding of coordinates of about 1 m [m].
 
 std::vector<ContactPoint> contacts(const Bodies& bodies, double margin) {
   return ContactDetector().detect(bodies, margin);
@@ -141,7 +141,7 @@ TEST(Manifold, ManyCornersAreReducedToTheLargestQuadrilateral) {
   EXPECT_NEAR(half, 1, 1e-12);
 }
 
-/// The scene seen in a mirror at y = 0; vertices run the other way round, as a mirrored outline must.
+/// The mirror image of the scene in the plane y = 0. The order of vertices is reversed, as a mirrored outline requires.
 Bodies mirrored(const Bodies& bodies) {
   Bodies image;
   for (int b = 0; b < bodies.size(); ++b) {
@@ -164,7 +164,8 @@ double image_error(const std::vector<ContactPoint>& points, const ContactPoint& 
   return least;
 }
 
-/// The reversed outline turns the edges round, so that where edges are nearly parallel rounding is magnified [m].
+/// Tolerance of mirror images [m]. The reversed outline reverses the edges, which magnifies rounding where edges are
+/// nearly parallel.
 constexpr double k_mirror = 2e-14;
 
 TEST(Manifold, MirroredPairsHaveMirroredPoints) {
@@ -232,7 +233,7 @@ TEST(Manifold, KeysAreUniqueAndLastThroughASlowDrift) {
   EXPECT_GE(same, total - total / 100);
 }
 
-/// Two square prisms, edge on edge, that cross at an angle down to rounding.
+/// Two square prisms touch edge on edge at angles down to rounding.
 TEST(Manifold, EdgesThatAreNearlyParallelTellTheirDistance) {
   const double reach = std::sqrt(0.5);
   const Quat on_edge(Eigen::AngleAxisd(0.25 * k_pi, Vec3::UnitY()));
@@ -244,7 +245,7 @@ TEST(Manifold, EdgesThatAreNearlyParallelTellTheirDistance) {
                Quat(Eigen::AngleAxisd(turn, Vec3::UnitZ())) * on_edge);
       double least = 1;
       for (const ContactPoint& c : ContactDetector().detect(bodies, 1e-3)) least = std::min(least, c.gap);
-      // where the crossing is as narrow as the overlap is deep, a face may lead out by less
+      // Where the width of the crossing equals the depth of the overlap, a face may have a smaller depth.
       const double deepest = gap > 0 ? gap : 1.001 * gap;
       EXPECT_GT(least, deepest - 1e-9) << turn << " " << gap;
       EXPECT_LT(least, (gap > 0 ? gap : 0.7 * gap) + 1e-9) << turn << " " << gap;

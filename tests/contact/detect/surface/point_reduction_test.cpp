@@ -1,4 +1,4 @@
-/// Which four of many points a contact keeps.
+/// Tests of the choice of four points among many.
 #include "contact/detect/surface/point_reduction.h"
 
 #include <gtest/gtest.h>
@@ -101,8 +101,8 @@ TEST(PointReduction, APointThatFourLeaveOpenIsKeptToo) {
   std::vector<OverlayPoint> points;
   for (double u : {-1.0, 1.0})
     for (double v : {-1.0, 1.0}) points.push_back(point(u, v, 0));
-  points.push_back(point(0.2, 0.05, -2e-3));  // deepest: one of the four
-  points.push_back(point(0.1, 0, 5e-3));      // held up by the others
+  points.push_back(point(0.2, 0.05, -2e-3));  // The deepest point is one of the four.
+  points.push_back(point(0.1, 0, 5e-3));      // The others carry this point.
   keep_spread_points(k_tolerance, 1, 1e-3, points);
   EXPECT_EQ(points.size(), 5u);
   EXPECT_FALSE(has(points, 0.1, 0));
@@ -111,7 +111,7 @@ TEST(PointReduction, APointThatFourLeaveOpenIsKeptToo) {
 TEST(PointReduction, ALineOfContactsThatSagsKeepsItsMiddle) {
   std::vector<OverlayPoint> points;
   for (int k = -4; k <= 4; ++k) points.push_back(point(0.25 * k, 0, 0));
-  points[4].gap = -1e-3;  // deepest
+  points[4].gap = -1e-3;  // This point is the deepest.
   points[2].gap = -0.9e-3;
   points[6].gap = -0.9e-3;
   keep_spread_points(k_tolerance, 1, 1e-5, points);
@@ -119,7 +119,7 @@ TEST(PointReduction, ALineOfContactsThatSagsKeepsItsMiddle) {
 }
 
 TEST(PointReduction, PointsThatTieComeTogetherOrNotAtAll) {
-  // twelve on a circle: four make a square, the other eight tie and have no room
+  // Four of twelve points on a circle make a square; the other eight tie and find no place.
   std::vector<OverlayPoint> points;
   for (int k = 0; k < 12; ++k) points.push_back(point(std::cos(k_pi * k / 6), std::sin(k_pi * k / 6), 0));
   keep_spread_points(k_tolerance, 1, 1e-3, points);

@@ -57,7 +57,7 @@ TEST(BlockCholesky, SolvesWhatADenseFactorisationSolves) {
   for (const auto& [contacts, bodies] : {std::pair{1, 1}, {5, 2}, {12, 60}, {60, 20}, {150, 100}, {150, 600}}) {
     const auto a = random_delassus(contacts, bodies, random);
     BlockCholesky factors(a);
-    for (const double spread : {0.0, 3.0}) {  // the second one keeps the plan
+    for (const double spread : {0.0, 3.0}) {  // The second one reuses the plan.
       const auto inverse = random_definite(contacts, spread, random);
       const std::vector<Mat3> added(static_cast<std::size_t>(contacts), Mat3::Identity());
       ASSERT_TRUE(factors.factor(inverse, added)) << contacts;

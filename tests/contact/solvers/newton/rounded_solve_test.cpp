@@ -37,7 +37,7 @@ Rows coupled(int n, double weight) {
   return out;
 }
 
-/// Row k is row order[k] of `rows`, every second row of blocks with the signs of a mirror.
+/// The permuted matrix: row k is row order[k] of `rows`, every second row of blocks with the signs of a mirror.
 Rows permuted(const Rows& rows, const std::vector<int>& order) {
   const int n = static_cast<int>(order.size());
   Rows out;
@@ -61,7 +61,8 @@ VecX solved(const Rows& rows, VecX b, bool& good) {
   return b;
 }
 
-/// Rank-deficient but for the weight, as hyperstatic contact is: the plain factors differ in the eighth digit there.
+/// The matrix is rank-deficient without the weight, as for hyperstatic contact: plain factors differ in the eighth
+/// digit there.
 TEST(RoundedSolve, ForgetsTheOrderOfEliminationAndTheMirror) {
   for (const double weight : {1.0, 1e-3, 1e-6, 1e-8}) {
     const int n = 12;

@@ -33,7 +33,8 @@ TEST(Relaxation, FloesGiveWayInverselyToTheirMass) {
   EXPECT_NEAR(relaxation.pass(1, 1e-9), 0, 1e-9);
 }
 
-/// Off-centre push on a free square of side a by a wall: with gap needed at one corner only, it turns and moves.
+/// A wall pushes a free square of side a off its centre. The gap is needed at one corner only, so the square turns and
+/// moves.
 TEST(Relaxation, AnEdgeCornerTurnsTheFloe) {
   std::vector<LooseFloe> floes{box(2, 0.1, 3, 1.1)};
   floes[0].angle = 20 * k_deg;

@@ -54,7 +54,8 @@ TEST(DistributionStatistics, AtomsAreNoDistance) {
   EXPECT_EQ(ks_distance({2, 2, 2}, [](double) { return 2.0; }) < 1e-12, true);
 }
 
-/// Of 4000 normal pairs, within four standard errors (1 - r^2) / sqrt(n); scores do not see monotone changes.
+/// The tolerance for 4000 normal pairs is four standard errors (1 - r^2) / sqrt(n). Monotone changes leave the scores
+/// unchanged.
 TEST(DistributionStatistics, CorrelationOfScoresIsThatOfTheCopula) {
   RandomStream a(7, "a"), b(7, "b");
   std::vector<double> x, y, bent;

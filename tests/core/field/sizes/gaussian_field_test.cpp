@@ -22,7 +22,7 @@ const std::vector<Vec2> k_steps{{0.35, 0}, {0, 0.7}, {-0.5, 0.5}, {0.9, 0.9}, {0
 
 double stated(const Vec2& step) { return GaussianField::correlation(step.norm(), k_length); }
 
-/// Over 4000 seeds; tolerances are four standard errors: 1/sqrt(n) of the mean, sqrt(2/n) of the variance,
+/// Moments over 4000 seeds. Tolerances are four standard errors: 1/sqrt(n) of the mean, sqrt(2/n) of the variance,
 /// sqrt((1 + c^2)/n) of a covariance c.
 TEST(GaussianField, OverManySeedsMomentsAndCovarianceAreThoseStated) {
   constexpr int k_seeds = 4000;

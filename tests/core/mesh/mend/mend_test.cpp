@@ -1,4 +1,4 @@
-/// What drawing programs leave wrong is mended, or refused with the place.
+/// Faults that drawing programs leave in meshes are mended, or refused with the place.
 #include "core/mesh/mend/mend.h"
 
 #include <gtest/gtest.h>

@@ -13,7 +13,7 @@ namespace {
 using namespace nilas;
 using Json = nlohmann::ordered_json;
 
-/// As summary_json() writes it, but for what is not read back.
+/// A summary as summary_json() writes it, without the entries that are not read back.
 Json written() {
   return {
       {"scene", "tow"},

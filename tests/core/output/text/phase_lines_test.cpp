@@ -9,7 +9,7 @@ namespace {
 constexpr PhaseTimes k_times{.first = 2, .settle = 0.5, .redraw = 1, .again = 10};
 constexpr double k_start = 100;
 
-/// What is told until `end`, each line at the moment when it is due.
+/// All lines until `end`, each requested at the moment when it is due.
 std::string told_until(double end, PhaseLines& lines) {
   std::string all;
   while (lines.due() < end)

@@ -87,7 +87,7 @@ TEST(ExpandBlock, RefusesWhatIsNoBlock) {
       << "a match from before the beginning";
 }
 
-/// What stands between the tags.
+/// The text between the tags of an element.
 std::string inner(const std::string& element) {
   const std::size_t begin = element.find('>') + 1;
   return element.substr(begin, element.rfind('<') - begin);

@@ -1,4 +1,4 @@
-/// What a scene says is what the Scene holds.
+/// Tests that the Scene holds the values of the scene file.
 #include "core/scene/read/read_scene.h"
 
 #include <gtest/gtest.h>

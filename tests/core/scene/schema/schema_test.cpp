@@ -55,8 +55,8 @@ TEST(Schema, ConditionsNameAttributesAndValuesThatExist) {
   }
 }
 
-/// What the table prints as a default, the reader gives: values and places of a whole element, member by member. A
-/// member whose default stands in the table as a number of its own fails here.
+/// The defaults that the table prints are those of the reader: values and places of a whole element, member by member.
+/// A member whose default is a separate number in the table fails here.
 TEST(Schema, DefaultsAreThoseOfTheStructs) {
   const SceneFolder folder;
   const Scene scene =

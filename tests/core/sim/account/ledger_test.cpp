@@ -85,7 +85,7 @@ TEST(Ledger, ClosesWithEveryStabilisation) {
     }
 }
 
-/// What a scene does not name is not built: a body in free flight has no force module, no water, no vessel.
+/// Only modules that a scene names are built: a body in free flight has no force module, no water, no vessel.
 TEST(Modules, AreBuiltForWhatASceneNamesOnly) {
   const test::ScratchFolder folder;
   const auto built = [&](const std::string& content) {

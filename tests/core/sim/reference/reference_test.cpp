@@ -199,7 +199,7 @@ TEST(Reference, ElasticBallsHandTheSpeedOn) {
   EXPECT_NEAR(rig.bodies().v_GB[0].norm() + rig.bodies().v_GB[1].norm(), 0, 1e-11);
 }
 
-/// On a slope of angle a: a ball rolls with 5/7 g sin a while mu > 2/7 tan a, else slips with g (sin a - mu cos a).
+/// A ball on a slope of angle a rolls with 5/7 g sin a while mu > 2/7 tan a, else slips with g (sin a - mu cos a).
 TEST(Reference, ABallOnASlope) {
   const double a = 0.5;
   const std::string gravity =

@@ -42,7 +42,7 @@ struct Rig {
     return record;
   }
   const Bodies& bodies() const { return simulation->bodies(); }
-  /// Of the hull about y, from X towards -Z.
+  /// Pitch of the hull about y, from X towards -Z [rad].
   double pitch() const { return std::atan2(-bodies().R_GB[0](2, 0), bodies().R_GB[0](0, 0)); }
 
   test::ScratchFolder folder;

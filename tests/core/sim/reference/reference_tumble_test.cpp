@@ -42,7 +42,7 @@ class FreeTop {
     momentum_ = i_.cwiseProduct(w);
   }
 
-  /// In the body's axes.
+  /// Angular velocity at time t in the body's axes.
   ExactVec3 rates(Exact t) const {
     Exact cn = 0, dn = 0;
     const Exact sn = boost::math::jacobi_elliptic(k_, rate_ * t + start_, &cn, &dn);

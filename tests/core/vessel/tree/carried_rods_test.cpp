@@ -133,7 +133,7 @@ TEST(CarriedRods, HoldAPartOfAFixedHull) {
   }
 }
 
-/// What the fault of the rods says, or nothing.
+/// The message of the rods' fault, or an empty text.
 std::string said(const VesselModel& model) {
   const auto fault = rod_fault(model, 0);
   if (!fault) return {};

@@ -8,10 +8,10 @@ namespace nilas {
 namespace {
 
 constexpr double k_h = 0.01;
-constexpr double k_acceleration = 0.8;  ///< of the carriage along its own x [m/s^2]
+constexpr double k_acceleration = 0.8;  ///< Acceleration of the carriage along its own x [m/s^2].
 constexpr double k_ramp = 10;           ///< [s]
 constexpr double k_ratio = 0.3;         ///< damping ratio of the modes
-constexpr double k_rounding = 1e-14;    ///< of the difference of two places some 10 m from the origin [m]
+constexpr double k_rounding = 1e-14;    ///< Rounding of the difference of two positions some 10 m from the origin [m].
 
 /// Six cells whose longitudinal mode has w h = `wh` under the mass that hangs on them, and a carriage that gains speed.
 VesselModel sped_up(std::optional<double> theta, double wh, double mass) {
@@ -75,7 +75,7 @@ TEST_P(JointedAcceleration, DeflectsAPartsSpringByItsInertiaOverItsStiffness) {
   EXPECT_NEAR(deflection(model, system).x() / (-whole * k_acceleration / model.carriage->stiffness), 1, 1e-9);
 }
 
-/// With the body of both in place of hull and part, from the first step on.
+/// The reference has one body in place of the hull and its welded part, from the first step on.
 TEST_P(JointedAcceleration, ReadsWithAWeldedPartWhatOneBodyReads) {
   VesselModel model = sped_up(theta(), wh(), 2 * example::k_mass);
   VesselModel whole = model;

@@ -39,7 +39,7 @@ double total_energy(const VesselModel& model, const VesselSystem& system) {
   return energy;
 }
 
-/// What the readings make together is what the momenta of hull and parts lack, and Simbody says so too.
+/// The sum of the readings is the rate of change of all momenta less the weights, and Simbody gives the same.
 TEST(JointedCells, ReadWhatTheMomentaLack) {
   for (const auto theta : k_schemes)
     for (const double stiffness : {1e5, 1e7, 1e10}) {

@@ -14,7 +14,7 @@ VecX state_of(const VesselSystem& system) {
   return y;
 }
 
-/// By CVODE from the closed form.
+/// The state at time t by CVODE, from the closed form of the rates.
 VecX exact(const VesselModel& model, double t) {
   EventOde ode;
   ode.derivative = [&](double, const VecX& y, VecX& dy) { example::double_pendulum_rates(model, y, dy); };

@@ -1,4 +1,4 @@
-/// What runs are judged to be off, by hand-made loads.
+/// Tests of the judged load deviations of runs, with hand-made loads.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -158,7 +158,8 @@ TEST(Merits, OfAnAblationAreJudgedByTheFirstSetting) {
   EXPECT_TRUE(found.merits[1].significant);
 }
 
-/// As a new user met it: every exact setting within 3 % of the others and twins 36 N apart, the pyramid 20 % off.
+/// The case of a user's study: every exact setting within 3 % of the others, perturbed runs 36 N apart, the pyramid 20
+/// % off.
 Runs one_field() {
   Runs runs(4, 1);
   for (auto& setting : runs.plan.settings) setting.step = 0.02;

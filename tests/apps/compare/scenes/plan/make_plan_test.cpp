@@ -1,4 +1,5 @@
-/// What a budget buys: nothing is left out that fits, the least informative goes first, and all that goes is named.
+/// Tests of the plan for a time budget: everything that fits is kept, the least informative runs go first, and all
+/// dropped runs are named.
 #include "apps/compare/scenes/plan/make_plan.h"
 
 #include <gtest/gtest.h>

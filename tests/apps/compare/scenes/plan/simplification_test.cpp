@@ -1,4 +1,4 @@
-/// What an ablation takes out of a scene, and what it puts back.
+/// Tests of ablations: the simplifications that they remove from a scene, and the settings that they restore.
 #include "apps/compare/scenes/plan/simplification.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ Scene shipped(const std::string& name, const Overrides& more = {}) {
   return read_scene(nilas_test::shipped_scene(name), more);
 }
 
-/// Of an ablation of a shipped scene, as it is read for its run.
+/// The ablation of a shipped scene, as it is read for its run.
 Scene without(const Scene& scene, const Overrides& more = {}) {
   return read_with(scene, more, without_simplifications(scene));
 }

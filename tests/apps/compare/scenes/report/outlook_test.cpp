@@ -1,4 +1,4 @@
-/// What more time would tell, by hand-made figures.
+/// Tests of the forecast of a study with more time, with hand-made figures.
 #include "apps/compare/scenes/report/outlook.h"
 
 #include <gtest/gtest.h>

@@ -32,7 +32,7 @@ Plan ablation(double estimate = 5, int realisations = 1) {
   return plan;
 }
 
-/// What became of the runs.
+/// Outcome of the runs of a plan.
 struct Course {
   std::set<std::string> told;  ///< reached the time that all are told over
   double ended_s = 0;          ///< the last of them

@@ -1,4 +1,4 @@
-/// What runs are expected to take, by hand-made times.
+/// Tests of the expected run times, with hand-made times.
 #include "apps/compare/scenes/run/pace.h"
 
 #include <gtest/gtest.h>
