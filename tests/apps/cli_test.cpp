@@ -23,7 +23,7 @@ TEST(Cli, HelpNamesEveryCommand) {
   }
 }
 
-/// docs/reference/command-line.md is what the program says of its own options.
+/// docs/reference/command-line.md must equal the program's own help texts.
 TEST(Cli, ThePageOfCommandsIsThatOfTheProgram) {
   const ScratchFolder folder;
   const auto page = run_nilas("schema --commands", folder.path());
@@ -121,7 +121,7 @@ TEST(Cli, AMissingHullAndAnOpenHullAreNamed) {
   EXPECT_EQ(missing.exit_code, 4);
   EXPECT_TRUE(mentions(missing.err, "nowhere")) << missing.err;
 
-  // beside a fault in the scene itself it is one of several
+  // Together with a fault in the scene itself it is one of several faults.
   folder.write("two.xml", ship_with("nowhere\" headin=\"3"));
   const auto two = run_nilas("check two.xml", folder.path());
   EXPECT_EQ(two.exit_code, 2);

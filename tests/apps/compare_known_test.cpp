@@ -21,7 +21,7 @@ TEST(Compare, ShowsTheKnownErrorOfThePyramid) {
   for (std::size_t k = 0; k < runs.rows(); ++k)
     if (runs.text("kind")[k] == "grid" && runs.text("integrator")[k] == "moreau") row[runs.text("law")[k]] = k;
   ASSERT_EQ(row.size(), 2U);
-  // two boxes stop each axis by itself: v_x^2 and v_y^2 over 2 mu g in place of the way along the velocity
+  // Two boxes stop each axis by itself: v_x^2 and v_y^2 over 2 mu g instead of the distance along the velocity.
   const double way = 2 * 2 / (2 * 0.3 * 9.81);
   EXPECT_NEAR(runs["motion_x_m"][row["pyramid"]], way * (std::sqrt(0.75) - 0.75), 1e-3 * way);
   EXPECT_NEAR(runs["motion_y_m"][row["pyramid"]], way * (0.5 - 0.25), 1e-3 * way);

@@ -25,7 +25,7 @@ TEST(Compare, LeavesTablesPicturesAndAPageThatSayTheSame) {
   EXPECT_EQ(json["measure"], "load");
   EXPECT_EQ(json["load_error_coverage"]["runs"], 8);
   const Table runs(out / "compare.csv");
-  // 4 settings, a twin and a reference for each of 2 realisations, and one to check the reference
+  // 4 settings, a perturbed run and a reference for each of 2 realisations, and one run to check the reference.
   EXPECT_EQ(runs.rows(), 4U * 2 + 2 + 2 + 1);
   for (const auto& status : runs.text("status")) EXPECT_EQ(status, "done");
   EXPECT_TRUE(runs.has("contact_fx_p99_N"));

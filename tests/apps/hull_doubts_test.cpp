@@ -1,4 +1,5 @@
-/// Hulls that can hardly be meant: `nilas hull`, `check` and `run` say so, and the flags that they name mend it.
+/// Tests of hulls that are hardly intended: `nilas hull`, `check` and `run` report them, and the flags that they name
+/// correct them.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -62,7 +63,7 @@ TEST(HullDoubts, TheFlagsThatAWarningNamesMendIt) {
   EXPECT_NEAR(mended["depth_m"], 9, 1e-3);
   EXPECT_EQ(mended["bow"], "x");
   EXPECT_NEAR(mended["high_m"][0].get<double>() - mended["centre_m"][0].get<double>(), 54, 2) << "sharp end ahead";
-  // below 6 m: what the stem rakes by is no part of the waterline's length
+  // The value is below 6 m, since the rake of the stem is not part of the waterline's length.
   const double length = 92 + 8 * 6.0 / 9;
   EXPECT_NEAR(mended["block_coefficient"], mended["displaced_m3"].get<double>() / (length * 20 * 6), 1e-6);
   const auto description = nlohmann::json::parse(std::ifstream(folder / "right/hull.json"));

@@ -40,7 +40,7 @@ constexpr const char* k_ice = R"(<scene version="1" name="ice">
 
 class PortableRun : public ::testing::Test {
  protected:
-  /// study/scene.xml with its files in folders beside, run into study/run.
+  /// Makes study/scene.xml with its files in neighbouring folders, and runs it into study/run.
   void SetUp() override {
     fs::create_directories(in("ice"));
     fs::create_directories(in("study"));
@@ -61,7 +61,7 @@ class PortableRun : public ::testing::Test {
     ASSERT_EQ(result.exit_code, 0) << words << ": " << result.err;
   }
   fs::path in(const std::string& file) const { return folder.path() / file; }
-  /// The run folder alone, in another place; what the scene was written with is gone.
+  /// Moves the run folder alone to another place; the files with which the scene was written are deleted.
   void move_away() const {
     fs::create_directories(in("far"));
     fs::copy(in("study/run"), in("far/copy"), fs::copy_options::recursive);

@@ -1,4 +1,4 @@
-/// A run that is killed and goes on leaves the run folder of one that never stopped.
+/// A run that is killed and resumed leaves the same run folder as one that never stopped.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -79,7 +79,7 @@ void expect_same_contacts(const fs::path& one, const fs::path& other) {
   EXPECT_EQ(a.wide_integers("steps"), b.wide_integers("steps"));
 }
 
-/// Every file of both folders but the log, the checkpoint and what is a wall time.
+/// Compares every file of both folders except the log, the checkpoint and wall times.
 void expect_same_run(const fs::path& one, const fs::path& other) {
   EXPECT_EQ(files_in(one), files_in(other));
   for (const auto& file : files_in(one)) {
@@ -232,7 +232,8 @@ TEST_F(Resume, UntilMakesARunLonger) {
   expect_same_run(in("whole"), in("short"));
 }
 
-/// The checkpoint stands far before what the folder holds, as after a kill, and the rest ends before that too.
+/// The checkpoint is far older than the content of the folder, as after a kill, and the resumed run ends before that
+/// content.
 TEST_F(Resume, ProblemsBeyondTheCheckpointAreRemoved) {
   for (const std::string which : {"worst", "every"}) {
     SCOPED_TRACE(which);

@@ -1,4 +1,4 @@
-/// nilas run --twins, and what a run says its mean loads are worth.
+/// Tests of nilas run --twins, and of the errors that a run states for its mean loads.
 #include <gtest/gtest.h>
 
 #include <cmath>

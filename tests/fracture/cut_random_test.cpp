@@ -20,7 +20,7 @@ struct RandomCuts : testing::TestWithParam<int> {
 using Key = std::pair<double, double>;
 Key key(const Vec2& p) { return {p.x(), p.y()}; }
 
-/// Every crack edge is walked the other way by exactly one other piece.
+/// Exactly one other piece has each crack edge in the reverse direction.
 bool crack_edges_pair_up(const std::vector<CutPiece>& pieces) {
   std::multiset<std::pair<Key, Key>> edges;
   for (const CutPiece& piece : pieces)
@@ -92,7 +92,8 @@ TEST_P(RandomCuts, KeepMassMomentumAngularMomentumAndEnergy) {
     EXPECT_LE(error.momentum, 1e-12);
     EXPECT_LE(error.angular_momentum, 1e-12);
     EXPECT_LE(error.energy, 1e-12);
-    // a piece's place in G is rounded: one unit in the last place of the largest coordinate each way
+    // The position of a piece in G is rounded by one unit in the last place of the largest coordinate in either
+    // direction.
     double largest = 0;
     for (const Vec2& p : floe.outline) largest = std::max(largest, floe.pose.p.norm() + p.norm());
     EXPECT_LE(deepest_overlap(pieces_in_plane(floe, cut)), 4 * 0x1p-52 * largest) << i;

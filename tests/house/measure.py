@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
-"""Measures how the house stands: folders, the time step, functions, comments, casts, lines of code and sentences.
+"""Measures the structure of the sources: folders, time step, functions, comments, casts, lines of code, sentences.
 
 usage: measure.py [ROOT]
 
-ROOT is the root of a source tree of Nilas, the one of this script by default. Any revision can be measured beside it:
+ROOT is the root of a source tree of Nilas, the one of this script by default. Any other revision can be measured for
+comparison:
 
     git archive REVISION | tar x -C /tmp/old && tests/house/measure.py /tmp/old
 
-Nothing is judged: the limits that hold are those of tests/house/*_test.cpp.
+The script judges nothing: the limits are those of tests/house/*_test.cpp.
 """
 import argparse
 import collections
@@ -149,7 +150,7 @@ def functions(text):
 
 
 def closing(code, opening):
-    """Where the bracket that opens at `opening` closes."""
+    """The position at which the bracket that opens at `opening` closes."""
     depth = 0
     for i in range(opening, len(code)):
         depth += {"(": 1, ")": -1}.get(code[i], 0)
@@ -216,7 +217,7 @@ def stems_per_folder(root):
 
 
 def folder_graph(root):
-    """By folder, the folders that its files include in quotes, as tests/house/includes_test.cpp reads them."""
+    """The folders that the files of each folder include in quotes, as tests/house/includes_test.cpp reads them."""
     graph = collections.defaultdict(set)
     for file in sources(root, PRODUCT):
         folder = folder_of(root, file)

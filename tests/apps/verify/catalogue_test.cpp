@@ -33,7 +33,7 @@ const Case& numbered(int number) {
   throw ContractError("no such case");
 }
 
-/// The case's own scene and measurement beside a formula that is off by a millionth.
+/// The case's own scene and measurement, with a formula that is off by a millionth.
 TEST(Verdict, AWrongFormulaFails) {
   Case wrong = numbered(3);
   static std::vector<Quantity> (*right)(const Setting&) = wrong.check;

@@ -1,4 +1,4 @@
-/// The map of extremes: what is cheap of it, and that a broken limit is seen.
+/// Tests of the map of extremes: its cheap cases, and that a broken limit is detected.
 #include "apps/verify/extremes.h"
 
 #include <gtest/gtest.h>

@@ -66,7 +66,7 @@ class Scene:
             self.column[k, : len(f.column)], self.column_area[k, : len(f.column)] = f.column, f.column_area
 
     def mass_diagonal(self):
-        """Of MuJoCo's velocities: per floe linear in G, angular in its own axes; last the hull's speed."""
+        """Masses of MuJoCo's velocities: per floe linear in G, angular in its own axes; last the hull's speed."""
         return np.append(np.hstack([np.repeat(self.mass[:, None], 3, axis=1), self.inertia]), HULL_ARMATURE)
 
 

@@ -70,7 +70,7 @@ TEST(GridField, PiecesOfEvenRowsComeInMirrorPairs) {
   }
 }
 
-/// Shear leaves the gap between slanted edges as asked, and the pieces inside the region.
+/// Shear leaves the gap between slanted edges at the requested width, and the pieces inside the region.
 TEST(GridField, ShearedPiecesKeepTheirGapsInsideTheRegion) {
   auto spec = channel(6, 8);
   spec.shear = 30 * k_deg;

@@ -147,7 +147,7 @@ Moments size_moments(const FieldResult& field) {
   return m;
 }
 
-/// Sample mean within four standard errors of the asked one; the sample sd of about 1000 floes within 10 %.
+/// The sample mean is within four standard errors of the requested one; the sample sd of about 1000 floes within 10 %.
 TEST(PackField, SizesFollowTheAskedDistribution) {
   auto spec = spec_of(40, 18, 0.5);
   spec.min = 0.1;
@@ -162,7 +162,8 @@ TEST(PackField, SizesFollowTheAskedDistribution) {
   spec.distribution = SizeDistribution::uniform;
   spec.min = 0.4;
   spec.max = 1.2;
-  expect_moments(0.8, 0.8 / std::sqrt(12.0));  // between the ends, whatever mean and sd say
+  // The distribution is uniform between the ends, whatever mean and sd are.
+  expect_moments(0.8, 0.8 / std::sqrt(12.0));
   spec.distribution = SizeDistribution::fixed;
   const Moments m = size_moments(pack_field(spec));
   EXPECT_NEAR(m.mean, spec.mean, 1e-9);

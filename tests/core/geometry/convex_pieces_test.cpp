@@ -27,7 +27,7 @@ void expect_partition(const std::vector<Vec2>& outline) {
   }
   EXPECT_NEAR(area, polygon_moments(outline).area, 1e-14 * n * area);
   for (int i = 0; i < n; ++i) EXPECT_EQ(edges.count({i, (i + 1) % n}), 1u);
-  // every other edge is a cut, walked once each way
+  // Every other edge is a cut, which two pieces share in opposite directions.
   for (const auto& [a, b] : edges)
     if (b != (a + 1) % n) {
       EXPECT_EQ(edges.count({b, a}), 1u);

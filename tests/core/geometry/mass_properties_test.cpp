@@ -44,7 +44,7 @@ TEST(MeshProperties, HaveMirroredBitsForMirroredMeshes) {
   }
 }
 
-/// The outline's first corner, and a mirror, which runs it the other way round, do not show in the bits.
+/// The bits do not depend on the outline's first corner, nor on a mirror, which reverses the outline.
 TEST(PolygonMoments, HaveMirroredBitsForMirroredOutlines) {
   RandomStream random(4, "moments");
   for (int k = 0; k < 200; ++k) {

@@ -23,7 +23,8 @@ double volume(const ConvexPolytope& p) {
   return sum;
 }
 
-/// Euler's formula, planes, adjacency both ways, and no vertex outside a face by more than `tolerance`.
+/// Checks Euler's formula, planes, adjacency in both directions, and that no vertex is outside a face by more than
+/// `tolerance`.
 void expect_consistent(const ConvexPolytope& p, double tolerance) {
   std::size_t corners = 0, joined = 0;
   for (const auto& loop : p.faces) corners += loop.size();
@@ -136,7 +137,7 @@ TEST(MakePolytope, CoarseTolerancesKeepTheVolume) {
   }
 }
 
-/// A sliver beside a sharp edge has no direction of its own; it joins a neighbour.
+/// A sliver next to a sharp edge has no reliable direction of its own; it joins a neighbour.
 TEST(MakePolytope, SliversJoinTheirNeighbours) {
   TriangleMesh mesh = box_shape({2, 1, 1}).surface;
   // a vertex just beside the middle of each triangle's first edge, seen from that triangle only

@@ -103,7 +103,7 @@ TEST(Hdf5Columns, RefusesAFileThatHoldsLess) {
   EXPECT_THROW(Hdf5Columns(folder / "none.h5", layout(), Hdf5Columns::Length{1, 0}), FileError);
 }
 
-/// Wherever the disk is full, what was written before stays, and the fault is told with the file.
+/// Wherever the disk becomes full, data written before stays, and the error names the file.
 TEST(Hdf5Columns, AFullDiskLeavesTheEarlierBlocks) {
   for (const rlim_t limit : {6000, 8000, 12000, 20000}) {
     SCOPED_TRACE(limit);

@@ -1,4 +1,4 @@
-/// Hulls of many kinds in all attitudes: what is told right, cured, doubted or missed.
+/// Hulls of many kinds in all attitudes: which are found right, corrected, doubted or missed.
 #include "core/hull/hull_attitude.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 using namespace nilas;
 using namespace nilas_test;
 
-/// The 24 ways to put the axes of a frame along those of another.
+/// The 24 rotations that put the axes of a frame along those of another.
 std::vector<MeshAxes> all_attitudes() {
   std::vector<MeshAxes> all;
   for (int forward = 0; forward < 3; ++forward)
@@ -34,8 +34,8 @@ bool alike(const HullMeasures& a, const HullMeasures& b) {
 struct Judged {
   int right = 0;        ///< lies as it should, and is not doubted
   int false_alarm = 0;  ///< lies as it should, and is doubted
-  int cured = 0;        ///< is doubted, and lies as it should when turned as told
-  int doubted = 0;      ///< is doubted, and when turned as told lies otherwise than it should
+  int cured = 0;        ///< Doubted, and lies correctly after the suggested turn.
+  int doubted = 0;      ///< Doubted, but lies wrongly after the suggested turn.
   int missed = 0;       ///< lies wrongly, and is not doubted
   bool operator==(const Judged&) const = default;
 };
@@ -102,7 +102,7 @@ TEST(HullAttitude, StructuresThatAreRoundOrSquareMayLieAsTheyDo) {
                  {"semi-submersible", semisubmersible(), {.right = 4, .cured = 8, .missed = 12}}});
 }
 
-/// Solids that may be meant as they lie, beside those above.
+/// Further solids that may be intended as they lie.
 TEST(HullAttitude, NothingThatMayBeMeantIsDoubted) {
   const std::vector<std::pair<const char*, TriangleMesh>> meant{
       {"column", column_mesh({0, 0, 0}, 1, 10, 24)},

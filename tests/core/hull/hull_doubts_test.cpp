@@ -1,4 +1,4 @@
-/// Mistakes with hulls are told in sentences, with the cure.
+/// Mistakes with hulls are reported in sentences that name the remedy.
 #include "core/hull/hull_doubts.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ TriangleMesh scaled(TriangleMesh mesh, double factor) {
   return mesh;
 }
 
-/// The only doubt, or what there is in its place.
+/// The only doubt, or a description of the doubts where there is not exactly one.
 std::string only_doubt(const TriangleMesh& mesh, const HullUse& use = {}) {
   const auto doubts = hull_doubts(mesh, use);
   if (doubts.size() == 1) return doubts.front();

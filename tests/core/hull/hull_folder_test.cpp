@@ -43,7 +43,7 @@ class HullFolder : public testing::Test {
 
 bool names(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-/// Corners of every triangle in order: what an STL file holds.
+/// Corners of every triangle in order, which is the content of an STL file.
 std::vector<Vec3> corners(const TriangleMesh& mesh) {
   std::vector<Vec3> all;
   for (const auto& t : mesh.triangles)
@@ -134,7 +134,7 @@ TEST_F(HullFolder, ARefusedMeshAndAHullNeverShareTheFolder) {
   }
   EXPECT_FALSE(fs::exists(folder_ / "hull.json"));
   EXPECT_THROW(read_hull(folder_), FileError);
-  NewHullFolder made(folder_, false);  // the picture of a refused mesh is no outcome worth keeping
+  NewHullFolder made(folder_, false);  // The picture of a refused mesh must not be kept.
   write_hull(example(), made.staging(), "{\"parts\": 1}");
   made.publish();
   EXPECT_FALSE(fs::exists(folder_ / "faults.png"));

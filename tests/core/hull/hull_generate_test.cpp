@@ -139,7 +139,8 @@ TEST(HullGenerate, MainDimensionsAreAsAsked) {
   EXPECT_NEAR(beam_at_draught, 1.1, 1e-5);
 }
 
-/// The stem leans by the asked angle, and the faces beside it meet the still water plane in lines at the asked angle.
+/// The stem leans by the requested angle, and its neighbouring faces meet the still water plane in lines at the
+/// requested angle.
 TEST(HullGenerate, StemAndEntranceAnglesAreAsAsked) {
   for (const double stem : {20.0, 45.0, 90.0})
     for (const double entrance : {19.0, 24.0, 30.0, 33.5, 34.0, 50.0}) {

@@ -1,4 +1,4 @@
-/// The scene as run says everything, and reads back as itself.
+/// The scene as run is complete, and reads back as itself.
 #include <gtest/gtest.h>
 
 #include "core/scene/read/input_files.h"

@@ -1,4 +1,4 @@
-/// Every fault of a scene, with its place and the way out.
+/// Every fault of a scene is reported with its place and its remedy.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -110,7 +110,7 @@ TEST(Faults, ValuesOfEveryType) {
   fault("<ice><field kind='file' file=''/></ice>", "<ice><field file>", {"the path of a file"});
 }
 
-/// Texts that look like numbers, and what a strict reader makes of them.
+/// Texts that look like numbers, and the results of a strict reader.
 TEST(Faults, StrangeNumbers) {
   for (const char* text :
        {"nan",   "NaN", "-nan",  "nan(1)", "inf", "-inf", "Infinity", "1e999",     "-1e999", "1e", "e1",  "1e+", "0x10",

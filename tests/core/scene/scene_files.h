@@ -1,5 +1,5 @@
 #pragma once
-/// Scenes in a folder of their own for one test, and what reading them says.
+/// Scenes in a folder that belongs to one test, and the results of reading them.
 #include <gtest/gtest.h>
 
 #include <filesystem>

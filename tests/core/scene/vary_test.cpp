@@ -1,4 +1,4 @@
-/// <vary>: what it reads to, and what is refused.
+/// Tests of <vary>: its meaning, and the refused cases.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-/// Ice that gives way to repeated loads below its strength.
+/// Tests of ice that breaks under repeated loads below its strength.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,5 @@
-/// Bodies at rest keep their contacts step by step, and what slides over an edge changes them without a jump.
+/// Bodies at rest keep their contacts step by step, and a body that slides over an edge changes its contacts without a
+/// jump.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -60,7 +61,7 @@ const std::vector<Rest> k_rests{
     {"PlateThatFellOnAPlate", 4, 300, 10000,
      NILAS_PROJECTION "<body name='shelf' shape='box' size='3 3 0.2' position='0 0 -0.1' fixed='true'/>"
                       "<body shape='box' size='1 0.8 0.1' mass='2' position='0.1 0 0.055' rotation_deg='20 0.5 0.3'/>"},
-    // rocks by 2e-8 m: beside its four each pair keeps the corners that have taken turns in being the deepest
+    // The plate rocks by 2e-8 m. In addition to its four, each pair keeps the corners that have been the deepest.
     {"StackOfTurnedPlates", 26, 3000, 2000, NILAS_SPLIT NILAS_STACK},
     {"StackOfTurnedPlatesProjected", 16, 1000, 2000, NILAS_PROJECTION NILAS_STACK},
     {"FloatingFloesSideBySide", 4, 100, 2000,

@@ -53,7 +53,7 @@ struct Barge {
 
 void PrintTo(const Barge& barge, std::ostream* out) { *out << barge.name; }
 
-/// Which way the floe is pushed against the barge, and where it starts.
+/// Direction in which the floe is pushed against the barge, and its start.
 struct Push {
   const char* name;
   Vec3 into, start;

@@ -133,7 +133,7 @@ TEST(Simulation, TheLedgerCloses) {
   EXPECT_LT(record.ledger.works.at(0), 0) << "drag takes energy";
 }
 
-/// A scene without water, vessel, ice builds no module but contact, and says so.
+/// A scene without water, vessel and ice builds no module but contact, and reports that.
 TEST(Simulation, OnlyWhatTheSceneNamesIsBuilt) {
   Rig rig("<time step='0.01' end='1'/><body name='b' shape='sphere' radius='0.1' mass='1'/>");
   EXPECT_EQ(rig.simulation.info().modules.size(), 1u);

@@ -1,4 +1,4 @@
-/// Fast thin bodies: what they meet on their way through a step, against closed forms.
+/// Fast thin bodies and their impacts within a step, against closed forms.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,7 +25,7 @@ struct Rig {
         simulation(read_scene(file), threads, warnings) {}
   StepRecord step() {
     const StepRecord record = simulation.step();
-    double momentum = 0, angular = 0;  // whose rounding bounds what can be balanced
+    double momentum = 0, angular = 0;  // The rounding of these momenta bounds the accuracy of the balance.
     for (std::size_t b = 0; b < bodies().mass.size(); ++b) {
       if (bodies().motion[b] == Motion::fixed) continue;
       const double own = bodies().mass[b] * bodies().v_GB[b].norm();

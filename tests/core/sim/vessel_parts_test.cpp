@@ -136,7 +136,7 @@ TEST(VesselParts, NeighboursPassThroughEachOtherAndOthersDoNot) {
   for (int k = 0; k < 400; ++k) {
     record = rig.step();
     touched = std::max(touched, record.vessel->parts[0].contact.force.norm());
-    // what the parts do to each other is no load on the vessel
+    // Forces between the parts are no load on the vessel.
     EXPECT_LT(record.vessel->contact.force.norm(), 1e-9 * (1 + touched));
   }
   EXPECT_GT(touched, 1);
@@ -172,7 +172,7 @@ TEST(VesselParts, AreTowedByARigidCarriage) {
 }
 
 TEST(VesselParts, AreTowedOnSixCells) {
-  // the same on load cells and afloat, heave free, into a pier; the cells read what the carriage gives
+  // The same vessel on load cells and afloat, heave free, hits a pier; the cells read the force of the carriage.
   for (const std::string integrator : {"semi-implicit-euler", "moreau"}) {
     const std::string scene =
         time(0.005) + contact(integrator) + "<water density='1000' level='0'/><hydro><buoyancy/><drag/></hydro>" +

@@ -102,7 +102,7 @@ TEST(VesselRods, SwingATowedHullAndBookTheWorkOfTheCarriage) {
     for (int k = 0; k < 300; ++k) record = rig.step();
     const double x = 1.5, across = std::sqrt(16 - x * x), sway = 0.5 * x / across;
     EXPECT_NEAR(rig.bodies().v_GB[0].y(), sway, 1e-7);
-    // what the carriage gave is the energy of the sway
+    // The work of the carriage is the energy of the sway.
     EXPECT_NEAR(record.ledger.works[0], 0.5 * 1000 * sway * sway, 1e-3);
   }
 }

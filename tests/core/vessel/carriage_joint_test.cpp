@@ -1,4 +1,4 @@
-/// Free axes of the joint, prescribed paths, and what the joint transmits on them.
+/// Free axes of the joint, prescribed paths, and the loads that the joint transmits.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -103,7 +103,7 @@ TEST(CarriageJoint, HeaveOnASpringIsTheOscillator) {
   }
 }
 
-/// Prismatic is heave whatever `free` says.
+/// A prismatic joint moves in heave whatever `free` is.
 TEST(CarriageJoint, PrismaticIsHeaveOnly) {
   VesselSystem a(example::carried(BalanceKind::prismatic), 0), b(example::carried(BalanceKind::rigid, k_heave), 0),
       c(example::carried(BalanceKind::prismatic, k_yaw), 0);

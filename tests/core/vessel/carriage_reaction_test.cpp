@@ -1,4 +1,4 @@
-/// Simbody's reaction of the carriage beside the one that the momenta show.
+/// Compares Simbody's reaction of the carriage with the one from the momenta.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -87,7 +87,7 @@ TEST(CarriageReaction, IsTheSameToRoundingOnAStraightCourse) {
   }
 }
 
-/// The next step does not see that Simbody was asked: the tree stands where it stood.
+/// The next step does not depend on a query of Simbody's reaction: the tree keeps its state.
 TEST(CarriageReaction, LeavesTheVesselWhereItWas) {
   for (const std::optional<double> theta : {std::optional<double>(), std::optional<double>(0.5)}) {
     VesselModel model = model_of(BalanceKind::six_cells, k_heave_roll_pitch, theta);

@@ -31,7 +31,7 @@ TEST(EdgeLoad, LogarithmicFit) {
     EXPECT_NEAR(edge.stress_factor(b) / (0.95 - 1.505 * std::log(b)), 1, 0.02) << b;
 }
 
-/// Westergaard's slope 12 (1 + nu) / (pi (3 + nu)); what is left of it is of the order (b/l)^2.
+/// Westergaard's slope is 12 (1 + nu) / (pi (3 + nu)); the remainder is of the order (b/l)^2.
 TEST(EdgeLoad, SlopeOfSmallLoads) {
   for (const double nu : {0.0, 0.3, 0.33, 0.5}) {
     const EdgeLoad edge(nu);

@@ -1,4 +1,4 @@
-/// Pressure of crushing ice, and what is remembered of it.
+/// Tests of the pressure of crushing ice and its memory.
 #include "fracture/crush/crushing_law.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ TEST(CrushedDepth, KeepsTheDeepestPlane) {
   EXPECT_DOUBLE_EQ(crushed.advance(k_face, n, Vec3(0.2, 0, 0), 1).offset, 0.2);
 }
 
-/// Ice beside that which was crushed is whole.
+/// Ice next to crushed ice is intact.
 TEST(CrushedDepth, IsForgottenWhereTheFaceGoesAlong) {
   for (const double along : {0.19, 0.21}) {
     CrushedDepth crushed;

@@ -24,7 +24,7 @@ Vec2 turned(const Vec2& x, double angle) {
 
 CrackPath path_through(const LocalIce& ice) { return crack_path(k_floe, {0, 0}, k_up, k_segment, k_toughness, ice); }
 
-/// A line through (0, 3) of half length 1.5 that leans by omega from the crack's way.
+/// A line through (0, 3) of half length 1.5 at the angle omega to the crack's direction.
 LocalIce leaning_line(double omega, double strength) {
   const Vec2 along = turned(Vec2::UnitY(), -omega);
   LocalIce ice;

@@ -144,7 +144,8 @@ TEST(CutOutline, GivesTheSameBitsAgain) {
 }
 
 TEST(CutOutline, PiecesFollowTheOutlineFromItsFirstEdge) {
-  // a square's two lines each way: nine pieces, the middle one without an edge of the outline comes last
+  // Two lines in each direction cut a square: nine pieces, and the middle one without an edge of the outline comes
+  // last.
   const Lines grid{{{-1, 0.3}, {2, 0.3}}, {{-1, 0.6}, {2, 0.6}}, {{0.3, -1}, {0.3, 2}}, {{0.6, -1}, {0.6, 2}}};
   const CutResult cut = cut_outline(k_square, grid);
   ASSERT_EQ(cut.pieces.size(), 9u);

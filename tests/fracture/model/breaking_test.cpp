@@ -1,4 +1,4 @@
-/// Floes that break in the step: loads at which they do, what breaking keeps, what their pieces are.
+/// Tests of floes that break in the step: breaking loads, conserved quantities, properties of the pieces.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ using namespace nilas::test;
 
 using Rig = BreakingRig;
 
-/// The load that the wedges bear, within what it grows by in a step.
+/// The load that the wedges bear, within its growth in a step.
 TEST(Breaking, ASheetBendsAtTheLoadOfItsWedges) {
   for (const double step : {0.01, 0.005, 0.0025, 0.00125}) {
     Rig rig(bow() + fracture(), step);
@@ -29,7 +29,7 @@ TEST(Breaking, ASheetBendsAtTheLoadOfItsWedges) {
     EXPECT_EQ(event.kind, "bending");
     EXPECT_EQ(event.t, record.t);
     EXPECT_GE(event.ratio, 1);
-    // the load grows with less than the cube of the way, which is proportional to time
+    // The load grows with less than the cube of the distance, which is proportional to time.
     EXPECT_LT(event.ratio - 1, 3 * step / record.t) << "more than the load grows by in a step";
     EXPECT_NEAR(event.p_G.y(), 0, 1e-9) << "the contact is symmetric";
     const double l = beam_characteristic_length({0.05, 1e8, 0.3, 1000, 9.81});
@@ -77,7 +77,7 @@ TEST(Breaking, ALoadInTheMiddleOfASheetBreaksNothing) {
   for (int k = 0; k < 60; ++k) EXPECT_TRUE(rig.simulation->step().broken.empty());
 }
 
-/// A floe on its way, which turns: nothing is lost where it breaks.
+/// A floe breaks while it moves and turns: momentum and energy are conserved.
 TEST(Breaking, AFreeFloeKeepsMassMomentumAndEnergy) {
   Rig rig(bow("outline='0 -2 3 -1.5 3.5 1.5 0.1 2' velocity='-0.3 0.05 0'") +
           "<body shape='sphere' radius='0.05' mass='2' position='2.9 1 0.08' velocity='0 0 -0.5'/>" + fracture());

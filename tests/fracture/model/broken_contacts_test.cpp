@@ -160,7 +160,7 @@ TEST(BrokenContacts, AreSavedAndRestored) {
   EXPECT_THROW(again.restore(StateReader(state)), InputError);
 }
 
-/// So blunt that friction holds the halves of what it splits.
+/// The bow is so blunt that friction holds the halves of the floe that it splits.
 struct BluntHull {
   BluntHull() {
     std::vector<Vec3> vertices;

@@ -1,4 +1,5 @@
-/// Crushed ice that is cut out of its floe: what goes, what stays, and that the loads do not feel it.
+/// Tests of crushed ice that is cut out of its floe: which ice is removed, which stays, and that the loads do not
+/// change.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,7 +22,7 @@ std::string clearing(const std::string& model, const std::string& more = "") {
          " clear_volume='" + text(k_clear) + "'/></fracture>";
 }
 
-/// A box of this width that nothing stops, its front at x = -0.005 and on its way along x.
+/// A box of this width that nothing stops. Its front is at x = -0.005, and it moves along x.
 std::string box(double width, double y = 0) {
   return "<body name='box' shape='box' size='1 " + text(width) + " 2' mass='1e9' position='-0.505 " + text(y) +
          " 0' velocity='" + text(k_speed) + " 0 0'/>";
@@ -104,7 +105,7 @@ TEST(CrushedIceCut, ChangesNoLoadOnAPile) {
   }
 }
 
-/// A free floe that a box slows down: what leaves takes its share of mass and energy along, nothing else changes.
+/// A box slows down a free floe: removed ice takes its share of mass and energy, and nothing else changes.
 TEST(CrushedIceCut, KeepsTheAccounts) {
   Rig rig("<body name='box' shape='box' size='1 0.4 2' mass='1' fixed='true' position='-0.505 0.3 0'/>" +
               sheet("velocity='-2 0 0'", "0 -1 4 -1 4 1 0 1") + clearing(k_compliant),
@@ -129,7 +130,7 @@ TEST(CrushedIceCut, KeepsTheAccounts) {
   EXPECT_NEAR(ice_area(rig.bodies()) * k_thickness * k_density, floe(), 1e-9 * mass);
 }
 
-/// A side that leans takes out what is through at the narrow end.
+/// A leaning side removes only the ice that is crushed through at the narrow end.
 TEST(CrushedIceCut, TakesNoIceThatIsNotCrushedThrough) {
   Rig rig(towed("flared.stl", -0.13) + clearing(k_seed), 0.01);
   bool is_cut = false;
@@ -152,7 +153,7 @@ TEST(CrushedIceCut, AFloeThatAHullRunsOverIsGone) {
               k_density * k_thickness * 0.04, 1e-12);
 }
 
-/// A box comes down on the sheet and goes on: no hole is cut; the ice goes once the box comes out at the far edge.
+/// A box comes down through the sheet: no hole is cut, and the ice is removed once the box comes out at the far edge.
 TEST(CrushedIceCut, WaitsWhileAHullStandsInTheMidst) {
   Rig rig("<body name='box' shape='box' size='0.5 0.4 8' mass='1e9' position='3.2 0 4.2' velocity='0.5 0 -2'/>" +
               sheet("fixed='true'") + clearing(k_seed),

@@ -104,7 +104,7 @@ TEST(CrushingOfFloes, ASplinterWithinASheetIsBraked) {
   }
 }
 
-/// Two right angles that stand in each other have equal sides there: where the points are says whose faces count.
+/// Two right angles that overlap have equal sides there: the places of the points decide whose faces count.
 TEST(CrushingOfFloes, OfEqualAreasTheLighterFloesCountWhateverTheOrder) {
   const std::vector<Vec2> light{{0.2, 0}, {-0.8, 1}, {-1.3, 0.5}, {-1.3, -0.5}, {-0.8, -1}};
   const std::vector<Vec2> heavy{{-0.2, 0}, {0.8, -1}, {2.3, -1}, {2.3, 1}, {0.8, 1}};

@@ -90,7 +90,7 @@ TEST(Crushing, IsStableAtAnyStep) {
   }
 }
 
-/// Continuous detection follows pairs as fast as these; the ice gives way all the same.
+/// Continuous detection follows pairs as fast as these; the ice is crushed all the same.
 TEST(Crushing, IsThatOfFastBodiesToo) {
   const double strength = 1e7, speed = 20, exact = speed * std::sqrt(5000 / (strength * k_thickness));
   for (const std::string& model : {k_seed, k_compliant}) {

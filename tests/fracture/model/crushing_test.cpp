@@ -1,4 +1,4 @@
-/// Forces of hulls driven steadily into ice against closed forms; what is crushed.
+/// Tests of the forces of hulls driven steadily into ice against closed forms, and of the crushed volume.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -107,7 +107,7 @@ TEST(Crushing, ItsEnergyIsTheWorkOfItsForce) {
   }
 }
 
-/// A face's area at each step's start times its way in it.
+/// A face's area at each step's start times its displacement in the step.
 TEST(Crushing, CrushedMassIsWhatTheFacesWentThrough) {
   for (const std::string& model : {k_seed, k_compliant}) {
     Rig rig(towed("wedge.stl", -0.0025) + crushing(model), 0.01);

@@ -1,4 +1,4 @@
-/// `nilas compare --problems` as a user meets it: what it writes, what goes wrong, and going on.
+/// Tests of `nilas compare --problems` from the user's side: output, faults, and resuming.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -75,7 +75,7 @@ TEST(ProblemStudy, JudgesByTheYardstickAndListsFailuresByCause) {
   EXPECT_EQ(again.exit_code, 2) << "the folder is not empty";
 }
 
-/// Rows without what a clock told.
+/// The rows without measured times.
 std::vector<std::string> timeless(std::vector<StudyRow> rows) {
   std::vector<std::string> lines;
   for (auto& row : rows) {

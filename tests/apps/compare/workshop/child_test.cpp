@@ -1,4 +1,4 @@
-/// Processes of their own: how they end, what they cost, and that none is left behind.
+/// Tests of child processes: how they end, what they cost, and that none is left behind.
 #include "apps/compare/workshop/child.h"
 
 #include <gtest/gtest.h>
@@ -62,7 +62,7 @@ TEST(Child, CountsProcessorTimeAndNotTheTimeThatItWaits) {
 
 TEST(Child, RunAsManyAtATimeAsAskedInTheirOrder) {
   const ScratchFolder folder;
-  // each tells how many of them it sees
+  // Each prints the number of them that it sees.
   std::vector<ChildTask> tasks;
   for (int k = 0; k < 6; ++k) {
     const std::string name = std::to_string(k);

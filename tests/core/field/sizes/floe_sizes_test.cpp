@@ -30,7 +30,7 @@ TEST(FloeSizes, TheDrawsFollowTheQuantiles) {
   }
 }
 
-/// Far from its ends the lognormal's moments are those asked for.
+/// Far from its ends the lognormal has the requested moments.
 TEST(FloeSizes, TheQuantilesHaveTheMoments) {
   PackedSpec spec = spec_of(SizeDistribution::lognormal);
   spec.min = 1e-3, spec.max = 100;

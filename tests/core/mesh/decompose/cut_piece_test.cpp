@@ -49,7 +49,7 @@ TEST(CutPiece, FacesInThePlaneMakeNeitherSliversNorMembranes) {
   const MendedMesh platform = mend(soup_of(semisubmersible_shells(16)), {3e-5, 0.15});
   ASSERT_TRUE(platform.open.empty());
   std::mt19937 random(7);
-  // as drawn, and with every coordinate moved by what float32 rounds
+  // The cases are the solid as drawn, and with every coordinate moved by the rounding of float32.
   for (const double moved : {0.0, 1.2e-7}) {
     TriangleMesh mesh = platform.mesh;
     std::uniform_real_distribution<double> off(-moved, moved);

@@ -14,7 +14,7 @@
 namespace nilas {
 namespace {
 
-/// A hull folder takes them: each is convex within what read_hull() allows.
+/// A hull folder accepts the pieces: each is convex within the tolerance of read_hull().
 void expect_readable(const TriangleMesh& mesh, const ConvexParts& parts) {
   const test::ScratchFolder folder;
   write_hull({mesh, parts.parts}, folder.path(), "{}");
@@ -41,7 +41,7 @@ TEST(Decompose, AMoonPoolLeavesFourPartsWithoutDeviation) {
   const TriangleMesh mesh = rounded_to_float(moonpool_mesh());
   const ConvexParts parts = decompose(mesh, {0.005, 64, true});
   EXPECT_EQ(parts.parts.size(), 4u);
-  EXPECT_LT(parts.deviation.largest, 3 * 1e-6 * 4);        // what counts as covered: three millionths of the size
+  EXPECT_LT(parts.deviation.largest, 3 * 1e-6 * 4);        // The tolerance of coverage is three millionths of the size.
   EXPECT_NEAR(parts.table.front().deviation, 0.25, 0.03);  // one hull bridges the well: half its width
   expect_readable(mesh, parts);
 }
@@ -87,7 +87,7 @@ TEST(Decompose, ShellsThatLieApartAreJoinedWhereFewerPartsAreAllowed) {
         std::tuple{apart({port, starboard, middle}), true, 2u}}) {
     const ConvexParts parts = decompose(mesh, {0.004, most, symmetric});
     EXPECT_LE(parts.parts.size(), most);
-    EXPECT_GT(parts.deviation.largest, 0.2);  // what bridges the water between them
+    EXPECT_GT(parts.deviation.largest, 0.2);  // The pieces bridge the water between the hulls.
   }
 }
 

@@ -95,7 +95,7 @@ TEST(Mend, TJunctionsAndCracksAreClosed) {
   const MendedMesh mended = mend(soup, settings(1));
   expect_sound(mended, 1, 1e-5);
   EXPECT_TRUE(did(mended, "neighbour's edge"));
-  // the top wound the other way shows only once it has met the sides
+  // The reversed winding of the top shows only once it has met the sides.
   for (auto& loop : soup.polygons)
     if (loop.size() == 4) std::reverse(loop.begin(), loop.end());
   const MendedMesh turned = mend(soup, settings(1));

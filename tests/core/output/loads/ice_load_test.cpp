@@ -14,7 +14,8 @@ namespace {
 
 /// 200 steps of 0.01 s of a tow along Y with a ramp of 0.5 s: ice presses from 1 s on with -30 N along the course and
 /// 4 N to port, water with -5 N, and the vessel of 1500 kg gains 0.01 m/s in each step.
-/// A wall takes `others` [N] throughout. From 1.5 s on floes break, and the solver stops short, where asked.
+/// A wall bears `others` [N] throughout. From 1.5 s on floes break, and the solver misses its tolerance, where
+/// requested.
 RunStatistics towed(RunInfo info, double others = 0, bool breaks = false) {
   info.course = CourseKind::carriage;
   info.ramp_end = 0.5;

@@ -90,7 +90,7 @@ TEST(ReactionBalance, LeavesRoundingAlone) {
   EXPECT_EQ(balance.doubt(), "");
 }
 
-/// A run of the reference integrator, say, whose carriage is known from one of both alone.
+/// The carriage's load is known from one of both sources only, as in a run of the reference integrator.
 TEST(ReactionBalance, SaysNothingOfWhatIsNotKnown) {
   RunInfo info = test::full_run();
   info.parts.clear();

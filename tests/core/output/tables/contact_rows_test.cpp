@@ -109,7 +109,7 @@ TEST(ContactRows, StructuresAreTheSideOnWhichTheForceActs) {
   EXPECT_EQ(rows[2].impulse, Vec3(0.1, 0.2, 0.3));
 }
 
-/// Impulses of the floe of 10 kg on the vessel: 1 N s is worth 0.1 m/s.
+/// Impulses of the floe of 10 kg on the vessel: 1 N s corresponds to 0.1 m/s.
 TEST(ContactRows, StatusFollowsFromImpulseAndVelocity) {
   const auto status = [&](const Vec3& r, const Vec3& u, Law law = Law::coulomb, double limit = 1e9,
                           double compliance = 0) {
@@ -135,7 +135,7 @@ TEST(ContactRows, StatusFollowsFromImpulseAndVelocity) {
   EXPECT_EQ(status({0, 0, 0}, {0.1, 0, 0}, Law::coulomb, 2, 0.1), ContactStatus::open);
 }
 
-/// Its impacts lie within a step, and what it keeps of the last one names no bodies.
+/// The impacts of this integrator lie within a step, and its last contacts name no bodies.
 TEST(ContactsH5, IsNotWrittenWithTheReferenceIntegrator) {
   Scene scene;
   RunInfo info;

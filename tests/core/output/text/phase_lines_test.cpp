@@ -36,7 +36,7 @@ TEST(PhaseLines, OfATerminalAreDrawnEverySecond) {
 
 TEST(PhaseLines, PassOverPhasesThatAreShort) {
   PhaseLines lines(ConsoleStyle::plain, "reading", k_start, k_times);
-  lines.next("mending", k_start + 0.25);  // within the first moments: "reading" is never told
+  lines.next("mending", k_start + 0.25);  // The phase lies within the first moments: "reading" is never printed.
   EXPECT_EQ(told_until(k_start + 4, lines), "mending, 1 s so far\n");
   lines.next("sorting", k_start + 4);  // passed over
   lines.next("cutting", k_start + 4.25);

@@ -1,4 +1,4 @@
-/// The thread that tells phases. When it does is phase_lines_test.cpp: here nothing is due, or all is at once.
+/// Tests of the thread that prints phases. phase_lines_test.cpp tests the timing: here no line is due, or all at once.
 #include "core/output/text/phase_progress.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-/// Contact settings that do not go together are faults of the scene, all told at once.
+/// Contact settings that exclude each other are faults of the scene, all reported at once.
 #include <gtest/gtest.h>
 
 #include "tests/core/scene/scene_files.h"

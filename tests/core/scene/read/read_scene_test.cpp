@@ -247,7 +247,7 @@ TEST(ReadScene, BuoyancyBringsWaterWithItsDefaults) {
   EXPECT_FALSE(folder.read(in_scene("<hydro><virtual_drag/></hydro>")).water);
 }
 
-/// Only what the scene names: the generator scales the rest with the length.
+/// The specification holds only values of the scene: the generator scales the rest with the length.
 TEST(ReadScene, GeneratedHullHasTheParametersThatAreNamed) {
   const SceneFolder folder;
   const Scene scene =

@@ -1,4 +1,4 @@
-/// The table is consistent with itself, and what comes from it works.
+/// The table is consistent with itself, and its products work.
 #include "core/scene/schema/schema.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-/// Scenes that are valid but can hardly mean what they say.
+/// Scenes that are valid but hardly intended.
 #include "core/sim/build/implausible.h"
 
 #include <gtest/gtest.h>

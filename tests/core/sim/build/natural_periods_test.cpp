@@ -16,7 +16,7 @@ namespace {
 constexpr double k_length = 12, k_beam = 4, k_depth = 2, k_draught = 1, k_water = 1000, k_gravity = 9.81;
 constexpr double k_mass = k_water * k_length * k_beam * k_draught;
 
-/// `rest`: what holds the barge.
+/// `rest`: the support of the barge.
 std::map<std::string, NaturalPeriod> periods(const std::string& rest, const std::string& heading = "0") {
   const test::ScratchFolder folder;
   TriangleMesh box = box_shape(Vec3(k_length, k_beam, k_depth)).surface;

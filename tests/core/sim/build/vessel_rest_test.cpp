@@ -1,4 +1,4 @@
-/// The vessel at rest on its carriage: where it starts and what its balance reads there.
+/// Tests of the vessel at rest on its carriage: its initial position and the readings of its balance there.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -78,7 +78,7 @@ TEST_P(VesselAtRest, ItsCellsReadTheStaticsWithoutRinging) {
       EXPECT_NEAR((sum.force - carried.about_joint.force).norm(), 0, 1e-12 * weight);
       EXPECT_NEAR((sum.torque - carried.about_joint.torque).norm(), 0, 1e-12 * weight);
       if (!start.empty()) continue;
-      // at rest the carriage holds what buoyancy leaves of the weight
+      // At rest the carriage holds the weight less the buoyancy.
       const Wrench& hydro = *record.vessel->hydro;
       EXPECT_NEAR((carried.about_com.force + hydro.force - Vec3(0, 0, weight)).norm(), 0, 1e-10 * weight);
       EXPECT_NEAR((carried.about_com.torque + hydro.torque).norm(), 0, 1e-10 * weight);
@@ -166,7 +166,7 @@ TEST(VesselRest, TheTareIsThatOfStaticsUnderObliqueGravity) {
   const Vec3 weight = 400 * Vec3(3, -2, -9);
   const Vec3 arm = Quat(Eigen::AngleAxisd(20 * k_deg, Vec3::UnitZ())) * Vec3(0.2, -0.05, -0.3);
   EXPECT_NEAR((sum.force + weight).norm(), 0, 1e-9 * weight.norm());
-  // the cells give way by a fraction of a millimetre
+  // The cells deflect by a fraction of a millimetre.
   EXPECT_NEAR((sum.torque + arm.cross(weight)).norm(), 0, 2e-3 * weight.norm());
   const StepRecord record = rig.simulation.step();
   EXPECT_LT(largest_difference(record.vessel->carriage->cells, rig.tare().cells), 1e-10 * weight.norm());

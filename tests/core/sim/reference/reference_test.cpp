@@ -89,7 +89,7 @@ TEST(Reference, ABallBouncesAtItsInstantsAndComesToRest) {
     EXPECT_LT(speed, 2e-5) << "until bounces are slower than the threshold";
     const auto rest = rig.of(ContactEventKind::rest);
     ASSERT_EQ(rest.size(), 1u);
-    // what the threshold leaves out of the series
+    // The tolerance is the remainder of the series that the threshold leaves out.
     EXPECT_NEAR(rest[0].t, end, 2 * 2e-5 / g / (1 - e));
     EXPECT_NEAR(rig.bodies().p_GB[1].z(), radius, 1e-9);
     EXPECT_NEAR(rig.bodies().v_GB[1].norm(), 0, 1e-9);
@@ -143,7 +143,7 @@ TEST(Reference, AFloatingBoxHeaves) {
   }
 }
 
-/// v = v0/(1 + k v0 t), k = rho C A/(2 m); the work of drag is what the motion lost.
+/// v = v0/(1 + k v0 t), k = rho C A/(2 m); the work of drag is the kinetic energy that the motion lost.
 TEST(Reference, QuadraticDrag) {
   Rig rig(time(0.1) + contact() +
           "<gravity value='0 0 0'/><water density='1000'/><hydro><drag form='0.8' skin='0'/></hydro>"
@@ -185,7 +185,8 @@ TEST(Reference, ASlidingBallBeginsToRoll) {
   EXPECT_NEAR(rig.bodies().w_GB[1].y(), 100.0 / 7, 1e-7);
 }
 
-/// Two equal balls on a line, e = 1: the first stops, the second goes on; with a third at rest beyond, it takes over.
+/// Two equal balls on a line, e = 1: the first stops, the second moves on. With a third at rest behind it, the third
+/// moves.
 TEST(Reference, ElasticBallsHandTheSpeedOn) {
   const std::string ball = "<body shape='sphere' radius='0.1' mass='1' position='";
   Rig rig(time(0.1) + contact(0.3, 1) + "<gravity value='0 0 0'/>" + ball + "0 0 0' velocity='1 0 0'/>" + ball +

@@ -30,7 +30,7 @@ struct Rig {
     for (const double work : record.ledger.works) scale += std::abs(work);
     if (scene.contact.integrator == Integrator::reference) {
       EXPECT_LT(std::abs(record.ledger.imbalance), 1e-9 * scale) << record.t;
-      // what Simbody says that the carriage does, against the momentum that hull and parts gain
+      // The load of the carriage is Simbody's; it must explain the momentum that hull and parts gain.
       EXPECT_LT(record.momentum_imbalance, 1e-9 * (1 + record.momentum_scale)) << record.t;
       EXPECT_LT(record.angular_momentum_imbalance, 1e-9 * (1 + record.angular_momentum_scale)) << record.t;
     }
@@ -60,7 +60,7 @@ std::string settings(const std::string& integrator, double step, double friction
 
 const std::string k_weightless = "<gravity value='0 0 0'/>";
 
-/// Its joint at the centre of mass unless `carriage` says otherwise.
+/// The joint is at the centre of mass unless `carriage` moves it.
 std::string towed(const std::string& carriage, const std::string& inside = "", const std::string& position = "0 0 3") {
   return "<vessel name='hull' hull='box.stl' position='" + position + "'><mass value='800'/><carriage " + carriage +
          "</carriage>" + inside + "</vessel>";
@@ -68,7 +68,8 @@ std::string towed(const std::string& carriage, const std::string& inside = "", c
 
 const std::string k_cells = "<force_balance kind='six-cells' stiffness='";
 
-/// m a on the ramp, the weight beside it, and m V^2 / 2 of work; a step across the ramp's end holds a part of it.
+/// Loads are m a on the ramp, the weight in addition, and m V^2 / 2 of work. A step across the ramp's end has a share
+/// of it.
 TEST(ReferenceTowed, TheRampTakesMassTimesAcceleration) {
   const double speed = 0.6, ramp = 0.75, heading = 25 * k_deg;
   const Vec3 along(std::cos(heading), std::sin(heading), 0);
@@ -257,7 +258,7 @@ TEST(ReferenceTowed, AJumpOfTheSpeedIsAnImpulse) {
   EXPECT_NEAR(impulse, k_mass * rig.bodies().v_GB[0].x(), 1e-8);
 }
 
-/// Heave and pitch of a barge on its way, on rigid axes and on cells that ring.
+/// Heave and pitch of a moving barge, on rigid axes and on oscillating cells.
 TEST(ReferenceTowed, TheSchemesApproachIt) {
   const std::string rigid = towed("speed='1' ramp='0.8' ramp_shape='smooth' joint='0.6 0 0.2' free='heave pitch'>", "",
                                   "0 0"),

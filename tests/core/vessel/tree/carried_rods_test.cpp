@@ -39,7 +39,7 @@ TEST(CarriedRods, MakeATowedVesselSwayOnTheirCircle) {
     const double acceleration = speed * speed * length * length / std::pow(across, 3);
     const double tension = model.mass.mass * acceleration * length / across;
     EXPECT_NEAR(system.joint_account().rods[0], tension, 1e-4 * tension);
-    // the carriage holds against what the rod pulls astern
+    // The carriage balances the rod's pull astern.
     EXPECT_NEAR(system.carriage_loads().about_com.force.x(), tension * middle / length, 1e-4 * tension);
     EXPECT_NEAR(system.carriage_loads().about_com.force.y(), 0, 1e-9 * tension);
     const Wrench& apart = system.carriage_loads().disagreement.value();
@@ -64,7 +64,7 @@ TEST(CarriedRods, TakeUpTheSpeedOfTheCarriageAtOnceAndOverARamp) {
         ASSERT_NEAR(example::rod_length(model, system), length, 1e-14 * length) << k;
         const Vec3 from = model.rods[0].to_G - system.state().pose.p, v = system.state().v;
         ASSERT_NEAR(from.dot(v), 0, 1e-13);
-        // carriage and rod together are what the momentum changes by, here along and across the course
+        // Carriage and rod together are the rate of change of momentum, here along and across the course.
         const Vec3 force = (example::totals(model, system).momentum - before).head<3>() / 0.01;
         const double tension = system.joint_account().rods[0];
         const Vec3 lack = force - system.carriage_loads().about_com.force - tension * from.normalized();
@@ -78,7 +78,7 @@ TEST(CarriedRods, TakeUpTheSpeedOfTheCarriageAtOnceAndOverARamp) {
 }
 
 TEST(CarriedRods, StopTheRunAtADeadPointAndSayWhichRod) {
-  // the carriage goes on where the rod lies along its course
+  // The carriage moves on where the rod lies along its course.
   const VesselModel model = swaying(0.5, 1, 1);
   VesselSystem system(model, 0);
   try {

@@ -1,4 +1,4 @@
-/// The load cells as force elements of Simbody, beside the matrices of the step.
+/// Compares the load cells as force elements of Simbody with the matrices of the step.
 #include <gtest/gtest.h>
 
 #include "core/vessel/model/cells.h"

@@ -1,4 +1,5 @@
-/// A vessel of several bodies on a carriage that gains speed: what bears its inertia gives way as in statics.
+/// A vessel of several bodies on an accelerating carriage: joints and cells that bear its inertia deflect as in
+/// statics.
 #include <cmath>
 #include <tuple>
 
@@ -93,7 +94,8 @@ TEST_P(JointedAcceleration, ReadsWithAWeldedPartWhatOneBodyReads) {
   }
 }
 
-/// A long rod holds a slider across the course. What the rod does while the vessel moves is small: 1e-6 of the inertia.
+/// A long rod holds a slider across the course. The rod's influence while the vessel moves is small: 1e-6 of the
+/// inertia.
 TEST_P(JointedAcceleration, DeflectsCellsByTheInertiaBesideARod) {
   const double mass = 200, whole = mass + example::k_mass;
   VesselModel model = sped_up(theta(), wh(), whole);

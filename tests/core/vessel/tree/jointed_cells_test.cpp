@@ -88,7 +88,7 @@ TEST(JointedCells, SettleToTheWeightOfAllBodies) {
 TEST(JointedCells, WeldedPartsAreOneBodyWithTheHull) {
   for (const auto theta : k_schemes) {
     VesselModel model = on_cells(theta, 2e5, 1e-3);
-    PartModel twin;  // the hull's own place, so that the joint stays at the centre of mass
+    PartModel twin;  // The part has the hull's own position, so that the joint stays at the centre of mass.
     twin.joint = JointKind::weld;
     twin.mass = model.mass.mass;
     twin.inertia_B = model.mass.inertia;

@@ -58,7 +58,7 @@ TEST(DoublePendulum, ConvergesWithTheOrderOfTheScheme) {
 }
 
 TEST(DoublePendulum, JointLoadsAreThoseOfTheClosedForm) {
-  // force in the upper joint: what all mass times its acceleration lacks against weight
+  // The force in the upper joint is all mass times its acceleration, less the weight.
   VesselModel model = example::double_pendulum(0.5);
   model.parts[1].stiffness = 12;
   double last = 0;

@@ -1,4 +1,4 @@
-/// A towed vessel with parts at rest: its joints and cells give way as statics say, and nothing moves from there on.
+/// A towed vessel with parts at rest: its joints and cells deflect as in statics, and nothing moves from then on.
 #include <cmath>
 
 #include "tests/core/vessel/tree/jointed_example.h"
@@ -59,7 +59,7 @@ TEST(JointedRest, ASprungArmSagsAsStaticsSay) {
       VesselSystem system(model, 0);
       const VesselRest rest = system.settle(under_weight(model), true);
       ASSERT_TRUE(rest.carried.has_value());
-      // turning about +y lowers what is ahead: k a = m g l cos(a)
+      // A turn about +y lowers the bodies ahead: k a = m g l cos(a).
       const double moment = 40 * example::k_gravity * 0.8;
       double a = 0;
       for (int k = 0; k < 50; ++k) a -= (400 * a - moment * std::cos(a)) / (400 + moment * std::sin(a));

@@ -141,7 +141,7 @@ TEST(JointedRods, PassABlowOnAsTheClosedFormSays) {
     EXPECT_LT((system.velocity_after_impulses() - expected).norm(), 1e-12);
     EXPECT_NEAR(along_rod(system.velocity_after_impulses()), 0, 1e-13);
     EXPECT_NEAR(1e-3 * system.joint_account().rods[0], tension, 2e-3 * std::abs(tension));
-    // the block says the same before the step is taken
+    // The block gives the same value before the step is taken.
     Vec6 r;
     r << blow, hit.cross(blow);
     const VecX z = block.mass.llt().solve(block.f + block.hull.jacobian.transpose() * r);

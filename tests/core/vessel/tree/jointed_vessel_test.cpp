@@ -62,7 +62,7 @@ TEST(JointedVessel, EachStepBalancesMomentaWithAllThatActs) {
 }
 
 TEST(JointedVessel, SimbodysReactionsBalanceTheMomentaOfEachPart) {
-  // what is left is the error of the motion's scheme over a step: fourth order
+  // The remaining error is that of the motion's scheme over a step: fourth order.
   for (const auto theta : k_schemes) {
     double last = 0;
     for (const double h : {0.02, 0.01}) {
@@ -116,7 +116,7 @@ TEST(JointedVessel, ImpulsePassesThroughAHingeAsInTheClosedForm) {
   EXPECT_NEAR(X, -J / 4, 1e-12);
   EXPECT_NEAR(part[5], X * (-l / 2) / (m * l * l / 12), 1e-12);
   EXPECT_NEAR(hull[1] + hull[5] * l / 2, part[1] - part[5] * l / 2, 1e-12);
-  // the block says the same before the step is taken
+  // The block gives the same value before the step is taken.
   Vec6 r;
   r << blow, arm.cross(blow);
   const VecX speeds = block.mass.llt().solve(block.f + block.hull.jacobian.transpose() * r);

@@ -1,5 +1,5 @@
 #pragma once
-/// Vessels on rods, and what a rod does to them.
+/// Vessels on rods, and the effects of a rod on them.
 #include "core/vessel/tree/jointed_tree.h"
 #include "core/vessel/tree/rods.h"
 #include "tests/core/vessel/tree/jointed_example.h"

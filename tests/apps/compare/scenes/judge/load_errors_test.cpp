@@ -125,7 +125,7 @@ TEST(LoadErrors, ChaosIsTheLesserOfTheComparisonsAndOfTwoRunsThatEachSayTheirOwn
   grid.found.rows[0].result.summary.load_errors["ice_resistance_N"].chaos = 0.5;
   grid.judge(2);
   EXPECT_NEAR(grid.found.rows[0].load_error->chaos, std::sqrt(0.5), 1e-12);
-  EXPECT_EQ(grid.found.rows[1].load_error->chaos, 2);  // says nothing of chaos
+  EXPECT_EQ(grid.found.rows[1].load_error->chaos, 2);  // The value must not contain chaos.
   grid.judge(0.1);
   EXPECT_EQ(grid.found.rows[0].load_error->chaos, 0.1);
   grid.judge(k_nan);

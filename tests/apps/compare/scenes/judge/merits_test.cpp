@@ -210,7 +210,7 @@ TEST(Merits, MeansAreNeverOverOtherRealisationsUnmarked) {
   }
   EXPECT_NEAR(half.reference.mean.mean, -k_scale, 1e-12);
   EXPECT_NEAR(half.measure.scale, k_scale, 1e-12);
-  // with three of four the second counts, and the one that lacks it is marked and neither ranked nor chosen
+  // With three settings of four the second one counts. The one without it is marked, and neither ranked nor chosen.
   runs.add("s2-r1", RunKind::grid, 2, 1, -k_scale + 51);
   const Findings most = runs.judged();
   EXPECT_EQ(most.shared, (std::vector<int>{0, 1}));

@@ -1,4 +1,4 @@
-/// Which settings are worth their time, by hand-made figures.
+/// Tests of the ranking of settings by error and time, with hand-made figures.
 #include "apps/compare/scenes/judge/ranking.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@ namespace {
 
 using namespace nilas;
 
-/// A setting that ran well: time [s/s], error, and the floor above which it is told.
+/// A setting that ran well: time [s/s], error, and the floor above which the error is significant.
 Merit merit(std::size_t setting, double time, double error, double floor = 0.1) {
   Merit m;
   m.setting = setting;

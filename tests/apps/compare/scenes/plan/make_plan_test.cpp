@@ -49,7 +49,7 @@ Plan plan(double budget, int jobs = 2, bool fixed = false, PlanRequest request =
   return make_plan({settings(), 3, reference(), cost(), request});
 }
 
-/// The scene solves to 1e-4 m/s, beside it 1e-6 and 1e-2, and what is tighter is dear.
+/// The scene solves to 1e-4 m/s. The plan adds 1e-6 and 1e-2, and the tighter tolerance is expensive.
 Plan loose_plan(double budget, bool fixed_tolerances, bool fixed_reference = false) {
   std::vector<CompareSetting> all(4, k_own);
   for (auto& setting : all) setting.tolerance = 1e-4;
@@ -92,7 +92,7 @@ TEST(Plan, WithoutALimitHasEverythingWithATwinOfEachRealisation) {
   const Plan all = plan(0);
   EXPECT_TRUE(all.omissions.empty());
   EXPECT_EQ(all.end, 60);
-  // 4 settings, 3 realisations, 3 twins, 3 references and one of double its step
+  // 4 settings, 3 realisations, 3 perturbed runs, 3 references and one of double its step.
   EXPECT_EQ(all.runs.size(), 12U + 3 + 3 + 1);
   EXPECT_EQ(all.check.step, 0.01);
   EXPECT_EQ(all.reference.tolerance, 1e-10);

@@ -34,9 +34,9 @@ Plan ablation(double estimate = 5, int realisations = 1) {
 
 /// Outcome of the runs of a plan.
 struct Course {
-  std::set<std::string> told;  ///< reached the time that all are told over
-  double ended_s = 0;          ///< the last of them
-  double end = 0;              ///< simulated time that all are told over
+  std::set<std::string> told;  ///< Runs that reached the time over which all are compared.
+  double ended_s = 0;          ///< End of the last run [s].
+  double end = 0;              ///< Simulated time over which all runs are compared.
   std::vector<Omission> omissions;
 };
 
