@@ -40,8 +40,8 @@ struct MirrorCase {
   const char* name;
   double tilt;               ///< Tilt of the floes [rad].
   double nearest, farthest;  ///< Distance of the centres in radii.
-  bool rectangles =
-      false;  ///< Rectangles are their own images, so that an edge's image may have the reverse direction.
+  /// Rectangles are their own images, so that an edge's image may have the reverse direction.
+  bool rectangles = false;
 };
 
 std::vector<Vec2> rectangle(RandomStream& random) {
