@@ -6,7 +6,7 @@ namespace nilas {
 
 namespace {
 
-/// Submerged part at the pose it was last asked for.
+/// The submerged part of a body at the pose of the last update.
 struct Afloat {
   bool known = false;
   Vec3 p = Vec3::Zero();
@@ -29,7 +29,7 @@ class Buoyancy : public ForceModule {
   Water water_;
   int threads_;
   std::vector<WetBody<Afloat>> list_;
-  std::vector<std::size_t> moved_;  ///< bodies in the water whose pose is not the kept one
+  std::vector<std::size_t> moved_;  ///< Bodies in the water whose pose differs from the one of the last update.
 };
 
 Submerged Buoyancy::submerged(WetBody<Afloat>& body, const Mat3& R, const Vec3& p) const {
@@ -38,8 +38,8 @@ Submerged Buoyancy::submerged(WetBody<Afloat>& body, const Mat3& R, const Vec3& 
   return submerged_sphere(body.shape->radius, p, water_.level);
 }
 
-/// The energy account asks for the energy at the poses where the next step asks for the forces: each pose is clipped
-/// once.
+/// Clips the bodies that moved. The energy account reads the energy at the poses at which the next step reads the
+/// forces, so that each pose is clipped once.
 void Buoyancy::update(const Bodies& bodies) {
   nilas::follow(bodies, list_, prepare_geometry);
   moved_.clear();

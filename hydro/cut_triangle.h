@@ -7,10 +7,11 @@
 
 namespace nilas {
 
-/// One corner is alone on its side of the water; the plane cuts the two edges from it. Wet: height < 0.
+/// A triangle with one corner alone on its side of the water plane. The plane cuts the two edges that meet in this
+/// corner. A point is wet where its height is below 0.
 class CutTriangle {
  public:
-  /// Corners in the winding of the surface and their heights; at least one wet and one dry.
+  /// Takes the corners in the winding of the surface, and their heights. At least one corner is wet and one dry.
   CutTriangle(const std::array<Vec3, 3>& corners, const std::array<double, 3>& heights) {
     const bool a = heights[0] < 0, b = heights[1] < 0, c = heights[2] < 0;
     const std::size_t lone = b == c ? 0 : a == c ? 1 : 2, i = (lone + 1) % 3, j = (lone + 2) % 3;
@@ -21,10 +22,10 @@ class CutTriangle {
     next_cut_ = cut(lone_, heights[lone], next_, heights[i]);
     previous_cut_ = cut(lone_, heights[lone], previous_, heights[j]);
   }
-  /// Where the wet part's outline leaves and enters the water, in the winding of the surface.
+  /// The points where the outline leaves and enters the water, in the winding of the surface.
   const Vec3& leaves() const { return lone_wet_ ? next_cut_ : previous_cut_; }
   const Vec3& enters() const { return lone_wet_ ? previous_cut_ : next_cut_; }
-  /// Calls visit(area, centroid, normal) for the wet polygon; not when it has no area. `normal`: the triangle's unit
+  /// Calls visit(area, centroid, normal) for the wet polygon unless it has no area. `normal` is the triangle's unit
   /// normal.
   template <class Visit>
   void visit_wet(const Vec3& normal, const Visit& visit) const {
@@ -37,7 +38,7 @@ class CutTriangle {
       if (area > 0) visit(area, Vec3(k_third * (lone_ + (next_cut_ + previous_cut_))), normal);
       return;
     }
-    // Cut along either diagonal, and the mean of both: the same bits whichever way the triangle is wound.
+    // The mean of the cuts along both diagonals has the same bits whichever way the triangle is wound.
     const Halves one = halves(area_of(next_cut_, next_, previous_), next_, area_of(next_cut_, previous_, previous_cut_),
                               previous_cut_, next_cut_ + previous_);
     const Halves other = halves(area_of(previous_cut_, next_, previous_), previous_,
@@ -47,7 +48,7 @@ class CutTriangle {
   }
 
  private:
-  /// Two triangles on one diagonal: their area and three times their centroid.
+  /// Two triangles that share a diagonal: their area, and three times their centroid.
   struct Halves {
     double area;
     Vec3 triple;
@@ -64,7 +65,7 @@ class CutTriangle {
 
   bool lone_wet_ = false;
   Vec3 lone_, next_, previous_;
-  Vec3 next_cut_, previous_cut_;  ///< on the edges from the lone corner
+  Vec3 next_cut_, previous_cut_;  ///< The cuts of the edges that meet in the lone corner.
 };
 
 }  // namespace nilas

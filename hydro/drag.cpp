@@ -9,7 +9,7 @@ namespace nilas {
 
 namespace {
 
-/// In the order of its terms; as cheap as can be.
+/// A plain sum, cheaper than OrderFreeVectorSum. Its rounding depends on the order of the terms.
 class PlainVectorSum {
  public:
   void add(const Vec3& x) { sum_ += x; }
@@ -19,12 +19,12 @@ class PlainVectorSum {
   Vec3 sum_ = Vec3::Zero();
 };
 
-/// Water pressure and friction of one body's faces, summed in its own frame.
+/// Form and skin drag on the faces of one body, summed in its frame B.
 template <class VectorSum>
 class FaceDrag {
  public:
-  /// `flow`: velocity of the water past the centre of mass; `spin`: of the body; both in B. Coefficients times half the
-  /// density.
+  /// `flow` is the velocity of the water past the centre of mass [m/s], `spin` the angular velocity of the body [rad/s],
+  /// both in B. `form` and `skin` are the drag coefficients times half the water's density [kg/m^3].
   FaceDrag(const Vec3& flow, const Vec3& spin, double form, double skin)
       : flow_(flow), spin_(spin), form_(form), skin_(skin) {}
   void add(double area, const Vec3& centroid, const Vec3& normal) {

@@ -20,13 +20,13 @@ constexpr double k_balance = 1e-12;  // |rho V - m| / m, above the rounding of V
 /// Displaced mass and its slope over the height at one trial height.
 struct Displacement {
   double mass = 0;   ///< [kg]
-  double slope = 0;  ///< minus density times waterplane area [kg/m]
+  double slope = 0;  ///< Minus the density times the waterplane area [kg/m].
 };
 
 Displacement displacement(MeshWater& mesh, const Mat3& R, double z, const Water& water) {
   const Vec3 p(0, 0, z);
   const WaterPlane plane = water_plane(R, p, water.level);
-  double area = 0;  // of the waterplane: it closes the wet surface
+  double area = 0;  // of the waterplane, which closes the wet surface
   mesh.for_each_wet_face(plane,
                          [&](double face, const Vec3&, const Vec3& normal) { area -= face * normal.dot(plane.up); });
   return {water.density * mesh.submerged(R, p, water.level).volume, -water.density * area};
@@ -37,7 +37,7 @@ Displacement displacement(MeshWater& mesh, const Mat3& R, double z, const Water&
                    " kg, wholly under water it displaces " + std::to_string(most) + " kg");
 }
 
-/// A body of any shape about its centre of mass, as the buoyancy module sees it.
+/// A body of any shape about its centre of mass, with the water integrals of the buoyancy module.
 class Afloat {
  public:
   explicit Afloat(const Shape& shape) : shape_(shape), geometry_(prepare_geometry(shape)) {}
@@ -53,14 +53,14 @@ class Afloat {
     const double square = std::max(shape_.radius * shape_.radius - (level - z) * (level - z), 0.0);
     return {k_pi * square, Vec2::Zero(), 0.25 * k_pi * square * square, 0.25 * k_pi * square * square, 0};
   }
-  /// Of the lowest point against the origin [m].
+  /// The height of the lowest point above the origin, mostly negative [m].
   double lowest(const Mat3& R) const {
     if (shape_.kind == ShapeKind::sphere) return -shape_.radius;
     double z = 0;
     for (const Vec3& x : shape_.surface.vertices) z = std::min(z, R.row(2).dot(x));
     return z;
   }
-  /// Where the Newton iteration begins: in heave balance at its attitude, a sphere half under water.
+  /// The height at which the Newton iteration begins: heave balance at this attitude, for a sphere half under water [m].
   double start_height(const Mat3& R, double mass, const Water& water) const {
     if (shape_.kind != ShapeKind::sphere) return floating_height(shape_.surface, R, mass, water);
     const double most = water.density * 4 / 3 * k_pi * std::pow(shape_.radius, 3);
@@ -73,7 +73,7 @@ class Afloat {
   WetGeometry geometry_;
 };
 
-/// `tilt`: rotation vector about horizontal axes of G, put before the start attitude [rad].
+/// The start attitude turned in G by `tilt`, a rotation vector about horizontal axes of G [rad].
 Mat3 tilted(const Vec2& tilt, const Quat& start) {
   const double angle = tilt.norm();
   if (!(angle > 0)) return start.toRotationMatrix();
@@ -81,7 +81,8 @@ Mat3 tilted(const Vec2& tilt, const Quat& start) {
   return Eigen::AngleAxisd(angle, axis).toRotationMatrix() * start.toRotationMatrix();
 }
 
-/// Metacentres above the centre of mass: BM along and across the heading, plus the height of the centre of buoyancy.
+/// Fills in the metacentric heights: BM along and across the heading, plus the height of the centre of buoyancy over the
+/// centre of mass.
 void add_metacentres(const Waterplane& cut, double buoyancy_height, const Mat3& R, FloatingEquilibrium& found) {
   const double heading = std::atan2(R(1, 0), R(0, 0)), c = std::cos(heading), s = std::sin(heading);
   const double across = s * s * cut.xx + c * c * cut.yy - 2 * s * c * cut.xy;
@@ -101,15 +102,15 @@ double floating_height(const TriangleMesh& mesh, const Mat3& R, double mass, con
   const double sunk = water.level - top, height = top - bottom;
   const double most = displacement(prepared, R, sunk, water).mass;
   if (mass > most * (1 + k_balance)) refuse_to_sink(mass, most);
-  // Newton's method between bounds. KINSOL keeps none: of 1400 random masses and attitudes it missed 27, where a step
-  // led out of the water and the displacement had no slope. The unknown is the rise from where all is under water.
+  // Newton's method needs bounds here, and KINSOL has none. Of 1400 random masses and attitudes KINSOL missed 27: a step
+  // led out of the water, where the displacement has no slope. The unknown is the rise from where all is under water.
   const auto excess = [&](double rise) {
     const Displacement now = displacement(prepared, R, sunk + rise, water);
     if (std::abs(now.mass - mass) <= k_balance * mass) return std::pair(0.0, now.slope);
     return std::pair(now.mass / mass - 1, now.slope / mass);
   };
   constexpr int k_bits = 50;    // of the rise
-  std::uintmax_t passes = 200;  // bisection alone needs about 60 down to rounding
+  std::uintmax_t passes = 200;  // bisection alone needs about 60 to reach rounding
   return sunk + boost::math::tools::newton_raphson_iterate(excess, 0.5 * height, 0.0, height, k_bits, passes);
 }
 
@@ -122,7 +123,8 @@ FloatingEquilibrium floating_equilibrium(const Shape& shape, double mass, const 
   const bool round = shape.kind == ShapeKind::sphere;  // rests at any attitude
   const auto height = [&](const VecX& x) { return z_start + size * x[0]; };
   const auto attitude = [&](const VecX& x) { return tilted(round ? Vec2(Vec2::Zero()) : Vec2(x.tail<2>()), start); };
-  // unknowns: height over the body's size, and the tilt; equations: buoyancy over weight, and its lever over the size
+  // The unknowns are the height over the body's size, and the tilt. The equations are buoyancy over weight, and the
+  // lever of buoyancy over the size.
   const auto balance = [&](const VecX& x, VecX& f) {
     const Submerged wet = body.submerged(attitude(x), height(x), water.level);
     const double carried = water.density * wet.volume / mass;

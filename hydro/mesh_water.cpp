@@ -21,7 +21,7 @@ MeshWater::MeshWater(TriangleMesh mesh) : mesh_(std::move(mesh)), height_(mesh_.
     const Vec3& c = mesh_.vertices[static_cast<std::size_t>(k)];
     const Vec3 doubled = (b - a).cross(c - a);
     const double length = doubled.norm();
-    // A triangle without area carries no force; any normal serves.
+    // A triangle without area carries no force, so that its normal does not matter.
     const Vec3 normal = length > 0 ? Vec3(doubled / length) : Vec3::Zero();
     faces_.push_back({k_third * (a + (b + c)), normal, 0.5 * length});
   }
@@ -52,7 +52,8 @@ std::array<double, 2> MeshWater::height_range(const WaterPlane& plane) {
 Submerged MeshWater::submerged(const Mat3& R, const Vec3& p, double level) {
   const WaterPlane plane = water_plane(R, p, level);
   const Heights heights = read_heights(plane);
-  // Near the wet part, whose volume may be a small difference of pyramids otherwise; on the plane when there is a cut.
+  // The apex is near the wet part, lest its volume be a small difference of large pyramids. Where the plane cuts the
+  // mesh, the apex is on the plane.
   PyramidSum sum(heights.highest <= 0 ? heights.deepest : plane.foot(heights.deepest));
   visit_wet(heights, [&](double area, const Vec3& centroid, const Vec3& normal) { sum.add(area, centroid, normal); });
   if (!(sum.volume() > 0)) return {0, p};

@@ -1,6 +1,6 @@
 #pragma once
-/// A closed mesh prepared for water forces at many poses: its faces with area, centroid and normal, and room for the
-/// heights.
+/// A closed mesh prepared for water forces at many poses. It keeps area, centroid and normal of each face, and storage
+/// for the heights of the vertices.
 #include <array>
 #include <vector>
 
@@ -13,9 +13,9 @@ namespace nilas {
 
 class MeshWater {
  public:
-  /// Closed outward mesh in body frame. Throws InputError when it has no triangles.
+  /// Takes a closed mesh with outward faces, in the body frame. Throws InputError when it has no triangles.
   explicit MeshWater(TriangleMesh mesh);
-  /// Volume below the plane and its centre in G, for the pose (R, p).
+  /// The volume below the water `level` [m] and its centre in G, at the pose (R, p).
   Submerged submerged(const Mat3& R, const Vec3& p, double level);
   /// Calls visit(area, centroid_B, normal_B) for the wet part of every face.
   template <class Visit>
@@ -25,18 +25,18 @@ class MeshWater {
   /// Calls visit(cut) with the CutTriangle of every face that the plane cuts.
   template <class Visit>
   void for_each_cut(const WaterPlane& plane, const Visit& visit);
-  /// Least and greatest height of the vertices [m].
+  /// The least and the greatest height of the vertices above the plane [m].
   std::array<double, 2> height_range(const WaterPlane& plane);
 
  private:
   struct Face {
-    Vec3 centroid, normal;  ///< [m], outward unit
+    Vec3 centroid, normal;  ///< Centroid [m] and outward unit normal, in B.
     double area = 0;        ///< [m^2]
   };
-  /// Where the plane passes.
+  /// The range of the vertices' heights above the water plane.
   struct Heights {
     double lowest = 0, highest = 0;  ///< [m]
-    Vec3 deepest = Vec3::Zero();     ///< the lowest vertex, or the middle of all that are as low
+    Vec3 deepest = Vec3::Zero();     ///< The lowest vertex, or the middle of all equally low ones.
   };
 
   Heights read_heights(const WaterPlane& plane);
@@ -46,8 +46,8 @@ class MeshWater {
   CutTriangle cut_triangle(std::size_t triangle) const;
 
   TriangleMesh mesh_;
-  std::vector<Face> faces_;     ///< per triangle
-  std::vector<double> height_;  ///< of each vertex above the plane read last [m]
+  std::vector<Face> faces_;     ///< One face per triangle.
+  std::vector<double> height_;  ///< The heights of the vertices above the plane read last [m].
 };
 
 inline int MeshWater::wet_corners(std::size_t triangle) const {

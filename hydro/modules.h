@@ -9,34 +9,34 @@
 
 namespace nilas {
 
-/// Hydrostatic pressure integrated exactly over the wetted surface: rho g V upwards at the centre of buoyancy.
-/// Conservative; the potential is rho g times the integral of (level - z) over the submerged volume. Poses already seen
-/// are not clipped again.
+/// Hydrostatic pressure integrated exactly over the wetted surface: rho g V upwards at the centre of buoyancy. The force
+/// is conservative. Its potential is rho g times the integral of (level - z) over the submerged volume. A body whose
+/// pose has not changed is not clipped again.
 std::unique_ptr<ForceModule> make_buoyancy(const Water& water, int threads);
 
-/// Quadratic drag, one point per wetted face. With v_r = current - (v + w x r) at the centroid of the face's wet part,
-/// n its outward normal and v_t = v_r - (v_r . n) n:
+/// Quadratic drag, evaluated at one point per wetted face, the centroid of its wet part. Let n be the outward normal,
+/// v_r = current - (v + w x r), and v_t = v_r - (v_r . n) n:
 ///   form, where the flow meets the face (v_r . n < 0):  dF = -0.5 rho C_f (v_r . n)^2 n dA
 ///   skin, on every wet face:                            dF =  0.5 rho C_s |v_t| v_t dA
-/// A flat plate broadside so has the drag coefficient C_f on its area; a faceted sphere C_f / 2 on its cross-section.
-/// Faces are the triangles of a mesh, box, cylinder or faceted sphere, and caps and sides of a floe as whole polygons.
-/// One point per face is exact for a body that translates. For one that turns it leaves out the velocity's variation
-/// over the face: a floe that rocks about a horizontal axis through its centre gets no form drag on its caps, only on
-/// its sides.
+/// A flat plate broadside therefore has the drag coefficient C_f on its area. A faceted sphere has C_f / 2 on its
+/// cross-section. Faces are the triangles of a mesh, box, cylinder or faceted sphere, and the whole caps and sides of a
+/// floe. One point per face is exact for a body that translates. For a body that turns it leaves out how the velocity
+/// varies over the face. A floe that rocks about a horizontal axis through its centre gets form drag on its sides only.
 struct DragCoefficients {
   double form = defaults::k_form_drag;      ///< C_f
   double skin = defaults::k_skin_friction;  ///< C_s
 };
-/// For slivers at great speeds a quadratic force is too much for an explicit step: limit() scales the wrench W of a
-/// free body down to W P / (h W . M^-1 W) where that is less than W, P being the power that it takes from the motion
-/// through the water. It then takes at most half of h P, and never gives. `order_free`: the bits do not depend on the
-/// order of faces, and mirrored bodies take mirrored loads.
+/// Makes the module of quadratic drag. limit() keeps an explicit step stable for slivers at great speeds: it scales the
+/// wrench W of a free body down to W P / (h W . M^-1 W) where that is less than W. P is the power that the drag takes
+/// from the motion through the water. The scaled drag takes at most h P in a step, half of it where limit() acts, and
+/// never gives energy. With `order_free` the bits do not depend on the order of faces, and mirrored bodies take mirrored
+/// loads.
 std::unique_ptr<ForceModule> make_drag(const Water& water, const DragCoefficients& coefficients, int threads,
                                        bool order_free = false);
 
 /// F = coefficient (velocity - v) at the centre of mass of each free floe [N s/m, m/s]: the driving force of the
-/// pre-sawn test. Where that were more than brings the floe to that velocity in a step of length h, c h > m, limit()
-/// leaves what does.
+/// pre-sawn test. A floe reaches `velocity` within a step of length h where coefficient h > m. There limit() scales the
+/// force down so that the floe just reaches it.
 std::unique_ptr<ForceModule> make_virtual_drag(double coefficient, const Vec3& velocity);
 
 }  // namespace nilas

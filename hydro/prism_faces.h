@@ -1,5 +1,5 @@
 #pragma once
-/// The wet faces of a floe, one by one; templates of PrismWater.
+/// Templates of PrismWater that visit the wet faces of a floe one by one.
 #include <algorithm>
 #include <cmath>
 
@@ -38,11 +38,11 @@ void PrismWater::visit_whole(const Side& s, const Visit& visit) const {
 template <class Visit>
 void PrismWater::visit_between_caps(const WaterPlane& plane, const Visit& visit) const {
   constexpr double k_third = 1.0 / 3.0;          // centroid of a trapezium from its parallel sides
-  const double low = plane.up.z() > 0 ? -1 : 1;  // which cap is under water
+  const double low = plane.up.z() > 0 ? -1 : 1;  // the cap that is under water
   visit(moments_.area, Vec3(moments_.centroid.x(), moments_.centroid.y(), low * half_), Vec3(0, 0, low));
   const Vec2 slope = -plane.up.head<2>() / plane.up.z();
   const double middle = -plane.offset / plane.up.z();
-  // Length of a vertical side's edge under water. The caps are uncut up to rounding: hence the clamp.
+  // The clamp removes rounding: the caps count as uncut where the plane passes a corner within it.
   const auto wet_length = [&](const Vec2& q) {
     return std::clamp(half_ - low * (middle + slope.dot(q)), 0.0, 2 * half_);
   };
@@ -78,7 +78,7 @@ void PrismWater::visit_clipped(const Side& s, const WaterPlane& plane, const Vis
   const double rise = half_ * plane.up.z();
   if (std::min(a, b) - std::abs(rise) >= 0) return;
   if (std::max(a, b) + std::abs(rise) < 0) return visit_whole(s, visit);
-  // The side unrolled: along the edge from its middle, and z.
+  // Coordinates in the plane of the side: the distance along the edge from its middle, and z.
   const double end = 0.5 * s.length;
   const Vec2 deepest(a < b ? -end : b < a ? end : 0.0, rise > 0 ? -half_ : half_);
   WetPolygon wet(deepest, {-end, half_}, a + rise);

@@ -53,20 +53,20 @@ Vec3 PrismWater::deepest_point(const WaterPlane& plane) const {
   return {0.5 * (low.x() + high.x()), 0.5 * (low.y() + high.y()), plane.up.z() > 0 ? -half_ : half_};
 }
 
-/// The wet length over (x, y) is linear, half - low z_w(x, y), so volume and first moments follow from the outline's
-/// moments.
+/// The submerged part when the plane cuts only the sides. The wet length over (x, y) is linear, half - low z_w(x, y), so
+/// that volume and first moments follow from the outline's moments.
 Submerged PrismWater::between_caps(const WaterPlane& plane) const {
   const double low = plane.up.z() > 0 ? -1 : 1;
   const Vec2 slope = -plane.up.head<2>() / plane.up.z();
   const PolygonMoments& m = moments_;
-  // z of the water line at the outline's centroid.
+  // z of the water plane at the outline's centroid.
   const double z = -plane.offset / plane.up.z() + slope.dot(m.centroid);
   const double length = half_ - low * z;
   const double volume = m.area * length;
   if (!(volume > 0)) return {};
   const Vec2 second(m.xx * slope.x() + m.xy * slope.y(), m.xy * slope.x() + m.yy * slope.y());
   const Vec2 shift = -low / volume * second;
-  // Mean of z over the wet columns: half of (z_w + cap)(z_w - cap) per unit area.
+  // The mean of z over the wet columns: (z_w + cap)(z_w - cap) / 2 per unit area.
   const double centre_z = 0.5 * (low * half_ + z) - 0.5 * low * slope.dot(second) / volume;
   return {volume, Vec3(m.centroid.x() + shift.x(), m.centroid.y() + shift.y(), centre_z)};
 }

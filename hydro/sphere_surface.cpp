@@ -8,7 +8,7 @@ namespace {
 
 constexpr int k_cuts = 8;  // of each octahedron edge
 
-/// One octant of the unit sphere; `sign` holds the signs of x, y and z.
+/// Adds one octant of the unit sphere. `sign` holds the signs of x, y and z.
 void add_octant(const Vec3& sign, TriangleMesh& mesh) {
   const int first = static_cast<int>(mesh.vertices.size());
   const auto index = [&](int i, int j) { return first + i * (k_cuts + 1) - i * (i - 1) / 2 + j; };

@@ -9,7 +9,7 @@ struct Water {
   double density = defaults::k_water_density;  ///< [kg/m^3]
   double level = 0;                            ///< z of the free surface [m]
   Vec3 current = Vec3::Zero();                 ///< [m/s]
-  double gravity = defaults::k_gravity;        ///< magnitude, acting along -Z [m/s^2]
+  double gravity = defaults::k_gravity;        ///< Magnitude; acts along -Z [m/s^2].
 };
 
 }  // namespace nilas

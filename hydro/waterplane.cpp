@@ -10,7 +10,7 @@ struct BoundarySum {
   double area = 0, xx = 0, yy = 0, xy = 0;
   Vec2 first = Vec2::Zero();
 
-  /// Triangle from the origin over the segment a -> b, counter-clockwise positive.
+  /// Adds the triangle of the origin and the segment a -> b, positive when counter-clockwise.
   void add(const Vec2& a, const Vec2& b) {
     constexpr double k_third = 1.0 / 3.0;  // centroid of a triangle
     constexpr double k_twelfth =
@@ -31,7 +31,7 @@ struct BoundarySum {
 Waterplane waterplane(const TriangleMesh& mesh, const Mat3& R, const Vec3& p, double level) {
   const WaterPlane plane = water_plane(R, p, level);
   BoundarySum sum;
-  Vec3 origin = Vec3::Zero();  // on the boundary: no cancellation for a solid far from the frame's origin
+  Vec3 origin = Vec3::Zero();  // on the boundary, lest digits cancel for a solid far from the frame's origin
   bool found = false;
   MeshWater(mesh).for_each_cut(plane, [&](const CutTriangle& cut) {
     if (!found) origin = cut.leaves();

@@ -1,5 +1,5 @@
 #pragma once
-/// Which bodies take water forces, and their geometry prepared for them.
+/// The bodies that water acts on, and their geometry prepared for its forces.
 #include <memory>
 #include <variant>
 #include <vector>
@@ -10,13 +10,13 @@
 
 namespace nilas {
 
-/// Water acts on free floes and rigid bodies with a bounded shape, and on the vessel however it moves.
+/// Whether water acts on body b: on free floes and rigid bodies with a bounded shape, and on the vessel in any mode.
 bool takes_water(const Bodies& bodies, int b);
 
-/// Prepared geometry of one body; empty for a plane, and for a sphere where its closed form serves.
+/// The prepared geometry of one body. It is empty for a plane, and for a sphere whose closed form is used.
 using WetGeometry = std::variant<std::monostate, PrismWater, MeshWater>;
 
-/// What a module keeps per body. `Result` is the module's own slot, reset when the body in it changes.
+/// The data that a module keeps per body. `Result` is the module's own data, reset when another body takes the place.
 template <class Result>
 struct WetBody {
   std::shared_ptr<const Shape> shape;
@@ -24,8 +24,8 @@ struct WetBody {
   Result result{};
 };
 
-/// Brings the list in step with the bodies (which come, go, change shape and are freed when ice breaks); prepares what
-/// is new in the water with prepare(shape).
+/// Updates the list after bodies came, went, changed shape or were freed, as they do when ice breaks. Calls
+/// prepare(shape) for each body that is new in the water.
 template <class Result, class Prepare>
 void follow(const Bodies& bodies, std::vector<WetBody<Result>>& list, const Prepare& prepare) {
   list.resize(bodies.shape.size());
@@ -34,7 +34,7 @@ void follow(const Bodies& bodies, std::vector<WetBody<Result>>& list, const Prep
       list[b] = {bodies.shape[b], prepare(*bodies.shape[b]), Result{}};
 }
 
-/// Prism by its outline; box, cylinder and mesh by their surface.
+/// Prepares a prism from its outline, and a box, cylinder or mesh from its surface. Empty for other shapes.
 WetGeometry prepare_geometry(const Shape& shape);
 
 }  // namespace nilas
