@@ -5,6 +5,7 @@
 
 #include "contact/problem/islands.h"
 #include "contact/problem/operators.h"
+#include "contact/problem/row_of.h"
 #include "contact/solvers/newton_order_free.h"
 #include "core/base/error.h"
 
@@ -34,10 +35,9 @@ std::vector<std::vector<int>> groups_to_correct(const ContactProblem& graph, con
   if (std::none_of(points.begin(), points.end(), is_deep)) return {};
   auto groups = find_islands(graph);
   std::erase_if(groups, [&](const std::vector<int>& group) {
-    const auto& first = graph.pairs[static_cast<std::size_t>(group.front())];
-    return (first.a < 0 && first.b < 0) || std::none_of(group.begin(), group.end(), [&](int c) {
-             return is_deep(points[static_cast<std::size_t>(c)]);
-           });
+    const auto& first = graph.pairs[group.front()];
+    return (first.a < 0 && first.b < 0) ||
+           std::none_of(group.begin(), group.end(), [&](int c) { return is_deep(points[c]); });
   });
   return groups;
 }
@@ -111,7 +111,7 @@ class GroupCorrection {
     if (block < 0) return static_cast<int>(z_.size()) - k_size;
     NILAS_DEMAND(step_.block_size(block) == k_size && masses_.has_root(block));
     masses_.apply_root(block, jacobian, row.data());
-    return step_.block_offset[static_cast<std::size_t>(block)];
+    return step_.block_offset[block];
   }
 
   const ContactProblem& step_;
@@ -137,7 +137,7 @@ ContactProblem correction_problem(const AssembledContacts& contacts, const Conta
       const auto& pair = graph.pairs[i];
       const MatX a = pair.a < 0 ? none : MatX(step.jacobian_a(c)), b = pair.b < 0 ? none : MatX(step.jacobian_b(c));
       const int row = own.add_contact(pair.a, a, pair.b, b, step.key[i]);
-      own.w[3 * static_cast<Eigen::Index>(row)] = -least_speed(points[i], settings);
+      own.w[row_of(row)] = -least_speed(points[i], settings);
     }
   return own;
 }
@@ -176,7 +176,7 @@ PositionCorrection position_correction(const AssembledContacts& contacts, const 
 
   const MassInverse masses(step);
   VecX z = VecX::Zero(step.num_velocities() + k_size);
-  VecX impulses = VecX::Zero(3 * static_cast<Eigen::Index>(step.num_contacts()));
+  VecX impulses = VecX::Zero(row_of(step.num_contacts()));
   for (const auto& group : groups) {
     GroupCorrection correction(step, masses, z);
     for (const int c : group) {
@@ -192,19 +192,16 @@ PositionCorrection position_correction(const AssembledContacts& contacts, const 
     out.contacts += static_cast<int>(group.size());
     out.converged = out.converged && converged;
     out.sweeps = std::max(out.sweeps, sweeps);
-    for (std::size_t k = 0; k < group.size(); ++k)
-      impulses[3 * static_cast<Eigen::Index>(group[k])] = correction.impulse(k);
+    for (std::size_t k = 0; k < group.size(); ++k) impulses[row_of(group[k])] = correction.impulse(k);
   }
   // v = M^-1 H r of the free bodies follows from the impulses alone, without the rounding of the sweeps
   for (int c = 0; c < step.num_contacts(); ++c)
-    if (impulses[3 * static_cast<Eigen::Index>(c)] > 0)
-      add_impulse(step, c, impulses.segment<3>(3 * static_cast<Eigen::Index>(c)), out.v.data());
+    if (impulses[row_of(c)] > 0) add_impulse(step, c, impulses.segment<3>(row_of(c)), out.v.data());
   for (int k = 0; k < contacts.first_articulated_block; ++k) {
-    double* const block = out.v.data() + step.block_offset[static_cast<std::size_t>(k)];
+    double* const block = out.v.data() + step.block_offset[k];
     masses.apply(k, block, block);
   }
-  out.v.tail(step.num_velocities() - step.block_offset[static_cast<std::size_t>(contacts.first_articulated_block)])
-      .setZero();
+  out.v.tail(step.num_velocities() - step.block_offset[contacts.first_articulated_block]).setZero();
   return out;
 }
 
@@ -216,7 +213,7 @@ PositionCorrection correction_velocities(const AssembledContacts& contacts, cons
   for (std::size_t body = 0; body < contacts.block_of_body.size(); ++body) {
     const int block = contacts.block_of_body[body];
     if (block < 0 || block >= contacts.first_articulated_block) continue;
-    const int first = contacts.problem.block_offset[static_cast<std::size_t>(block)];
+    const int first = contacts.problem.block_offset[block];
     v[body] = out.v.segment<3>(first);
     w[body] = out.v.segment<3>(first + 3);
   }

@@ -38,7 +38,7 @@ Wrench contact_impulse_on(const StepMotion& motion, int body) {
     const double sign = c.b == body ? 1 : -1;
     const Vec3 impulse = sign * motion.impulses[i];
     force.add(impulse);
-    torque.add((c.p - motion.p[static_cast<std::size_t>(body)]).cross(impulse));
+    torque.add((c.p - motion.p[body]).cross(impulse));
     if (!motion.couples.empty()) torque.add(sign * motion.couples[i]);
   }
   return {force.value(), torque.value()};

@@ -2,15 +2,17 @@
 
 #include <algorithm>
 
+#include "contact/problem/row_of.h"
+
 namespace nilas {
 
 VecX WarmStart::guess(const std::vector<std::uint64_t>& keys, const std::vector<Mat3>& frames) const {
-  VecX r = VecX::Zero(3 * static_cast<Eigen::Index>(keys.size()));
+  VecX r = VecX::Zero(row_of(keys.size()));
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const auto found = std::lower_bound(sorted_.begin(), sorted_.end(), keys[i],
                                         [](const auto& entry, std::uint64_t key) { return entry.first < key; });
     if (found != sorted_.end() && found->first == keys[i])
-      r.segment<3>(3 * static_cast<Eigen::Index>(i)) = frames[i].transpose() * found->second;
+      r.segment<3>(row_of(i)) = frames[i].transpose() * found->second;
   }
   return r;
 }
@@ -18,7 +20,7 @@ VecX WarmStart::guess(const std::vector<std::uint64_t>& keys, const std::vector<
 void WarmStart::keep(const std::vector<std::uint64_t>& keys, const std::vector<Mat3>& frames, const VecX& r) {
   sorted_.clear();
   for (std::size_t i = 0; i < keys.size(); ++i) {
-    const Vec3 impulse = r.segment<3>(3 * static_cast<Eigen::Index>(i));
+    const Vec3 impulse = r.segment<3>(row_of(i));
     if (!impulse.isZero(0)) sorted_.emplace_back(keys[i], frames[i] * impulse);
   }
   std::sort(sorted_.begin(), sorted_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });

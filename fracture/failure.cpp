@@ -40,7 +40,7 @@ bool reaches_beyond(const std::vector<Vec2>& outline, const BendingState& state)
   for (int i = 0; i < fan.wedges; ++i) {
     const std::vector<Chord> ahead =
         chords(outline, fan.apex, fan.direction + (i + 0.5 - 0.5 * fan.wedges) * fan.wedge_angle);
-    const double radius = state.radii.empty() ? state.radius : state.radii[static_cast<std::size_t>(2 * i + 1)];
+    const double radius = state.radii.empty() ? state.radius : state.radii[2 * i + 1];
     if (!ahead.empty() && (ahead.front().end - fan.apex).norm() > radius) return true;
   }
   return false;

@@ -50,7 +50,7 @@ void Buoyancy::update(const Bodies& bodies) {
   }
   if (moved_.empty()) return;
   parallel_for(static_cast<std::ptrdiff_t>(moved_.size()), threads_, [&](std::ptrdiff_t i) {
-    const std::size_t b = moved_[static_cast<std::size_t>(i)];
+    const std::size_t b = moved_[i];
     const Vec3& p = bodies.p_GB[b];
     list_[b].result = {true, p, bodies.q_GB[b], submerged(list_[b], bodies.R_GB[b], p)};
   });

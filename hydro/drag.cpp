@@ -23,8 +23,8 @@ class PlainVectorSum {
 template <class VectorSum>
 class FaceDrag {
  public:
-  /// `flow` is the velocity of the water past the centre of mass [m/s], `spin` the angular velocity of the body [rad/s],
-  /// both in B. `form` and `skin` are the drag coefficients times half the water's density [kg/m^3].
+  /// `flow` is the velocity of the water past the centre of mass [m/s], `spin` the angular velocity of the body
+  /// [rad/s], both in B. `form` and `skin` are the drag coefficients times half the water's density [kg/m^3].
   FaceDrag(const Vec3& flow, const Vec3& spin, double form, double skin)
       : flow_(flow), spin_(spin), form_(form), skin_(skin) {}
   void add(double area, const Vec3& centroid, const Vec3& normal) {

@@ -16,9 +16,9 @@ MeshWater::MeshWater(TriangleMesh mesh) : mesh_(std::move(mesh)), height_(mesh_.
   for (auto& triangle : mesh_.triangles) {
     triangle = from_first(triangle, mesh_.vertices);
     const auto& [i, j, k] = triangle;
-    const Vec3& a = mesh_.vertices[static_cast<std::size_t>(i)];
-    const Vec3& b = mesh_.vertices[static_cast<std::size_t>(j)];
-    const Vec3& c = mesh_.vertices[static_cast<std::size_t>(k)];
+    const Vec3& a = mesh_.vertices[i];
+    const Vec3& b = mesh_.vertices[j];
+    const Vec3& c = mesh_.vertices[k];
     const Vec3 doubled = (b - a).cross(c - a);
     const double length = doubled.norm();
     // A triangle without area carries no force, so that its normal does not matter.

@@ -52,7 +52,7 @@ class MeshWater {
 
 inline int MeshWater::wet_corners(std::size_t triangle) const {
   const auto& [a, b, c] = mesh_.triangles[triangle];
-  const auto wet = [&](int vertex) { return static_cast<int>(height_[static_cast<std::size_t>(vertex)] < 0); };
+  const auto wet = [&](int vertex) { return static_cast<int>(height_[vertex] < 0); };
   return wet(a) + wet(b) + wet(c);
 }
 

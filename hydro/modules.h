@@ -9,9 +9,9 @@
 
 namespace nilas {
 
-/// Hydrostatic pressure integrated exactly over the wetted surface: rho g V upwards at the centre of buoyancy. The force
-/// is conservative. Its potential is rho g times the integral of (level - z) over the submerged volume. A body whose
-/// pose has not changed is not clipped again.
+/// Hydrostatic pressure integrated exactly over the wetted surface: rho g V upwards at the centre of buoyancy. The
+/// force is conservative. Its potential is rho g times the integral of (level - z) over the submerged volume. A body
+/// whose pose has not changed is not clipped again.
 std::unique_ptr<ForceModule> make_buoyancy(const Water& water, int threads);
 
 /// Quadratic drag, evaluated at one point per wetted face, the centroid of its wet part. Let n be the outward normal,
@@ -29,8 +29,8 @@ struct DragCoefficients {
 /// Makes the module of quadratic drag. limit() keeps an explicit step stable for slivers at great speeds: it scales the
 /// wrench W of a free body down to W P / (h W . M^-1 W) where that is less than W. P is the power that the drag takes
 /// from the motion through the water. The scaled drag takes at most h P in a step, half of it where limit() acts, and
-/// never gives energy. With `order_free` the bits do not depend on the order of faces, and mirrored bodies take mirrored
-/// loads.
+/// never gives energy. With `order_free` the bits do not depend on the order of faces, and mirrored bodies take
+/// mirrored loads.
 std::unique_ptr<ForceModule> make_drag(const Water& water, const DragCoefficients& coefficients, int threads,
                                        bool order_free = false);
 

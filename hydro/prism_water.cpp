@@ -53,8 +53,8 @@ Vec3 PrismWater::deepest_point(const WaterPlane& plane) const {
   return {0.5 * (low.x() + high.x()), 0.5 * (low.y() + high.y()), plane.up.z() > 0 ? -half_ : half_};
 }
 
-/// The submerged part when the plane cuts only the sides. The wet length over (x, y) is linear, half - low z_w(x, y), so
-/// that volume and first moments follow from the outline's moments.
+/// The submerged part when the plane cuts only the sides. The wet length over (x, y) is linear, half - low z_w(x, y),
+/// so that volume and first moments follow from the outline's moments.
 Submerged PrismWater::between_caps(const WaterPlane& plane) const {
   const double low = plane.up.z() > 0 ? -1 : 1;
   const Vec2 slope = -plane.up.head<2>() / plane.up.z();

@@ -29,10 +29,8 @@ void add_octant(const Vec3& sign, TriangleMesh& mesh) {
 double surface_area(const TriangleMesh& mesh) {
   double area = 0;
   for (const auto& [a, b, c] : mesh.triangles) {
-    const Vec3& corner = mesh.vertices[static_cast<std::size_t>(a)];
-    area += 0.5 * (mesh.vertices[static_cast<std::size_t>(b)] - corner)
-                      .cross(mesh.vertices[static_cast<std::size_t>(c)] - corner)
-                      .norm();
+    const Vec3& corner = mesh.vertices[a];
+    area += 0.5 * (mesh.vertices[b] - corner).cross(mesh.vertices[c] - corner).norm();
   }
   return area;
 }

@@ -19,8 +19,8 @@ inline WaterPlane water_plane(const Mat3& R, const Vec3& p, double level) {
   return {R.row(2).transpose(), p.z() - level};
 }
 
-/// The point where an edge leaves the water. It is computed from the wet end, so that both faces of an edge get the same
-/// bits. The heights obey wet < 0 <= dry.
+/// The point where an edge leaves the water. It is computed from the wet end, so that both faces of an edge get the
+/// same bits. The heights obey wet < 0 <= dry.
 template <class Point>
 Point leaves_water(const Point& wet, double wet_height, const Point& dry, double dry_height) {
   return wet + wet_height / (wet_height - dry_height) * (dry - wet);

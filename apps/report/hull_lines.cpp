@@ -9,9 +9,7 @@ namespace nilas {
 namespace {
 
 Vec3 normal_of(const TriangleMesh& mesh, const std::array<int, 3>& triangle) {
-  const auto corner = [&](int k) {
-    return mesh.vertices[static_cast<std::size_t>(triangle[static_cast<std::size_t>(k)])];
-  };
+  const auto corner = [&](int k) { return mesh.vertices[triangle[k]]; };
   return (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
 }
 
@@ -30,8 +28,7 @@ std::vector<Segment> visible_lines(const TriangleMesh& mesh, const Vec3& from) {
       const Vec3& other = place->second;
       const bool near = n.dot(from) > k_edge_on, other_near = other.dot(from) > k_edge_on;
       const bool sharp = n.dot(other) < std::cos(k_sharp) && (near || other_near);
-      if (near != other_near || sharp)
-        lines.push_back({mesh.vertices[static_cast<std::size_t>(i)], mesh.vertices[static_cast<std::size_t>(j)]});
+      if (near != other_near || sharp) lines.push_back({mesh.vertices[i], mesh.vertices[j]});
     }
   }
   return lines;
@@ -42,8 +39,7 @@ std::vector<Segment> waterline(const TriangleMesh& mesh, double level) {
   for (const auto& triangle : mesh.triangles) {
     std::vector<Vec3> cut;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3 &a = mesh.vertices[static_cast<std::size_t>(triangle[k])],
-                 &b = mesh.vertices[static_cast<std::size_t>(triangle[(k + 1) % 3])];
+      const Vec3 &a = mesh.vertices[triangle[k]], &b = mesh.vertices[triangle[(k + 1) % 3]];
       if ((a.z() < level) != (b.z() < level)) cut.push_back(a + (level - a.z()) / (b.z() - a.z()) * (b - a));
     }
     if (cut.size() == 2) lines.push_back({cut[0], cut[1]});

@@ -33,8 +33,7 @@ std::vector<Touch> Trial::touches() const {
   std::vector<Touch> all;
   for (std::size_t i = 0; i < solved.points.size(); ++i) {
     const ContactPoint& c = solved.points[i];
-    all.push_back({bodies.name[static_cast<std::size_t>(c.a)], bodies.name[static_cast<std::size_t>(c.b)], c.p, c.n,
-                   c.gap, solved.impulses[i] / h_});
+    all.push_back({bodies.name[c.a], bodies.name[c.b], c.p, c.n, c.gap, solved.impulses[i] / h_});
   }
   return all;
 }

@@ -39,7 +39,7 @@ int add_contact(ContactProblem& problem, const std::vector<RigidBody>& bodies, i
                 const Mat3& frame, double mu) {
   const auto rows = [&](int body, double sign) -> MatX {
     if (body < 0) return MatX(3, 0);
-    return body_rows(frame, point, bodies[static_cast<std::size_t>(body)].p, sign);
+    return body_rows(frame, point, bodies[body].p, sign);
   };
   const int c =
       problem.add_contact(a, rows(a, -1), b, rows(b, 1), static_cast<std::uint64_t>(problem.pairs.size()) + 1);

@@ -26,7 +26,7 @@ ContactProblem random_heap(std::uint64_t seed, int body_count, int contact_count
     const int a = static_cast<int>(random.bits() % static_cast<std::uint64_t>(body_count + 1)) - 1;
     int b = static_cast<int>(random.bits() % static_cast<std::uint64_t>(body_count));
     if (b == a) b = (b + 1) % body_count;
-    const Vec3 middle = bodies[static_cast<std::size_t>(b)].p + 0.7 * random_vector(random);
+    const Vec3 middle = bodies[b].p + 0.7 * random_vector(random);
     add_contact(problem, bodies, a, b, middle, frame_of(random_vector(random).normalized(), random.uniform(0, k_pi)),
                 mu);
   }
@@ -77,7 +77,7 @@ ContactProblem raft(int side, double mu, double closed, std::uint64_t seed) {
   for (int j = 0; j < side; ++j)
     for (int i = 0; i < side; ++i) {
       const int k = j * side + i;
-      const Vec3 p = bodies[static_cast<std::size_t>(k)].p;
+      const Vec3 p = bodies[k].p;
       touch(i == 0 ? -1 : k - 1, k, p - Vec3(0.5, 0, 0), Vec3::UnitX());
       if (j > 0) touch(k - side, k, p - Vec3(0, 0.5, 0), Vec3::UnitY());
     }

@@ -213,7 +213,7 @@ class Advance {
     Vec3 sum = Vec3::Zero();
     if (!part.facets) {
       const CylinderSupport support = cylinder_support(part, n, tolerance_);
-      for (int k = 0; k < support.count; ++k) sum += support.points[static_cast<std::size_t>(k)];
+      for (int k = 0; k < support.count; ++k) sum += support.points[k];
       return sum / support.count;
     }
     support_vertices(*part.facets, n, tolerance_, room_.vertices);

@@ -11,30 +11,28 @@ constexpr int k_rigid_body = 6, k_point_mass = 3;  ///< degrees of freedom
 
 using Blocks = std::vector<std::vector<int>>;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 /// Sets that grow together; the smallest member stands for its set.
 class JoinedSets {
  public:
-  explicit JoinedSets(int count) : parent_(at(count)) { std::iota(parent_.begin(), parent_.end(), 0); }
+  explicit JoinedSets(int count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
   int root(int k) {
-    while (parent_[at(k)] != k) k = parent_[at(k)] = parent_[at(parent_[at(k)])];
+    while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
     return k;
   }
   void join(int a, int b) {
     a = root(a), b = root(b);
-    parent_[at(std::max(a, b))] = std::min(a, b);
+    parent_[std::max(a, b)] = std::min(a, b);
   }
   Blocks sets() {
     Blocks all;
     std::vector<int> place(parent_.size(), -1);
     for (int k = 0; k < static_cast<int>(parent_.size()); ++k) {
-      int& set = place[at(root(k))];
+      int& set = place[root(k)];
       if (set < 0) {
         set = static_cast<int>(all.size());
         all.emplace_back();
       }
-      all[at(set)].push_back(k);
+      all[set].push_back(k);
     }
     return all;
   }
@@ -56,19 +54,19 @@ Blocks gather(const Blocks& parts, std::size_t size) {
 
 /// Degrees of freedom that each contact touches.
 Blocks touched_by_contact(const std::vector<MatrixEntry>& jacobian, int num_contacts) {
-  Blocks touched(at(num_contacts));
-  for (const auto& entry : jacobian) touched[at(entry.column / 3)].push_back(entry.row);
+  Blocks touched(num_contacts);
+  for (const auto& entry : jacobian) touched[entry.column / 3].push_back(entry.row);
   return touched;
 }
 
 bool fits(const Blocks& blocks, int ndof, const Blocks& touched) {
-  std::vector<int> block_of(at(ndof));
+  std::vector<int> block_of(ndof);
   for (std::size_t k = 0; k < blocks.size(); ++k)
-    for (const int dof : blocks[k]) block_of[at(dof)] = static_cast<int>(k);
+    for (const int dof : blocks[k]) block_of[dof] = static_cast<int>(k);
   return std::all_of(touched.begin(), touched.end(), [&block_of](const std::vector<int>& dofs) {
     int first = -1, second = -1;
     for (const int dof : dofs) {
-      const int block = block_of[at(dof)];
+      const int block = block_of[dof];
       if (block == first || block == second) continue;
       if (second >= 0) return false;
       (first < 0 ? first : second) = block;

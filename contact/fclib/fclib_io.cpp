@@ -20,13 +20,12 @@ constexpr double k_most_asymmetry = 1e-2;
 /// Most numbers in dense mass blocks beyond ten per stored one: one block of 4000 degrees of freedom.
 constexpr std::size_t k_most_mass_numbers = 16'000'000;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 std::vector<double> as_list(const VecX& x) { return {x.data(), x.data() + x.size()}; }
 
 VecX read_vector(const Hdf5Reader& file, const std::string& name, int size) {
   const auto found = file.size(name);
-  if (found != at(size)) file.refuse(name, "has " + std::to_string(found) + " entries, needs " + std::to_string(size));
+  if (found != static_cast<std::size_t>(size))
+    file.refuse(name, "has " + std::to_string(found) + " entries, needs " + std::to_string(size));
   return file.numbers(name);
 }
 
@@ -43,7 +42,7 @@ int read_num_contacts(const Hdf5Reader& file, const std::string& vectors) {
 std::vector<double> read_extra(const Hdf5Reader& file, const std::string& name, int nc,
                                const std::vector<double>& otherwise) {
   if (!file.has(name)) return otherwise;
-  if (file.size(name) != at(nc)) file.refuse(name, "needs " + std::to_string(nc) + " entries");
+  if (file.size(name) != static_cast<std::size_t>(nc)) file.refuse(name, "needs " + std::to_string(nc) + " entries");
   return as_list(file.numbers_or_infinity(name));
 }
 
@@ -57,13 +56,13 @@ void demand_at_least(const Hdf5Reader& file, const std::string& name, const std:
 
 template <class Problem>
 void read_coefficients(const Hdf5Reader& file, const std::string& vectors, int nc, Problem& problem) {
-  const std::vector<double> none(at(nc), 0.0);
+  const std::vector<double> none(nc, 0.0);
   problem.mu = as_list(read_vector(file, vectors + "/mu", nc));
   demand_at_least(file, vectors + "/mu", problem.mu, none);
   problem.mu_static = read_extra(file, vectors + "/mu_static", nc, problem.mu);
   demand_at_least(file, vectors + "/mu_static", problem.mu_static, problem.mu);
-  problem.force_limit = read_extra(file, vectors + "/force_limit", nc,
-                                   std::vector<double>(at(nc), std::numeric_limits<double>::infinity()));
+  problem.force_limit =
+      read_extra(file, vectors + "/force_limit", nc, std::vector<double>(nc, std::numeric_limits<double>::infinity()));
   demand_at_least(file, vectors + "/force_limit", problem.force_limit, none);
   problem.compliance = read_extra(file, vectors + "/compliance", nc, none);
   demand_at_least(file, vectors + "/compliance", problem.compliance, none);
@@ -101,7 +100,7 @@ void fill_blocks(std::vector<MatrixEntry> entries, int nc, LocalProblem& problem
     }
     row = a;
     problem.block.back()(entry.row % 3, entry.column % 3) += entry.value;
-    problem.row_start.resize(at(a) + 1);
+    problem.row_start.resize(a + 1);
     problem.row_start.push_back(static_cast<int>(problem.column.size()));
   }
 }
@@ -123,11 +122,11 @@ LocalProblem read_local(const Hdf5Reader& file, const std::string& root) {
 /// Where each degree of freedom of the file lies: in which block, and at which place within it.
 struct DofPlaces {
   std::vector<int> block, place;
-  DofPlaces(int ndof, const std::vector<std::vector<int>>& blocks) : block(at(ndof)), place(at(ndof)) {
+  DofPlaces(int ndof, const std::vector<std::vector<int>>& blocks) : block(ndof), place(ndof) {
     for (std::size_t k = 0; k < blocks.size(); ++k)
       for (std::size_t i = 0; i < blocks[k].size(); ++i) {
-        block[at(blocks[k][i])] = static_cast<int>(k);
-        place[at(blocks[k][i])] = static_cast<int>(i);
+        block[blocks[k][i]] = static_cast<int>(k);
+        place[blocks[k][i]] = static_cast<int>(i);
       }
   }
 };
@@ -146,10 +145,9 @@ void set_blocks(const Hdf5Reader& file, const std::string& name, const std::vect
 double fill_masses(const std::vector<MatrixEntry>& entries, const DofPlaces& places, ContactProblem& problem) {
   problem.mass_data.assign(problem.mass_offset.back(), 0.0);
   for (const auto& entry : entries) {
-    const int k = places.block[at(entry.row)];
-    const std::size_t n = at(problem.block_size(k));
-    problem.mass_data[problem.mass_offset[at(k)] + n * at(places.place[at(entry.column)]) +
-                      at(places.place[at(entry.row)])] += entry.value;
+    const int k = places.block[entry.row];
+    const std::size_t n = problem.block_size(k);
+    problem.mass_data[problem.mass_offset[k] + n * places.place[entry.column] + places.place[entry.row]] += entry.value;
   }
   double largest = 0, difference = 0;
   for (int k = 0; k < problem.num_blocks(); ++k) {
@@ -169,20 +167,20 @@ void add_block_to(ContactProblem::Pair& pair, int block) {
 }
 
 void fill_jacobians(const std::vector<MatrixEntry>& entries, const DofPlaces& places, int nc, ContactProblem& problem) {
-  const auto size_of = [&problem](int block) { return block < 0 ? std::size_t{0} : at(problem.block_size(block)); };
-  problem.pairs.assign(at(nc), {});
-  for (const auto& entry : entries) add_block_to(problem.pairs[at(entry.column / 3)], places.block[at(entry.row)]);
+  const auto size_of = [&problem](int block) { return block < 0 ? std::size_t{0} : problem.block_size(block); };
+  problem.pairs.assign(nc, {});
+  for (const auto& entry : entries) add_block_to(problem.pairs[entry.column / 3], places.block[entry.row]);
   for (std::size_t c = 0; c < problem.moments.size(); ++c)
-    if (problem.moments[c].contact >= 0) problem.pairs[c] = problem.pairs[at(problem.moments[c].contact)];
+    if (problem.moments[c].contact >= 0) problem.pairs[c] = problem.pairs[problem.moments[c].contact];
   for (const auto& pair : problem.pairs)
     problem.jacobian_offset.push_back(problem.jacobian_offset.back() + 3 * (size_of(pair.a) + size_of(pair.b)));
   problem.jacobian_data.assign(problem.jacobian_offset.back(), 0.0);
   for (const auto& entry : entries) {
-    const std::size_t c = at(entry.column / 3), direction = at(entry.column % 3);
-    const int block = places.block[at(entry.row)];
+    const std::size_t c = entry.column / 3, direction = entry.column % 3;
+    const int block = places.block[entry.row];
     const bool second = block == problem.pairs[c].b;
     const std::size_t first = problem.jacobian_offset[c] + (second ? 3 * size_of(problem.pairs[c].a) : 0);
-    problem.jacobian_data[first + direction * size_of(block) + at(places.place[at(entry.row)])] += entry.value;
+    problem.jacobian_data[first + direction * size_of(block) + places.place[entry.row]] += entry.value;
   }
 }
 
@@ -198,7 +196,7 @@ void refuse_unmovable(const Hdf5Reader& file, const std::string& root, const Con
 
 int read_num_velocities(const Hdf5Reader& file, const std::string& name) {
   const std::size_t count = file.size(name);
-  if (count == 0 || count > at(std::numeric_limits<int>::max()))
+  if (count == 0 || count > static_cast<std::size_t>(std::numeric_limits<int>::max()))
     file.refuse(name, "has " + std::to_string(count) + " entries; not supported");
   return static_cast<int>(count);
 }
@@ -207,7 +205,7 @@ int read_num_velocities(const Hdf5Reader& file, const std::string& name) {
 RollingRows read_rolling_rows(const Hdf5Reader& file, const std::string& vectors, int nc) {
   RollingRows rows;
   rows.length = as_list(read_vector(file, vectors + "/mu_r", nc));
-  demand_at_least(file, vectors + "/mu_r", rows.length, std::vector<double>(at(nc), 0.0));
+  demand_at_least(file, vectors + "/mu_r", rows.length, std::vector<double>(nc, 0.0));
   rows.number();
   return rows;
 }
@@ -215,13 +213,13 @@ RollingRows read_rolling_rows(const Hdf5Reader& file, const std::string& vectors
 /// Appends the moments' coefficients and links.
 void add_moments(const RollingRows& rows, ContactProblem& problem) {
   const int nc = rows.num_points();
-  problem.moments.resize(at(rows.num_rows()));
+  problem.moments.resize(rows.num_rows());
   for (int c = 0; c < nc; ++c) {
-    const int m = rows.moment[at(c)];
+    const int m = rows.moment[c];
     if (m < 0) continue;
-    problem.moments[at(c)].moment = m;
-    problem.moments[at(m)].contact = c;
-    problem.moments[at(m)].rolling = rows.length[at(c)];
+    problem.moments[c].moment = m;
+    problem.moments[m].contact = c;
+    problem.moments[m].rolling = rows.length[c];
     problem.mu.push_back(1);
     problem.mu_static.push_back(1);
     problem.force_limit.push_back(std::numeric_limits<double>::infinity());
@@ -233,12 +231,12 @@ void add_moments(const RollingRows& rows, ContactProblem& problem) {
 /// A moment acts between the two blocks of its contact.
 void demand_same_blocks(const Hdf5Reader& file, const std::string& root, const RollingRows& rows,
                         const std::vector<MatrixEntry>& jacobian, const DofPlaces& places) {
-  std::vector<ContactProblem::Pair> pairs(at(rows.num_rows()));
-  for (const auto& entry : jacobian) add_block_to(pairs[at(entry.column / 3)], places.block[at(entry.row)]);
+  std::vector<ContactProblem::Pair> pairs(rows.num_rows());
+  for (const auto& entry : jacobian) add_block_to(pairs[entry.column / 3], places.block[entry.row]);
   for (int c = 0; c < rows.num_points(); ++c) {
-    if (rows.moment[at(c)] < 0) continue;
-    const auto& own = pairs[at(c)];
-    const auto& moment = pairs[at(rows.moment[at(c)])];
+    if (rows.moment[c] < 0) continue;
+    const auto& own = pairs[c];
+    const auto& moment = pairs[rows.moment[c]];
     for (const int block : {moment.a, moment.b})
       if (block >= 0 && block != own.a && block != own.b)
         file.refuse(root + "/H", "the moment of contact " + std::to_string(c) + " acts on another body than its force");

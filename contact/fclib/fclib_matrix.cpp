@@ -49,7 +49,7 @@ bool within(const std::vector<int>& indices, int count, int bound) {
 /// Whether every column is named.
 bool fills_columns(const std::vector<int>& indices, int count, int columns) {
   std::vector<bool> named(static_cast<std::size_t>(columns));
-  for (int k = 0; k < count; ++k) named[static_cast<std::size_t>(indices[static_cast<std::size_t>(k)])] = true;
+  for (int k = 0; k < count; ++k) named[indices[k]] = true;
   return std::find(named.begin(), named.end(), false) == named.end();
 }
 
@@ -102,8 +102,8 @@ std::vector<MatrixEntry> compressed_entries(const Hdf5Reader& file, const RawMat
   std::vector<MatrixEntry> entries;
   entries.reserve(static_cast<std::size_t>(count));
   for (int line = 0; line < lines; ++line)
-    for (int k = raw.p[static_cast<std::size_t>(line)]; k < raw.p[static_cast<std::size_t>(line) + 1]; ++k) {
-      const int across = raw.i[static_cast<std::size_t>(k)];
+    for (int k = raw.p[line]; k < raw.p[static_cast<std::size_t>(line) + 1]; ++k) {
+      const int across = raw.i[k];
       if (raw.x[k] != 0) entries.push_back({by_rows ? line : across, by_rows ? across : line, raw.x[k]});
     }
   return entries;

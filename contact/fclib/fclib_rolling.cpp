@@ -8,15 +8,13 @@ namespace nilas {
 
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 /// Calls work(row in the file, row in the ContactProblem, length) for every pair of rows; length 1 for forces.
 template <class Work>
 void for_each_row(const RollingRows& rows, const Work& work) {
   for (int p = 0; p < rows.num_points(); ++p) {
-    for (int i = 0; i < 3; ++i) work(k_rolling_rows * p + i, 3 * rows.contact[at(p)] + i, 1.0);
-    if (rows.moment[at(p)] < 0) continue;
-    for (int i = 1; i < 3; ++i) work(k_rolling_rows * p + 2 + i, 3 * rows.moment[at(p)] + i, rows.length[at(p)]);
+    for (int i = 0; i < 3; ++i) work(k_rolling_rows * p + i, 3 * rows.contact[p] + i, 1.0);
+    if (rows.moment[p] < 0) continue;
+    for (int i = 1; i < 3; ++i) work(k_rolling_rows * p + 2 + i, 3 * rows.moment[p] + i, rows.length[p]);
   }
 }
 
@@ -26,8 +24,7 @@ std::vector<MatrixEntry> moved(const std::vector<MatrixEntry>& entries, const st
   std::vector<MatrixEntry> out;
   out.reserve(entries.size());
   for (const MatrixEntry& entry : entries)
-    if (column[at(entry.column)] >= 0)
-      out.push_back({entry.row, column[at(entry.column)], factor[at(entry.column)] * entry.value});
+    if (column[entry.column] >= 0) out.push_back({entry.row, column[entry.column], factor[entry.column] * entry.value});
   return out;
 }
 
@@ -37,7 +34,7 @@ void RollingRows::number() {
   int next = num_points();
   for (int c = 0; c < num_points(); ++c) {
     contact.push_back(c);
-    moment.push_back(length[at(c)] > 0 ? next++ : -1);
+    moment.push_back(length[c] > 0 ? next++ : -1);
   }
 }
 
@@ -52,7 +49,7 @@ RollingRows RollingRows::of(const ContactProblem& problem) {
     const int m = problem.moment_of(c);
     rows.contact.push_back(c);
     rows.moment.push_back(m);
-    rows.length.push_back(m < 0 ? 0 : problem.moments[at(m)].rolling);
+    rows.length.push_back(m < 0 ? 0 : problem.moments[m].rolling);
   }
   return rows;
 }
@@ -62,11 +59,11 @@ int RollingRows::num_rows() const {
 }
 
 std::vector<MatrixEntry> RollingRows::jacobian(const std::vector<MatrixEntry>& of_file) const {
-  std::vector<int> column(at(k_rolling_rows * num_points()), -1);
+  std::vector<int> column(k_rolling_rows * num_points(), -1);
   std::vector<double> factor(column.size(), 0);
   for_each_row(*this, [&](int file, int ours, double l) {
-    column[at(file)] = ours;
-    factor[at(file)] = l;
+    column[file] = ours;
+    factor[file] = l;
   });
   return moved(of_file, column, factor);
 }
@@ -84,11 +81,11 @@ VecX RollingRows::impulses(const VecX& of_file) const {
 }
 
 std::vector<MatrixEntry> RollingRows::jacobian_for_file(const std::vector<MatrixEntry>& ours) const {
-  std::vector<int> column(at(3 * num_rows()), -1);
+  std::vector<int> column(3 * num_rows(), -1);
   std::vector<double> factor(column.size(), 0);
   for_each_row(*this, [&](int file, int own, double l) {
-    column[at(own)] = file;
-    factor[at(own)] = 1 / l;
+    column[own] = file;
+    factor[own] = 1 / l;
   });
   return moved(ours, column, factor);
 }

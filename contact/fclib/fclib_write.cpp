@@ -12,8 +12,6 @@ namespace nilas {
 
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 std::string law_name(Law law, int facets) {
   return law == Law::pyramid_k ? "pyramid-" + std::to_string(facets) : to_string(law);
 }
@@ -50,10 +48,9 @@ void add_entry(std::vector<MatrixEntry>& entries, int row, int column, double va
 std::vector<MatrixEntry> delassus_entries(const LocalProblem& problem) {
   std::vector<MatrixEntry> entries;
   for (int a = 0; a < problem.num_contacts(); ++a)
-    for (int k = problem.row_start[at(a)]; k < problem.row_start[at(a) + 1]; ++k)
+    for (int k = problem.row_start[a]; k < problem.row_start[a + 1]; ++k)
       for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-          add_entry(entries, 3 * a + i, 3 * problem.column[at(k)] + j, problem.block[at(k)](i, j));
+        for (int j = 0; j < 3; ++j) add_entry(entries, 3 * a + i, 3 * problem.column[k] + j, problem.block[k](i, j));
   return entries;
 }
 
@@ -62,10 +59,10 @@ std::vector<MatrixEntry> mass_entries(const ContactProblem& problem, const std::
   std::vector<MatrixEntry> entries;
   for (int k = 0; k < problem.num_blocks(); ++k) {
     const auto mass = problem.mass(k);
-    const int first = problem.block_offset[at(k)];
+    const int first = problem.block_offset[k];
     for (int j = 0; j < problem.block_size(k); ++j)
       for (int i = 0; i < problem.block_size(k); ++i)
-        add_entry(entries, row_of[at(first + i)], row_of[at(first + j)], mass(i, j));
+        add_entry(entries, row_of[first + i], row_of[first + j], mass(i, j));
   }
   return entries;
 }
@@ -75,10 +72,10 @@ std::vector<MatrixEntry> jacobian_entries(const ContactProblem& problem, const s
   const auto add_side = [&](int c, int block, const ContactProblem::ConstJacobian& jacobian) {
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < jacobian.cols(); ++j)
-        add_entry(entries, row_of[at(problem.block_offset[at(block)] + j)], 3 * c + i, jacobian(i, j));
+        add_entry(entries, row_of[problem.block_offset[block] + j], 3 * c + i, jacobian(i, j));
   };
   for (int c = 0; c < problem.num_contacts(); ++c) {
-    const auto& pair = problem.pairs[at(c)];
+    const auto& pair = problem.pairs[c];
     if (pair.a >= 0) add_side(c, pair.a, problem.jacobian_a(c));
     if (pair.b >= 0) add_side(c, pair.b, problem.jacobian_b(c));
   }
@@ -88,7 +85,7 @@ std::vector<MatrixEntry> jacobian_entries(const ContactProblem& problem, const s
 /// Velocities in the order of the file's rows.
 VecX in_file_order(const VecX& v, const std::vector<int>& row_of) {
   VecX ordered(v.size());
-  for (Eigen::Index k = 0; k < v.size(); ++k) ordered[row_of[static_cast<std::size_t>(k)]] = v[k];
+  for (Eigen::Index k = 0; k < v.size(); ++k) ordered[row_of[k]] = v[k];
   return ordered;
 }
 
@@ -107,7 +104,7 @@ void add_problem(Hdf5Writer& file, const LocalProblem& problem, const std::vecto
 template <class Value>
 std::vector<Value> of_contacts(const RollingRows& rows, const std::vector<Value>& values) {
   std::vector<Value> out;
-  for (const int c : rows.contact) out.push_back(values[at(c)]);
+  for (const int c : rows.contact) out.push_back(values[c]);
   return out;
 }
 
@@ -189,7 +186,7 @@ void write_fclib(const std::filesystem::path& path, const LocalProblem& problem,
 }
 
 void write_fclib(const std::filesystem::path& path, const ContactProblem& problem, const ContactSolution* solution) {
-  std::vector<int> as_is(at(problem.num_velocities()));
+  std::vector<int> as_is(problem.num_velocities());
   std::iota(as_is.begin(), as_is.end(), 0);
   write(path, problem, as_is, {path.stem().string(), ""}, solution);
 }

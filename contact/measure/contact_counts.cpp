@@ -42,8 +42,7 @@ ContactCounts count_contacts(const ContactProblem& problem, const VecX& r, const
 ContactCounts count_contacts(const LocalProblem& problem, const VecX& r, const VecX& u) {
   Counter counter{k_slip * measure(problem, r).law_map_m_s, {}};
   for (int c = 0; c < problem.num_contacts(); ++c)
-    counter.add(problem.diagonal(c).trace() / 3, problem.mu[static_cast<std::size_t>(c)], r.segment<3>(3 * c),
-                u.segment<3>(3 * c));
+    counter.add(problem.diagonal(c).trace() / 3, problem.mu[c], r.segment<3>(3 * c), u.segment<3>(3 * c));
   return counter.counts;
 }
 

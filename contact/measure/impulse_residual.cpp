@@ -6,6 +6,7 @@
 #include "contact/law/law_map.h"
 #include "contact/law/moment_cone.h"
 #include "contact/problem/operators.h"
+#include "contact/problem/row_of.h"
 
 namespace nilas {
 
@@ -16,11 +17,10 @@ static Vec3 without_hover(Law law, double mu, double gap_speed, const Vec3& u) {
 
 ImpulseResidual impulse_residual(const ContactProblem& problem, int c, double d, const VecX& r, const VecX& v,
                                  double gap_speed) {
-  const auto segment = [&](int i) -> Vec3 { return r.segment<3>(3 * static_cast<Eigen::Index>(i)); };
+  const auto segment = [&](int i) -> Vec3 { return r.segment<3>(row_of(i)); };
   const ContactScale scale = contact_scale(problem, c, d);
   const Vec3 r_c = segment(c);
-  const Vec3 u =
-      compliant_velocity(problem.compliance[static_cast<std::size_t>(c)], r_c, contact_velocity(problem, c, v.data()));
+  const Vec3 u = compliant_velocity(problem.compliance[c], r_c, contact_velocity(problem, c, v.data()));
   const Vec3 closed = without_hover(problem.law, scale.mu, gap_speed, u);
   const int m = problem.moment_of(c);
   if (m < 0) {

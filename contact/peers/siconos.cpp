@@ -40,11 +40,10 @@ Matrix sparse_operator(const LocalProblem& problem) {
   NM_triplet_alloc(matrix.get(), static_cast<CS_INT>(9 * problem.block.size()));
   matrix->matrix2->origin = NSM_TRIPLET;
   for (int a = 0; a < problem.num_contacts(); ++a)
-    for (int k = problem.row_start[static_cast<std::size_t>(a)]; k < problem.row_start[static_cast<std::size_t>(a) + 1];
-         ++k) {
-      const int b = problem.column[static_cast<std::size_t>(k)];
-      Mat3 block = problem.block[static_cast<std::size_t>(k)];
-      if (a == b) block(0, 0) += problem.compliance[static_cast<std::size_t>(a)];
+    for (int k = problem.row_start[a]; k < problem.row_start[static_cast<std::size_t>(a) + 1]; ++k) {
+      const int b = problem.column[k];
+      Mat3 block = problem.block[k];
+      if (a == b) block(0, 0) += problem.compliance[a];
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) NM_entry(matrix.get(), 3 * a + i, 3 * b + j, block(i, j));
     }

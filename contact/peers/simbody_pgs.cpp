@@ -18,10 +18,9 @@ SimTK::Matrix dense_operator(const LocalProblem& island) {
   const int rows = 3 * island.num_contacts();
   SimTK::Matrix out(rows, rows, 0.0);
   for (int a = 0; a < island.num_contacts(); ++a)
-    for (int k = island.row_start[static_cast<std::size_t>(a)]; k < island.row_start[static_cast<std::size_t>(a) + 1];
-         ++k) {
-      const int b = island.column[static_cast<std::size_t>(k)];
-      const Mat3& block = island.block[static_cast<std::size_t>(k)];
+    for (int k = island.row_start[a]; k < island.row_start[static_cast<std::size_t>(a) + 1]; ++k) {
+      const int b = island.column[k];
+      const Mat3& block = island.block[k];
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
           out(3 * a + i, 3 * b + j) += 0.5 * block(i, j);
@@ -61,9 +60,9 @@ ContactSolution SimbodyPgsSolver::solve_island(const LocalProblem& island, const
     contact.m_type = SimTK::ImpulseSolver::Participating;
     contact.m_slipVel = SimTK::Vec2(0);
     contact.m_slipMag = 0;
-    contact.m_effMu = island.mu[static_cast<std::size_t>(c)];
+    contact.m_effMu = island.mu[c];
     contacts.push_back(contact);
-    D[3 * c] = island.compliance[static_cast<std::size_t>(c)];
+    D[3 * c] = island.compliance[c];
     for (int i = 0; i < 3; ++i) {
       participating.push_back(SimTK::MultiplierIndex(3 * c + i));
       start[3 * c + i] = island.q[3 * c + i];

@@ -14,34 +14,32 @@ constexpr double k_dense_share = 0.95;
 /// Least and most rows of a dense part. Fewer rows save nothing; more would take over half a gigabyte.
 constexpr int k_smallest_tail = 8, k_largest_tail = 2500;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 void order(const std::vector<int>& row_start, const std::vector<int>& column, BlockFill& fill) {
   const int n = static_cast<int>(row_start.size()) - 1;
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(column.size());
   for (int i = 0; i < n; ++i)
-    for (int k = row_start[at(i)]; k < row_start[at(i) + 1]; ++k) entries.emplace_back(i, column[at(k)], 1.0);
+    for (int k = row_start[i]; k < row_start[i + 1]; ++k) entries.emplace_back(i, column[k], 1.0);
   Eigen::SparseMatrix<double> pattern(n, n);
   pattern.setFromTriplets(entries.begin(), entries.end());
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation;
   Eigen::AMDOrdering<int>()(pattern, permutation);
   // Eigen hands out the inverse permutation: entry k is the row that comes k-th
   fill.source.assign(permutation.indices().data(), permutation.indices().data() + n);
-  fill.place.resize(at(n));
-  for (int k = 0; k < n; ++k) fill.place[at(fill.source[at(k)])] = k;
+  fill.place.resize(n);
+  for (int k = 0; k < n; ++k) fill.place[fill.source[k]] = k;
 }
 
 /// Returns n lists from `for_each`, which calls its argument for every (list, item), in the same order each time.
 template <class ForEach>
 ColumnLists lists_of(int n, const ForEach& for_each) {
   ColumnLists lists;
-  lists.start.assign(at(n) + 1, 0);
-  for_each([&](int list, int) { ++lists.start[at(list) + 1]; });
+  lists.start.assign(n + 1, 0);
+  for_each([&](int list, int) { ++lists.start[list + 1]; });
   std::partial_sum(lists.start.begin(), lists.start.end(), lists.start.begin());
   lists.columns.resize(lists.start.back());
   auto next = lists.start;
-  for_each([&](int list, int item) { lists.columns[next[at(list)]++] = item; });
+  for_each([&](int list, int item) { lists.columns[next[list]++] = item; });
   return lists;
 }
 
@@ -50,8 +48,8 @@ ColumnLists lists_of(int n, const ForEach& for_each) {
 ColumnLists given_upper(const std::vector<int>& row_start, const std::vector<int>& column, const BlockFill& fill) {
   return lists_of(fill.size(), [&](const auto& use) {
     for (int i = 0; i < fill.size(); ++i)
-      for (int k = row_start[at(i)]; k < row_start[at(i) + 1]; ++k) {
-        const int a = fill.place[at(i)], b = fill.place[at(column[at(k)])];
+      for (int k = row_start[i]; k < row_start[i + 1]; ++k) {
+        const int a = fill.place[i], b = fill.place[column[k]];
         if (a != b) use(std::min(a, b), std::max(a, b));
       }
   });
@@ -61,23 +59,23 @@ ColumnLists given_upper(const std::vector<int>& row_start, const std::vector<int
 /// these are more than `most` in all; then the lists are not complete.
 bool find_fill(const ColumnLists& given, std::size_t most, BlockFill& fill) {
   const int n = fill.size();
-  std::vector<int> first_child(at(n), -1), sibling(at(n), -1), seen(at(n), -1);
+  std::vector<int> first_child(n, -1), sibling(n, -1), seen(n, -1);
   auto& columns = fill.upper.columns;
   const auto take = [&](int j, int k) {
-    if (seen[at(j)] == k) return;
-    seen[at(j)] = k;
+    if (seen[j] == k) return;
+    seen[j] = k;
     columns.push_back(j);
   };
   for (int k = 0; k < n; ++k) {
-    seen[at(k)] = k;
+    seen[k] = k;
     for (const int j : given[k]) take(j, k);
-    for (int child = first_child[at(k)]; child >= 0; child = sibling[at(child)])
+    for (int child = first_child[k]; child >= 0; child = sibling[child])
       for (std::size_t i = fill.upper.first(child); i < fill.upper.first(child + 1); ++i) take(columns[i], k);
     const auto row = columns.begin() + static_cast<std::ptrdiff_t>(fill.upper.start.back());
     std::sort(row, columns.end());
     if (row != columns.end()) {
-      sibling[at(k)] = first_child[at(*row)];
-      first_child[at(*row)] = k;
+      sibling[k] = first_child[*row];
+      first_child[*row] = k;
     }
     fill.upper.start.push_back(columns.size());
     if (columns.size() > most) return false;

@@ -17,7 +17,7 @@ struct ColumnLists {
   std::span<const int> operator[](int row) const {
     return std::span(columns).subspan(first(row), first(row + 1) - first(row));
   }
-  std::size_t first(int row) const { return start[static_cast<std::size_t>(row)]; }
+  std::size_t first(int row) const { return start[row]; }
 };
 
 struct BlockFill {

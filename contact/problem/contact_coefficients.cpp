@@ -10,7 +10,7 @@ ContactCoefficients select(const ContactCoefficients& all, const std::vector<int
   part.facets = all.facets;
   for_each_list(part, all, [&](auto& list, const auto& from) {
     list.reserve(contacts.size());
-    for (const int c : contacts) list.push_back(from[static_cast<std::size_t>(c)]);
+    for (const int c : contacts) list.push_back(from[c]);
   });
   return part;
 }

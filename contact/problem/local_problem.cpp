@@ -4,19 +4,17 @@
 #include <cmath>
 
 #include "contact/problem/operators.h"
+#include "contact/problem/row_of.h"
 #include "core/base/error.h"
 
 namespace nilas {
 
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-Eigen::Index row_of(int c) { return 3 * static_cast<Eigen::Index>(c); }
-
 /// Place of block (a, b) in the lists, or -1.
 std::ptrdiff_t find_block(const LocalProblem& problem, int a, int b) {
-  const auto first = problem.column.begin() + problem.row_start[at(a)];
-  const auto last = problem.column.begin() + problem.row_start[at(a) + 1];
+  const auto first = problem.column.begin() + problem.row_start[a];
+  const auto last = problem.column.begin() + problem.row_start[a + 1];
   const auto found = std::lower_bound(first, last, b);
   return found != last && *found == b ? found - problem.column.begin() : -1;
 }
@@ -30,31 +28,31 @@ MatX response_of(const MassInverse& masses, int block, const ContactProblem::Con
 }
 
 /// One side of a contact on a block.
-struct Side {
+struct BlockSide {
   int contact;
   ContactProblem::ConstJacobian jacobian;
 };
 
-std::vector<std::vector<Side>> sides_by_block(const ContactProblem& problem) {
-  std::vector<std::vector<Side>> sides(at(problem.num_blocks()));
+std::vector<std::vector<BlockSide>> sides_by_block(const ContactProblem& problem) {
+  std::vector<std::vector<BlockSide>> sides(problem.num_blocks());
   for (int c = 0; c < problem.num_contacts(); ++c) {
-    const auto& pair = problem.pairs[at(c)];
-    if (pair.a >= 0) sides[at(pair.a)].push_back({c, problem.jacobian_a(c)});
-    if (pair.b >= 0) sides[at(pair.b)].push_back({c, problem.jacobian_b(c)});
+    const auto& pair = problem.pairs[c];
+    if (pair.a >= 0) sides[pair.a].push_back({c, problem.jacobian_a(c)});
+    if (pair.b >= 0) sides[pair.b].push_back({c, problem.jacobian_b(c)});
   }
   return sides;
 }
 
 /// Contacts that share a block with each contact, rising, itself among them.
 std::vector<std::vector<int>> neighbours(const ContactProblem& problem,
-                                         const std::vector<std::vector<Side>>& sides_of_block) {
-  std::vector<std::vector<int>> lists(at(problem.num_contacts()));
+                                         const std::vector<std::vector<BlockSide>>& sides_of_block) {
+  std::vector<std::vector<int>> lists(problem.num_contacts());
   for (int c = 0; c < problem.num_contacts(); ++c) {
-    auto& list = lists[at(c)];
+    auto& list = lists[c];
     list.push_back(c);
-    for (const int k : {problem.pairs[at(c)].a, problem.pairs[at(c)].b})
+    for (const int k : {problem.pairs[c].a, problem.pairs[c].b})
       if (k >= 0)
-        for (const Side& side : sides_of_block[at(k)]) list.push_back(side.contact);
+        for (const BlockSide& side : sides_of_block[k]) list.push_back(side.contact);
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());
   }
@@ -66,7 +64,7 @@ std::vector<std::vector<int>> neighbours(const ContactProblem& problem,
 const Mat3& LocalProblem::diagonal(int a) const {
   const std::ptrdiff_t place = find_block(*this, a, a);
   NILAS_DEMAND(place >= 0);
-  return block[static_cast<std::size_t>(place)];
+  return block[place];
 }
 
 VecX contact_velocities(const LocalProblem& problem, const VecX& r) {
@@ -74,8 +72,8 @@ VecX contact_velocities(const LocalProblem& problem, const VecX& r) {
   VecX u = problem.q;
   for (int a = 0; a < problem.num_contacts(); ++a) {
     Vec3 sum = Vec3::Zero();
-    for (int k = problem.row_start[at(a)]; k < problem.row_start[at(a) + 1]; ++k)
-      sum += problem.block[at(k)] * r.segment<3>(row_of(problem.column[at(k)]));
+    for (int k = problem.row_start[a]; k < problem.row_start[a + 1]; ++k)
+      sum += problem.block[k] * r.segment<3>(row_of(problem.column[k]));
     u.segment<3>(row_of(a)) += sum;
   }
   return u;
@@ -93,11 +91,10 @@ LocalProblem reduce(const ContactProblem& problem) {
   }
   local.block.assign(local.column.size(), Mat3::Zero());
   for (int k = 0; k < problem.num_blocks(); ++k)
-    for (const Side& to : sides_of_block[at(k)]) {
+    for (const BlockSide& to : sides_of_block[k]) {
       const MatX response = response_of(masses, k, to.jacobian);
-      for (const Side& from : sides_of_block[at(k)])
-        local.block[static_cast<std::size_t>(find_block(local, from.contact, to.contact))] +=
-            from.jacobian.lazyProduct(response);
+      for (const BlockSide& from : sides_of_block[k])
+        local.block[find_block(local, from.contact, to.contact)] += from.jacobian.lazyProduct(response);
     }
   local.q = contact_velocities(problem, velocities(problem, masses, VecX::Zero(row_of(problem.num_contacts()))));
   return local;
@@ -106,12 +103,11 @@ LocalProblem reduce(const ContactProblem& problem) {
 double asymmetry(const LocalProblem& problem) {
   double largest = 0, difference = 0;
   for (int a = 0; a < problem.num_contacts(); ++a)
-    for (int k = problem.row_start[at(a)]; k < problem.row_start[at(a) + 1]; ++k) {
-      const Mat3& w = problem.block[at(k)];
+    for (int k = problem.row_start[a]; k < problem.row_start[a + 1]; ++k) {
+      const Mat3& w = problem.block[k];
       largest = std::max(largest, w.cwiseAbs().maxCoeff());
-      const std::ptrdiff_t mirror = find_block(problem, problem.column[at(k)], a);
-      const Mat3 other =
-          mirror < 0 ? Mat3(Mat3::Zero()) : Mat3(problem.block[static_cast<std::size_t>(mirror)].transpose());
+      const std::ptrdiff_t mirror = find_block(problem, problem.column[k], a);
+      const Mat3 other = mirror < 0 ? Mat3(Mat3::Zero()) : Mat3(problem.block[mirror].transpose());
       difference = std::max(difference, (w - other).cwiseAbs().maxCoeff());
     }
   return largest > 0 ? difference / largest : 0;
@@ -121,10 +117,9 @@ Eigen::SparseMatrix<double> sparse_matrix(const LocalProblem& problem) {
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(9 * problem.block.size());
   for (int a = 0; a < problem.num_contacts(); ++a)
-    for (int k = problem.row_start[at(a)]; k < problem.row_start[at(a) + 1]; ++k)
+    for (int k = problem.row_start[a]; k < problem.row_start[a + 1]; ++k)
       for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-          entries.emplace_back(3 * a + i, 3 * problem.column[at(k)] + j, problem.block[at(k)](i, j));
+        for (int j = 0; j < 3; ++j) entries.emplace_back(3 * a + i, 3 * problem.column[k] + j, problem.block[k](i, j));
   Eigen::SparseMatrix<double> w(row_of(problem.num_contacts()), row_of(problem.num_contacts()));
   w.setFromTriplets(entries.begin(), entries.end());
   return w;

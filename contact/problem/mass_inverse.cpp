@@ -77,16 +77,16 @@ void MassInverse::add_general(const ContactProblem::ConstMatrix& mass, int block
 }
 
 void MassInverse::apply(int k, const double* momentum, double* velocity) const {
-  const int slot = slot_[static_cast<std::size_t>(k)];
+  const int slot = slot_[k];
   if (slot >= 0) {
-    const RigidBody& body = rigid_bodies_[static_cast<std::size_t>(slot)];
+    const RigidBody& body = rigid_bodies_[slot];
     const Eigen::Map<const Vec3> p(momentum), l(momentum + 3);
     const Vec3 w = body.inverse_inertia * l;
     Eigen::Map<Vec3>{velocity} = body.inverse_mass * p;
     Eigen::Map<Vec3>{velocity + 3} = w;
     return;
   }
-  const General& general = general_[static_cast<std::size_t>(~slot)];
+  const General& general = general_[~slot];
   const auto& factor = general.cholesky;
   Eigen::Map<VecX> x(velocity, factor.rows());
   if (factor.info() != Eigen::Success) {
@@ -101,14 +101,14 @@ void MassInverse::apply(int k, const double* momentum, double* velocity) const {
 }
 
 bool MassInverse::has_root(int k) const {
-  const int slot = slot_[static_cast<std::size_t>(k)];
-  return slot >= 0 || !general_[static_cast<std::size_t>(~slot)].lu;
+  const int slot = slot_[k];
+  return slot >= 0 || !general_[~slot].lu;
 }
 
 void MassInverse::apply_root(int k, const double* momentum, double* scaled) const {
-  const int slot = slot_[static_cast<std::size_t>(k)];
+  const int slot = slot_[k];
   if (slot >= 0) {
-    const RigidBody& body = rigid_bodies_[static_cast<std::size_t>(slot)];
+    const RigidBody& body = rigid_bodies_[slot];
     const double* const l = momentum + 3;
     const Mat3& root = body.root_inertia;
     for (int i = 0; i < 3; ++i) scaled[i] = body.root_mass * momentum[i];
@@ -119,7 +119,7 @@ void MassInverse::apply_root(int k, const double* momentum, double* scaled) cons
     scaled[5] = z;
     return;
   }
-  const auto& factor = general_[static_cast<std::size_t>(~slot)].cholesky;
+  const auto& factor = general_[~slot].cholesky;
   Eigen::Map<VecX> x(scaled, factor.rows());
   if (factor.info() != Eigen::Success) {
     x.setConstant(std::numeric_limits<double>::quiet_NaN());
@@ -130,13 +130,13 @@ void MassInverse::apply_root(int k, const double* momentum, double* scaled) cons
 }
 
 double MassInverse::square(int k, const double* x) const {
-  const int slot = slot_[static_cast<std::size_t>(k)];
+  const int slot = slot_[k];
   if (slot >= 0) {
-    const RigidBody& body = rigid_bodies_[static_cast<std::size_t>(slot)];
+    const RigidBody& body = rigid_bodies_[slot];
     const Eigen::Map<const Vec3> p(x), l(x + 3);
     return body.inverse_mass * p.squaredNorm() + l.dot(body.inverse_inertia * l);
   }
-  const General& general = general_[static_cast<std::size_t>(~slot)];
+  const General& general = general_[~slot];
   const auto& factor = general.cholesky;
   if (factor.info() != Eigen::Success) return std::numeric_limits<double>::quiet_NaN();
   VecX y = Eigen::Map<const VecX>(x, factor.rows());

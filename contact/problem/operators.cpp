@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "contact/problem/row_of.h"
 #include "core/base/error.h"
 
 namespace nilas {
@@ -21,15 +22,15 @@ struct Side {
 
 Side side_of(const ContactProblem& problem, int block, const ContactProblem::ConstJacobian& jacobian) {
   if (block < 0) return {};
-  return {jacobian.data(), jacobian.cols(), problem.block_offset[static_cast<std::size_t>(block)], block};
+  return {jacobian.data(), jacobian.cols(), problem.block_offset[block], block};
 }
 
 Side side_a(const ContactProblem& problem, int c) {
-  return side_of(problem, problem.pairs[static_cast<std::size_t>(c)].a, problem.jacobian_a(c));
+  return side_of(problem, problem.pairs[c].a, problem.jacobian_a(c));
 }
 
 Side side_b(const ContactProblem& problem, int c) {
-  return side_of(problem, problem.pairs[static_cast<std::size_t>(c)].b, problem.jacobian_b(c));
+  return side_of(problem, problem.pairs[c].b, problem.jacobian_b(c));
 }
 
 /// J x, with the usual size six unrolled.
@@ -57,7 +58,7 @@ void add_product(const Side& side, const double* response, Mat3& w) {
 }  // namespace
 
 Vec3 contact_velocity(const ContactProblem& problem, int c, const double* v) {
-  Vec3 u = problem.w.segment<3>(3 * static_cast<Eigen::Index>(c));
+  Vec3 u = problem.w.segment<3>(row_of(c));
   const Side a = side_a(problem, c), b = side_b(problem, c);
   if (a.n > 0) u += times(a, v + a.first);
   if (b.n > 0) u += times(b, v + b.first);
@@ -90,7 +91,7 @@ Mat3 delassus_block(const ContactProblem& problem, const MassInverse& masses, in
 }
 
 double inverse_mass_scale(const ContactProblem& problem, const MassInverse& masses, int c, double* response) {
-  const auto& pair = problem.pairs[static_cast<std::size_t>(c)];
+  const auto& pair = problem.pairs[c];
   if (pair.a == pair.b) return inverse_mass_scale(delassus_block(problem, masses, c, response));
   double trace = 0;
   for (const Side& side : {side_a(problem, c), side_b(problem, c)})
@@ -101,10 +102,9 @@ double inverse_mass_scale(const ContactProblem& problem, const MassInverse& mass
 VecX velocities(const ContactProblem& problem, const MassInverse& masses, const VecX& r) {
   NILAS_DEMAND(r.size() == 3 * problem.num_contacts());
   VecX v = problem.f;
-  for (int c = 0; c < problem.num_contacts(); ++c)
-    add_impulse(problem, c, r.segment<3>(3 * static_cast<Eigen::Index>(c)), v.data());
+  for (int c = 0; c < problem.num_contacts(); ++c) add_impulse(problem, c, r.segment<3>(row_of(c)), v.data());
   for (int k = 0; k < problem.num_blocks(); ++k) {
-    double* const block = v.data() + problem.block_offset[static_cast<std::size_t>(k)];
+    double* const block = v.data() + problem.block_offset[k];
     masses.apply(k, block, block);
   }
   return v;

@@ -3,13 +3,14 @@
 #include <algorithm>
 
 #include "contact/problem/operators.h"
+#include "contact/problem/row_of.h"
 #include "core/base/error.h"
 
 namespace nilas {
 
 ContactProblem::ConstMatrix ContactProblem::mass(int k) const {
   const int n = block_size(k);
-  return ConstMatrix(mass_data.data() + mass_offset[static_cast<std::size_t>(k)], n, n);
+  return ConstMatrix(mass_data.data() + mass_offset[k], n, n);
 }
 
 ContactProblem::ConstJacobian ContactProblem::jacobian_a(int c) const {
@@ -49,7 +50,7 @@ int ContactProblem::add_contact(int block_a, const Eigen::Ref<const MatX>& jacob
   append(block_b, jacobian_b);
   jacobian_offset.push_back(jacobian_data.size());
   pairs.push_back({block_a, block_b});
-  w.conservativeResizeLike(VecX::Zero(3 * static_cast<Eigen::Index>(pairs.size())));
+  w.conservativeResizeLike(VecX::Zero(row_of(pairs.size())));
   mu.push_back(0);
   mu_static.push_back(0);
   force_limit.push_back(std::numeric_limits<double>::infinity());
@@ -62,11 +63,11 @@ int ContactProblem::add_contact(int block_a, const Eigen::Ref<const MatX>& jacob
 int ContactProblem::add_moment(int contact, const Eigen::Ref<const MatX>& jacobian_a,
                                const Eigen::Ref<const MatX>& jacobian_b, double rolling, std::uint64_t moment_key) {
   NILAS_DEMAND(contact >= 0 && contact < num_contacts() && !is_moment(contact) && moment_of(contact) < 0);
-  const Pair pair = pairs[static_cast<std::size_t>(contact)];
+  const Pair pair = pairs[contact];
   if (!has_moments()) moments.resize(pairs.size());
   const int moment = add_contact(pair.a, jacobian_a, pair.b, jacobian_b, moment_key);
   mu.back() = mu_static.back() = 1;  // its lengths are in the rows
-  moments[static_cast<std::size_t>(contact)].moment = moment;
+  moments[contact].moment = moment;
   moments.back().contact = contact;
   moments.back().rolling = rolling;
   return moment;
@@ -92,8 +93,7 @@ VecX velocities(const ContactProblem& problem, const VecX& r) { return velocitie
 VecX contact_velocities(const ContactProblem& problem, const VecX& v) {
   NILAS_DEMAND(v.size() == problem.num_velocities());
   VecX u(3 * problem.num_contacts());
-  for (int c = 0; c < problem.num_contacts(); ++c)
-    u.segment<3>(3 * static_cast<Eigen::Index>(c)) = contact_velocity(problem, c, v.data());
+  for (int c = 0; c < problem.num_contacts(); ++c) u.segment<3>(row_of(c)) = contact_velocity(problem, c, v.data());
   return u;
 }
 

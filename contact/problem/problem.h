@@ -43,18 +43,16 @@ struct ContactProblem : ContactCoefficients {
   std::vector<Moment> moments;  ///< empty or nc
 
   bool has_moments() const { return !moments.empty(); }
-  bool is_moment(int c) const { return has_moments() && moments[static_cast<std::size_t>(c)].contact >= 0; }
+  bool is_moment(int c) const { return has_moments() && moments[c].contact >= 0; }
   /// Index of the moment of contact c, -1: none.
-  int moment_of(int c) const { return has_moments() ? moments[static_cast<std::size_t>(c)].moment : -1; }
+  int moment_of(int c) const { return has_moments() ? moments[c].moment : -1; }
   /// Returns the number of contacts without moments; num_contacts() counts moments too.
   int num_points() const;
 
   int num_blocks() const { return static_cast<int>(block_offset.size()) - 1; }
   int num_contacts() const { return static_cast<int>(pairs.size()); }
   int num_velocities() const { return block_offset.back(); }
-  int block_size(int k) const {
-    return block_offset[static_cast<std::size_t>(k) + 1] - block_offset[static_cast<std::size_t>(k)];
-  }
+  int block_size(int k) const { return block_offset[static_cast<std::size_t>(k) + 1] - block_offset[k]; }
 
   using ConstMatrix = Eigen::Map<const MatX>;
   using RowMajor = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor>;

@@ -16,14 +16,12 @@ constexpr std::size_t k_small_island = 20000;
 /// Blocks right of the diagonal: 1.5 GB in newton, half of it in admm and ipm.
 constexpr std::size_t k_most_fill = 8000000;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 /// The island's contacts by block, as places in the list of contacts.
 std::unordered_map<int, std::vector<int>> contacts_by_block(const ContactProblem& problem,
                                                             const std::vector<int>& contacts) {
   std::unordered_map<int, std::vector<int>> lists;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const auto& pair = problem.pairs[at(contacts[i])];
+    const auto& pair = problem.pairs[contacts[i]];
     if (pair.a >= 0) lists[pair.a].push_back(static_cast<int>(i));
     if (pair.b >= 0 && pair.b != pair.a) lists[pair.b].push_back(static_cast<int>(i));
   }
@@ -33,7 +31,7 @@ std::unordered_map<int, std::vector<int>> contacts_by_block(const ContactProblem
 double blocks_of_w(const ContactProblem& problem, const std::vector<int>& contacts) {
   std::unordered_map<int, double> sides;  // contacts of each block
   for (const int c : contacts) {
-    const auto& pair = problem.pairs[at(c)];
+    const auto& pair = problem.pairs[c];
     if (pair.a >= 0) sides[pair.a] += 1;
     if (pair.b >= 0 && pair.b != pair.a) sides[pair.b] += 1;
   }
@@ -50,7 +48,7 @@ bool is_reducible(const ContactProblem& problem, const std::vector<int>& contact
   const auto lists = contacts_by_block(problem, contacts);
   std::vector<int> row_start{0}, column;
   for (const int c : contacts) {
-    const auto& pair = problem.pairs[at(c)];
+    const auto& pair = problem.pairs[c];
     for (const int block : {pair.a, pair.b})
       if (block >= 0) column.insert(column.end(), lists.at(block).begin(), lists.at(block).end());
     row_start.push_back(static_cast<int>(column.size()));

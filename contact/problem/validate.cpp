@@ -109,7 +109,7 @@ static void check_matrix(const LocalProblem& problem) {
   demand_size("column", problem.column.size(), static_cast<std::size_t>(problem.row_start.back()));
   demand_size("block", problem.block.size(), problem.column.size());
   for (int a = 0; a < nc; ++a) {
-    const auto first = problem.column.begin() + problem.row_start[static_cast<std::size_t>(a)];
+    const auto first = problem.column.begin() + problem.row_start[a];
     const auto last = problem.column.begin() + problem.row_start[static_cast<std::size_t>(a) + 1];
     const std::string row = "row " + std::to_string(a);
     if (last <= first || std::adjacent_find(first, last, std::greater_equal<>()) != last || *first < 0 ||
@@ -133,7 +133,7 @@ void validate(const LocalProblem& problem) {
 static void check_moments(const ContactProblem& problem) {
   if (!problem.has_moments()) return;
   demand_size("moments", problem.moments.size(), problem.pairs.size());
-  const auto at = [&](int c) -> const ContactProblem::Moment& { return problem.moments[static_cast<std::size_t>(c)]; };
+  const auto at = [&](int c) -> const ContactProblem::Moment& { return problem.moments[c]; };
   for (int c = 0; c < problem.num_contacts(); ++c) {
     const int own = at(c).moment, of = at(c).contact;
     const bool agrees = (own < 0 || (of < 0 && own > c && own < problem.num_contacts() && at(own).contact == c)) &&

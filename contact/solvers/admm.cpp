@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "contact/law/cone.h"
+#include "contact/problem/row_of.h"
 #include "contact/solvers/linear/block_cholesky.h"
 #include "contact/solvers/shared/anderson.h"
 #include "contact/solvers/shared/best_impulses.h"
@@ -33,9 +34,6 @@ constexpr double k_growth = 2;
 constexpr int k_first_pause = 10;
 constexpr double k_fall = 0.9;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-Eigen::Index row_of(int c) { return 3 * static_cast<Eigen::Index>(c); }
-
 /// Largest eigenvalue, from a start that no symmetry of a scene makes orthogonal to it.
 double largest_eigenvalue(const Eigen::SparseMatrix<double>& w) {
   VecX v(w.rows());
@@ -51,7 +49,7 @@ double largest_eigenvalue(const Eigen::SparseMatrix<double>& w) {
 VecX project(const MassScaled& problem, const VecX& r) {
   VecX inside(r.size());
   for (int a = 0; a < problem.num_contacts(); ++a)
-    inside.segment<3>(row_of(a)) = project_cone(r.segment<3>(row_of(a)), problem.mu[at(a)], problem.cap[at(a)]);
+    inside.segment<3>(row_of(a)) = project_cone(r.segment<3>(row_of(a)), problem.mu[a], problem.cap[a]);
   return inside;
 }
 
@@ -73,8 +71,8 @@ bool balance(double primal, double dual, Penalty& penalty) {
 }
 
 bool factor(const MassScaled& problem, const Penalty& penalty, BlockCholesky& factors) {
-  const std::vector<Mat3> unit(at(problem.num_contacts()), Mat3::Identity());
-  const std::vector<Mat3> added(at(problem.num_contacts()), (penalty.value() + penalty.regular) * Mat3::Identity());
+  const std::vector<Mat3> unit(problem.num_contacts(), Mat3::Identity());
+  const std::vector<Mat3> added(problem.num_contacts(), (penalty.value() + penalty.regular) * Mat3::Identity());
   return factors.factor(unit, added);
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "contact/problem/row_of.h"
 #include "contact/solvers/island_operator.h"
 #include "contact/solvers/shared/law_cone.h"
 #include "contact/solvers/shared/measured_loop.h"
@@ -26,11 +27,9 @@ constexpr double k_least_curvature = 1e-12;
 /// Curvature above this multiple of L asks for a larger L; below, the difference is rounding.
 constexpr double k_rounding = 1 + 1e-12;
 
-Eigen::VectorBlock<VecX, 3> segment(VecX& x, int c) { return x.segment<3>(3 * static_cast<Eigen::Index>(c)); }
-Vec3 segment(const VecX& x, int c) { return x.segment<3>(3 * static_cast<Eigen::Index>(c)); }
-const ContactScale& scale_of(const IslandOperator& island, int c) {
-  return island.scales()[static_cast<std::size_t>(c)];
-}
+Eigen::VectorBlock<VecX, 3> segment(VecX& x, int c) { return x.segment<3>(row_of(c)); }
+Vec3 segment(const VecX& x, int c) { return x.segment<3>(row_of(c)); }
+const ContactScale& scale_of(const IslandOperator& island, int c) { return island.scales()[c]; }
 Vec3 project(const IslandOperator& island, int c, const Vec3& x) {
   return project_law(island.law(), island.facets(), scale_of(island, c), x);
 }

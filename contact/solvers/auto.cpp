@@ -9,6 +9,7 @@
 #include "contact/problem/islands.h"
 #include "contact/problem/operators.h"
 #include "contact/problem/reducible.h"
+#include "contact/problem/row_of.h"
 #include "contact/solvers/admm.h"
 #include "contact/solvers/apgd.h"
 #include "contact/solvers/continuation.h"
@@ -107,9 +108,9 @@ void sweep(const char* rung, int sweeps, Height& at) {
 bool is_stiff(const Height& at) {
   int sticking = 0;
   for (int c = 0; c < at.island.num_contacts(); ++c) {
-    const Vec3 r = at.best.r.segment<3>(3 * static_cast<Eigen::Index>(c));
+    const Vec3 r = at.best.r.segment<3>(row_of(c));
     constexpr double k_inside = 0.99;  // of the cone
-    const double slip = k_inside * at.island.mu[static_cast<std::size_t>(c)] * r[0];
+    const double slip = k_inside * at.island.mu[c] * r[0];
     if (r[0] > 0 && r.tail<2>().norm() < slip) ++sticking;
   }
   if (sticking < at.settings.sticking_share * at.island.num_contacts()) return false;
@@ -186,10 +187,9 @@ std::vector<std::vector<int>> unsolved(const PreparedProblem& prepared, const Ve
   const ContactProblem& problem = prepared.problem();
   const VecX v = velocities(prepared, r);
   const auto is_solved = [&](int c) {
-    const double d = prepared.inverse_mass_scales()[static_cast<std::size_t>(c)];
-    const Vec3 r_c = r.segment<3>(3 * static_cast<Eigen::Index>(c));
-    const Vec3 u = compliant_velocity(problem.compliance[static_cast<std::size_t>(c)], r_c,
-                                      contact_velocity(problem, c, v.data()));
+    const double d = prepared.inverse_mass_scales()[c];
+    const Vec3 r_c = r.segment<3>(row_of(c));
+    const Vec3 u = compliant_velocity(problem.compliance[c], r_c, contact_velocity(problem, c, v.data()));
     return law_map(problem.law, problem.facets, contact_scale(problem, c, d), r_c, u) <= tolerance;
   };
   auto islands = prepared.islands();
@@ -204,9 +204,8 @@ SolveStatus solve_without_w(const ContactProblem& problem, const std::vector<int
                             const Budget& budget, Log& log, ContactSolution& whole) {
   const ContactProblem part_problem = select(problem, island);
   const PreparedProblem part(part_problem);
-  VecX r(3 * static_cast<Eigen::Index>(island.size()));
-  for (std::size_t i = 0; i < island.size(); ++i)
-    r.segment<3>(3 * static_cast<Eigen::Index>(i)) = whole.r.segment<3>(3 * static_cast<Eigen::Index>(island[i]));
+  VecX r(row_of(island.size()));
+  for (std::size_t i = 0; i < island.size(); ++i) r.segment<3>(row_of(i)) = whole.r.segment<3>(row_of(island[i]));
   const SolverSettings& shared = settings.shared;
   ContactSolution found = NsgsSolver({.shared = shared}).solve(part, r, budget.capped((budget.iterations() + 1) / 2));
   log.add("more nsgs", "sweeps", found.iterations);
@@ -218,8 +217,7 @@ SolveStatus solve_without_w(const ContactProblem& problem, const std::vector<int
     if (map <= swept_map || std::isnan(swept_map)) found = std::move(next);
     found.iterations += swept;
   }
-  for (std::size_t i = 0; i < island.size(); ++i)
-    whole.r.segment<3>(3 * static_cast<Eigen::Index>(island[i])) = found.r.segment<3>(3 * static_cast<Eigen::Index>(i));
+  for (std::size_t i = 0; i < island.size(); ++i) whole.r.segment<3>(row_of(island[i])) = found.r.segment<3>(row_of(i));
   whole.iterations += found.iterations;
   if (found.status == SolveStatus::numerical_error) whole.message = found.message;
   return found.status;
@@ -255,7 +253,7 @@ ContactSolution AutoSolver::solve(const LocalProblem& problem, const VecX& guess
 
 ContactSolution AutoSolver::solve(const PreparedProblem& prepared, const VecX& guess) const {
   const ContactProblem& problem = prepared.problem();
-  NILAS_DEMAND(guess.size() == 0 || guess.size() == 3 * static_cast<Eigen::Index>(problem.num_contacts()));
+  NILAS_DEMAND(guess.size() == 0 || guess.size() == row_of(problem.num_contacts()));
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const double tolerance = settings_.shared.tolerance;
   const bool cold = is_cold(guess);

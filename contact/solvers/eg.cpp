@@ -31,7 +31,7 @@ struct Game {
   IslandOperator& island;
   bool order_free;
 
-  const ContactScale& scale(std::ptrdiff_t c) const { return island.scales()[static_cast<std::size_t>(c)]; }
+  const ContactScale& scale(std::ptrdiff_t c) const { return island.scales()[c]; }
   Vec3 project(std::ptrdiff_t c, const Vec3& x) const {
     return project_law(island.law(), island.facets(), scale(c), x);
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "contact/problem/row_of.h"
 #include "contact/solvers/shared/row_residual.h"
 #include "core/base/error.h"
 
@@ -48,7 +49,7 @@ class Combination {
   }
 
  private:
-  static Eigen::Index row(std::size_t c) { return 3 * static_cast<Eigen::Index>(c); }
+  static Eigen::Index row(std::size_t c) { return row_of(c); }
 
   /// Sets the entries that are not free.
   void fix(VecX& r) const {
@@ -124,7 +125,7 @@ std::vector<std::vector<State>> combinations(const LocalProblem& problem) {
 
 MatX dense_matrix(const LocalProblem& problem) {
   MatX w = sparse_matrix(problem);
-  for (int c = 0; c < problem.num_contacts(); ++c) w(3 * c, 3 * c) += problem.compliance[static_cast<std::size_t>(c)];
+  for (int c = 0; c < problem.num_contacts(); ++c) w(3 * c, 3 * c) += problem.compliance[c];
   return w;
 }
 
@@ -156,7 +157,7 @@ class Search {
     for (int c = 0; c < problem_.num_contacts(); ++c) {
       const Vec3 q = problem_.q.segment<3>(3 * c);
       const double normal = q.norm() / std::max(w_.block<3, 3>(3 * c, 3 * c).trace() / 3, k_smallest);
-      const double angle = std::atan2(q[2], q[1]) + turn, mu = problem_.mu[static_cast<std::size_t>(c)];
+      const double angle = std::atan2(q[2], q[1]) + turn, mu = problem_.mu[c];
       r.segment<3>(3 * c) = normal * Vec3(1, -mu * std::cos(angle), -mu * std::sin(angle));
     }
     return r;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "contact/problem/row_of.h"
 #include "contact/solvers/shared/block_sums.h"
 #include "contact/solvers/shared/contact_sides.h"
 #include "contact/solvers/shared/order_free_velocities.h"
@@ -11,8 +12,6 @@
 namespace nilas {
 
 namespace {
-
-Eigen::Index row_of(int c) { return 3 * static_cast<Eigen::Index>(c); }
 
 class LocalOperator final : public IslandOperator {
  public:
@@ -24,8 +23,7 @@ class LocalOperator final : public IslandOperator {
 
   void velocities(const VecX& r, VecX& u) override {
     u = contact_velocities(problem_, r);
-    for (int c = 0; c < num_contacts(); ++c)
-      u[row_of(c)] += problem_.compliance[static_cast<std::size_t>(c)] * r[row_of(c)];
+    for (int c = 0; c < num_contacts(); ++c) u[row_of(c)] += problem_.compliance[c] * r[row_of(c)];
   }
 
   double law_map(const VecX& r) override {
@@ -65,7 +63,7 @@ class RowsOperator final : public IslandOperator {
   }
 
  private:
-  PgsContact& contact(int c) { return island_.rows.contacts[static_cast<std::size_t>(island_.island.first + c)]; }
+  PgsContact& contact(int c) { return island_.rows.contacts[island_.island.first + c]; }
 
   template <class Work>
   void with_sides(const PgsContact& c, const Work& work) {
@@ -102,9 +100,7 @@ double IslandOperator::estimate(const VecX& r, const VecX& u) const {
   };
   parallel_chunks(num_contacts(), k_chunk, threads_, [&](std::ptrdiff_t k, std::ptrdiff_t first, std::ptrdiff_t last) {
     for (std::ptrdiff_t c = first; c < last; ++c)
-      keep(
-          nilas::law_map(law_, facets_, scales_[static_cast<std::size_t>(c)], r.segment<3>(3 * c), u.segment<3>(3 * c)),
-          worst_of[static_cast<std::size_t>(k)]);
+      keep(nilas::law_map(law_, facets_, scales_[c], r.segment<3>(3 * c), u.segment<3>(3 * c)), worst_of[k]);
   });
   double worst = 0;
   for (const double map : worst_of) keep(map, worst);
@@ -138,13 +134,11 @@ ContactSolution solve_by_operator(const PreparedProblem& problem, const VecX& gu
   ContactSolution out = solve_row_islands(problem, guess, shared, RowOrder::given, [&](const RowIsland& island) {
     VecX start(row_of(island.island.last - island.island.first));
     for (int k = island.island.first; k < island.island.last; ++k)
-      start.segment<3>(row_of(k - island.island.first)) =
-          Eigen::Map<const Vec3>(island.rows.contacts[static_cast<std::size_t>(k)].r);
+      start.segment<3>(row_of(k - island.island.first)) = Eigen::Map<const Vec3>(island.rows.contacts[k].r);
     const auto as_operator = make_operator(island, order_free);
     ContactSolution solution = solve(*as_operator, start);
     for (int k = island.island.first; k < island.island.last; ++k)
-      std::copy_n(solution.r.data() + row_of(k - island.island.first), 3,
-                  island.rows.contacts[static_cast<std::size_t>(k)].r);
+      std::copy_n(solution.r.data() + row_of(k - island.island.first), 3, island.rows.contacts[k].r);
     return solution;
   });
   if (order_free) {

@@ -1,14 +1,15 @@
 #include "contact/solvers/nsgs.h"
 
+#include "contact/problem/row_of.h"
 #include "contact/solvers/shared/nsgs_sweep.h"
 
 namespace nilas {
 
 namespace {
 
-class BodiesIsland : public RowSweeps {
+class NsgsBodies : public RowSweeps {
  public:
-  explicit BodiesIsland(const RowIsland& whole)
+  explicit NsgsBodies(const RowIsland& whole)
       : RowSweeps(whole),
         facets_(whole.problem.facets),
         threads_(whole.threads),
@@ -22,14 +23,14 @@ class BodiesIsland : public RowSweeps {
   std::vector<NsgsContact> blocks_;
 };
 
-class LocalIsland : public LocalSweeps {
+class NsgsLocal : public LocalSweeps {
  public:
-  LocalIsland(const LocalProblem& problem, const VecX& guess) : LocalSweeps(problem, guess) {
+  NsgsLocal(const LocalProblem& problem, const VecX& guess) : LocalSweeps(problem, guess) {
     for (int c = 0; c < problem.num_contacts(); ++c) {
       const auto i = static_cast<std::size_t>(c);
       contacts_.push_back(
           {ContactBlock(problem.diagonal(c), problem.mu[i], problem.force_limit[i], problem.compliance[i]),
-           {0, r_[3 * static_cast<Eigen::Index>(c)]},
+           {0, r_[row_of(c)]},
            scales_[i].d});
     }
   }
@@ -46,11 +47,11 @@ class LocalIsland : public LocalSweeps {
 
  private:
   double visit(int c) {
-    NsgsContact& own = contacts_[static_cast<std::size_t>(c)];
-    const Vec3 old = r_.segment<3>(3 * static_cast<Eigen::Index>(c));
-    const Vec3 u = compliant_velocity(problem_.compliance[static_cast<std::size_t>(c)], old, velocity(c));
+    NsgsContact& own = contacts_[c];
+    const Vec3 old = r_.segment<3>(row_of(c));
+    const Vec3 u = compliant_velocity(problem_.compliance[c], old, velocity(c));
     const Vec3 r = solve_in_sweep(problem_.law, problem_.facets, own.block, own.block.without(old, u), own.start);
-    r_.segment<3>(3 * static_cast<Eigen::Index>(c)) = r;
+    r_.segment<3>(row_of(c)) = r;
     return own.d * (r - old).norm();
   }
 
@@ -71,7 +72,7 @@ ContactSolution NsgsSolver::solve(const PreparedProblem& problem, const VecX& gu
   if (problem.problem().has_moments())
     demand_known("nsgs with rolling friction", {Law::coulomb, Law::pyramid}, problem.problem().law);
   return solve_row_islands(problem, guess, settings_.shared, RowOrder::coloured, [&](const RowIsland& island) {
-    BodiesIsland sweeps(island);
+    NsgsBodies sweeps(island);
     ContactSolution part = sweep_to_tolerance(sweeps, island.island.last - island.island.first, settings_, budget);
     sweeps.set_impulses(part.r);
     return part;
@@ -79,7 +80,7 @@ ContactSolution NsgsSolver::solve(const PreparedProblem& problem, const VecX& gu
 }
 
 ContactSolution NsgsSolver::solve(const LocalProblem& problem, const VecX& guess, const Budget& budget) const {
-  return solve_by_sweeps<LocalIsland>(problem, guess, settings_, budget);
+  return solve_by_sweeps<NsgsLocal>(problem, guess, settings_, budget);
 }
 
 }  // namespace nilas

@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/problem/row_of.h"
 #include "contact/solvers/shared/pgs_sweep.h"
 
 namespace nilas {
 
 namespace {
 
-class BodiesIsland : public RowSweeps {
+class PgsBodies : public RowSweeps {
  public:
-  BodiesIsland(const RowIsland& whole, const SweepSettings& settings)
+  PgsBodies(const RowIsland& whole, const SweepSettings& settings)
       : RowSweeps(whole), sweep_(pgs_sweep(whole.problem.law, settings.shared.tolerance > 0)) {}
 
   double sweep(bool backward) { return sweep_(rows_, island_, backward); }
@@ -20,9 +21,9 @@ class BodiesIsland : public RowSweeps {
   PgsSweep sweep_;
 };
 
-class LocalIsland : public LocalSweeps {
+class PgsLocal : public LocalSweeps {
  public:
-  LocalIsland(const LocalProblem& problem, const VecX& guess) : LocalSweeps(problem, guess) {
+  PgsLocal(const LocalProblem& problem, const VecX& guess) : LocalSweeps(problem, guess) {
     for (int c = 0; c < problem.num_contacts(); ++c) {
       const auto i = static_cast<std::size_t>(c);
       weights_.push_back(row_weights(problem.diagonal(c), problem.law, problem.compliance[i], problem.force_limit[i]));
@@ -38,7 +39,7 @@ class LocalIsland : public LocalSweeps {
   }
 
  private:
-  Vec3 impulse(int c) const { return r_.segment<3>(3 * static_cast<Eigen::Index>(c)); }
+  Vec3 impulse(int c) const { return r_.segment<3>(row_of(c)); }
 
   /// Sets the contact's impulse to what the law's bounds leave of `wanted`, T2 seeing T1's change of velocity.
   void step(int c, const Vec3& wanted, double coupling = 0) {
@@ -55,7 +56,7 @@ class LocalIsland : public LocalSweeps {
     } else {
       t.setZero();
     }
-    r_.segment<3>(3 * static_cast<Eigen::Index>(c)) = Vec3(normal, t[0], t[1]);
+    r_.segment<3>(row_of(c)) = Vec3(normal, t[0], t[1]);
   }
 
   /// The largest |dr_i| W_ii.
@@ -82,7 +83,7 @@ ContactSolution PgsSolver::solve(const PreparedProblem& problem, const VecX& gue
   demand_no_moments(name(), problem.problem());
   const Budget budget(settings_.shared);
   return solve_row_islands(problem, guess, settings_.shared, RowOrder::given, [&](const RowIsland& island) {
-    BodiesIsland sweeps(island, settings_);
+    PgsBodies sweeps(island, settings_);
     ContactSolution part = sweep_to_tolerance(sweeps, island.island.last - island.island.first, settings_, budget);
     sweeps.set_impulses(part.r);
     return part;
@@ -91,7 +92,7 @@ ContactSolution PgsSolver::solve(const PreparedProblem& problem, const VecX& gue
 
 ContactSolution PgsSolver::solve(const LocalProblem& problem, const VecX& guess) const {
   demand_known("pgs", {Law::pyramid, Law::coulomb, Law::frictionless}, problem.law);
-  return solve_by_sweeps<LocalIsland>(problem, guess, settings_, Budget(settings_.shared));
+  return solve_by_sweeps<PgsLocal>(problem, guess, settings_, Budget(settings_.shared));
 }
 
 }  // namespace nilas

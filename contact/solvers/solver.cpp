@@ -6,6 +6,7 @@
 #include "contact/problem/islands.h"
 #include "contact/problem/operators.h"
 #include "contact/problem/reducible.h"
+#include "contact/problem/row_of.h"
 #include "core/base/error.h"
 
 namespace nilas {
@@ -15,8 +16,7 @@ namespace {
 /// Adds one island's outcome to the whole.
 void take_over(const ContactSolution& part, const std::vector<int>& contacts, ContactSolution& whole) {
   for (std::size_t i = 0; i < contacts.size(); ++i)
-    whole.r.segment<3>(3 * static_cast<Eigen::Index>(contacts[i])) =
-        part.r.segment<3>(3 * static_cast<Eigen::Index>(i));
+    whole.r.segment<3>(row_of(contacts[i])) = part.r.segment<3>(row_of(i));
   whole.status = worse(whole.status, part.status);
   whole.iterations = std::max(whole.iterations, part.iterations);
   // islands that failed alike are named once
@@ -31,15 +31,14 @@ void take_over(const ContactSolution& part, const std::vector<int>& contacts, Co
 
 VecX part_of(const VecX& guess, const std::vector<int>& contacts) {
   if (guess.size() == 0) return {};
-  VecX part(3 * static_cast<Eigen::Index>(contacts.size()));
-  for (std::size_t i = 0; i < contacts.size(); ++i)
-    part.segment<3>(3 * static_cast<Eigen::Index>(i)) = guess.segment<3>(3 * static_cast<Eigen::Index>(contacts[i]));
+  VecX part(row_of(contacts.size()));
+  for (std::size_t i = 0; i < contacts.size(); ++i) part.segment<3>(row_of(i)) = guess.segment<3>(row_of(contacts[i]));
   return part;
 }
 
 ContactSolution nothing_solved(int num_contacts) {
   ContactSolution whole;
-  whole.r = VecX::Zero(3 * static_cast<Eigen::Index>(num_contacts));
+  whole.r = VecX::Zero(row_of(num_contacts));
   whole.status = SolveStatus::converged;
   return whole;
 }
@@ -55,7 +54,7 @@ std::string unfit(const LocalProblem& problem, const VecX& guess) {
   if (!finite) return "the problem or the guess holds numbers that are not finite";
   for (int a = 0; a < problem.num_contacts(); ++a)
     if (problem.diagonal(a).trace() < 0)
-      return "contact " + std::to_string(problem.key[static_cast<std::size_t>(a)]) + " has a negative inverse mass";
+      return "contact " + std::to_string(problem.key[a]) + " has a negative inverse mass";
   return "";
 }
 

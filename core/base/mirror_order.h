@@ -20,9 +20,7 @@ inline bool comes_before(const Vec3& p, const Vec3& q) {
 
 /// The same triangle, its corners in the same turn, beginning with the one that comes before the others.
 inline std::array<int, 3> from_first(std::array<int, 3> triangle, const std::vector<Vec3>& vertices) {
-  const auto before = [&](int v, int w) {
-    return comes_before(vertices[static_cast<std::size_t>(v)], vertices[static_cast<std::size_t>(w)]);
-  };
+  const auto before = [&](int v, int w) { return comes_before(vertices[v], vertices[w]); };
   std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end(), before), triangle.end());
   return triangle;
 }

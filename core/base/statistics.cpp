@@ -37,7 +37,7 @@ double percentile_of(std::vector<double> values, double share) {
   const double place = share * static_cast<double>(values.size() - 1);
   const auto lower = static_cast<std::ptrdiff_t>(place);
   std::nth_element(values.begin(), values.begin() + lower, values.end());
-  const double below = values[static_cast<std::size_t>(lower)];
+  const double below = values[lower];
   if (lower + 1 == static_cast<std::ptrdiff_t>(values.size())) return below;
   const double above = *std::min_element(values.begin() + lower + 1, values.end());
   return below + (place - static_cast<double>(lower)) * (above - below);

@@ -43,7 +43,7 @@ int Bodies::add(const BodySpec& spec) {
 }
 
 void Bodies::set_material(int b, const std::string& material_name) {
-  material[static_cast<std::size_t>(b)] = number_of(material_name, materials);
+  material[b] = number_of(material_name, materials);
 }
 
 std::size_t Bodies::index_of(std::int64_t body_id) const {

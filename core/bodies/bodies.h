@@ -50,13 +50,11 @@ struct Bodies {
   std::int64_t next_id = 1;             ///< id of the next added body
 
   int size() const { return static_cast<int>(id.size()); }
-  bool is_free(int b) const { return motion[static_cast<std::size_t>(b)] == Motion::free; }
+  bool is_free(int b) const { return motion[b] == Motion::free; }
   /// Appends a body, returns its index; the id is `next_id`, which goes up by one. Throws ContractError when the shape
   /// is missing, a number is not finite, or a body that moves has no positive mass and physically valid inertia.
   int add(const BodySpec& spec);
-  const std::string& material_name(int b) const {
-    return materials[static_cast<std::size_t>(material[static_cast<std::size_t>(b)])];
-  }
+  const std::string& material_name(int b) const { return materials[material[b]]; }
   /// Gives a body another material.
   void set_material(int b, const std::string& material_name);
   /// Index of the body with this id. Throws ContractError where there is none.

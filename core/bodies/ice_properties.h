@@ -32,9 +32,7 @@ struct IceProperties {
   std::vector<FloeStrength> flexural_strength, compressive_strength, fracture_toughness;
   std::vector<std::vector<WeakLine>> weak_lines;
 
-  bool is_breakable(int b) const {
-    return static_cast<std::size_t>(b) < breakable.size() && breakable[static_cast<std::size_t>(b)] != 0;
-  }
+  bool is_breakable(int b) const { return static_cast<std::size_t>(b) < breakable.size() && breakable[b] != 0; }
   /// Removes the marked entries.
   void remove(const std::vector<char>& gone) {
     const auto drop = [&](auto&... lists) { (remove_marked(gone, lists), ...); };

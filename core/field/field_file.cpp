@@ -136,8 +136,7 @@ double deepest_between(const std::vector<FieldFloe>& floes) {
   }
   double deepest = 0;
   for (const auto& [a, b] : near_pairs(circles, 1, 0))
-    deepest =
-        std::max(deepest, deepest_of_pieces(pieces[static_cast<std::size_t>(a)], pieces[static_cast<std::size_t>(b)]));
+    deepest = std::max(deepest, deepest_of_pieces(pieces[a], pieces[b]));
   return deepest;
 }
 

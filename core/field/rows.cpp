@@ -62,7 +62,7 @@ class Rows {
         const std::vector<double> water = random_parts(static_cast<std::size_t>(slot.holds) + 1, gap_, free, random);
         double x = slot.from + std::max(0.0, -lean_);
         for (int k = 0; k < slot.holds; ++k) {
-          x += water[static_cast<std::size_t>(k)];
+          x += water[k];
           settle(floes[next++], {x + 0.5 * (long_ + lean_), row.base + 0.5 * height_});
           x += long_;
         }

@@ -36,12 +36,12 @@ FloeVariation::FloeVariation(std::vector<PropertySpread> spreads, const MatX& co
   MatX sorted(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
     for (Eigen::Index j = 0; j < n; ++j) {
-      const auto a = order[static_cast<std::size_t>(i)], b = order[static_cast<std::size_t>(j)];
+      const auto a = order[i], b = order[j];
       sorted(i, j) = correlation(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b));
       if (sorted(i, j) != 0 && spreads[a].correlation_length != spreads[b].correlation_length)
         throw InputError("variation of floes: correlated properties must have one correlation length");
     }
-    spreads_.push_back(spreads[order[static_cast<std::size_t>(i)]]);
+    spreads_.push_back(spreads[order[i]]);
   }
   const Eigen::LLT<MatX> cholesky(sorted);
   if (cholesky.info() != Eigen::Success)

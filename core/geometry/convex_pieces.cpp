@@ -18,12 +18,10 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 /// Partition of the polygon over the vertices `loop` of the outline; works on indices, so that no vertex moves.
 std::vector<std::vector<int>> partition(const std::vector<Vec2>& outline, const std::vector<int>& loop) {
   std::vector<Kernel::Point_2> points;
-  for (const int i : loop) points.emplace_back(outline[at(i)].x(), outline[at(i)].y());
+  for (const int i : loop) points.emplace_back(outline[i].x(), outline[i].y());
   using Map = CGAL::Pointer_property_map<Kernel::Point_2>::type;
   using Traits = CGAL::Partition_traits_2<Kernel, Map>;
   const Traits traits(CGAL::make_property_map(points));
@@ -54,7 +52,7 @@ std::vector<int> with_straight_vertices(const std::vector<int>& piece, const std
   for (std::size_t k = 0; k < piece.size(); ++k) {
     const int from = piece[k], to = piece[(k + 1) % piece.size()];
     full.push_back(from);
-    if (corner_after[at(from)] != to) continue;  // a cut through the inside
+    if (corner_after[from] != to) continue;  // a cut through the inside
     for (int i = (from + 1) % n; i != to; i = (i + 1) % n) full.push_back(i);
   }
   return full;
@@ -73,10 +71,10 @@ std::vector<std::vector<int>> convex_piece_indices(const std::vector<Vec2>& outl
   // Cut between true corners only: a straight vertex that rounding bent inwards is no reason for a cut.
   std::vector<int> loop = corners(outline);
   std::vector<Vec2> reduced;
-  for (const int i : loop) reduced.push_back(outline[at(i)]);
+  for (const int i : loop) reduced.push_back(outline[i]);
   if (!is_simple(reduced)) loop = all;
   std::vector<int> corner_after(outline.size(), -1);
-  for (std::size_t k = 0; k < loop.size(); ++k) corner_after[at(loop[k])] = loop[(k + 1) % loop.size()];
+  for (std::size_t k = 0; k < loop.size(); ++k) corner_after[loop[k]] = loop[(k + 1) % loop.size()];
 
   std::vector<std::vector<int>> pieces;
   for (const auto& piece : partition(outline, loop)) pieces.push_back(with_straight_vertices(piece, corner_after, n));
@@ -87,7 +85,7 @@ std::vector<std::vector<Vec2>> convex_pieces(const std::vector<Vec2>& outline) {
   std::vector<std::vector<Vec2>> pieces;
   for (const auto& indices : convex_piece_indices(outline)) {
     auto& piece = pieces.emplace_back();
-    for (const int i : indices) piece.push_back(outline[at(i)]);
+    for (const int i : indices) piece.push_back(outline[i]);
   }
   return pieces;
 }

@@ -11,16 +11,14 @@ namespace nilas {
 
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 /// Outline of a group of triangles, or empty when it is not one simple loop.
 std::vector<int> outline_of(const TriangleMesh& mesh, const std::vector<std::array<int, 3>>& neighbours,
                             const std::vector<int>& group, const std::vector<int>& group_of) {
   std::map<int, int> next;
   for (const int t : group)
     for (std::size_t k = 0; k < 3; ++k) {
-      if (group_of[at(neighbours[at(t)][k])] == group_of[at(t)]) continue;
-      if (!next.emplace(mesh.triangles[at(t)][k], mesh.triangles[at(t)][(k + 1) % 3]).second) return {};
+      if (group_of[neighbours[t][k]] == group_of[t]) continue;
+      if (!next.emplace(mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]).second) return {};
     }
   if (next.size() < 3) return {};
   std::vector<int> loop;
@@ -34,14 +32,13 @@ std::vector<int> outline_of(const TriangleMesh& mesh, const std::vector<std::arr
 
 /// The loop seen along its area vector.
 std::vector<Vec2> flattened(const TriangleMesh& mesh, const std::vector<int>& loop) {
-  const Vec3 origin = mesh.vertices[at(loop[0])];
+  const Vec3 origin = mesh.vertices[loop[0]];
   Vec3 area = Vec3::Zero();
   for (std::size_t i = 1; i + 1 < loop.size(); ++i)
-    area += (mesh.vertices[at(loop[i])] - origin).cross(mesh.vertices[at(loop[i + 1])] - origin);
+    area += (mesh.vertices[loop[i]] - origin).cross(mesh.vertices[loop[i + 1]] - origin);
   const Vec3 n = area.normalized(), x = n.unitOrthogonal(), y = n.cross(x);
   std::vector<Vec2> flat;
-  for (const int v : loop)
-    flat.emplace_back(x.dot(mesh.vertices[at(v)] - origin), y.dot(mesh.vertices[at(v)] - origin));
+  for (const int v : loop) flat.emplace_back(x.dot(mesh.vertices[v] - origin), y.dot(mesh.vertices[v] - origin));
   return flat;
 }
 
@@ -66,18 +63,17 @@ void vote_straight(const TriangleMesh& mesh, const std::vector<int>& loop, const
                    double tolerance, std::vector<int>& votes) {
   std::vector<std::size_t> corner_places;
   for (std::size_t i = 0; i < loop.size(); ++i)
-    if (faces_at[at(loop[i])] > 2) corner_places.push_back(i);
+    if (faces_at[loop[i]] > 2) corner_places.push_back(i);
   if (corner_places.size() < 3) return;
   for (std::size_t k = 0; k < corner_places.size(); ++k) {
     const std::size_t from = corner_places[k], to = corner_places[(k + 1) % corner_places.size()];
-    const Vec3 &a = mesh.vertices[at(loop[from])], &b = mesh.vertices[at(loop[to])];
+    const Vec3 &a = mesh.vertices[loop[from]], &b = mesh.vertices[loop[to]];
     std::vector<int> between;
     for (std::size_t i = (from + 1) % loop.size(); i != to; i = (i + 1) % loop.size()) between.push_back(loop[i]);
-    const bool straight = std::all_of(between.begin(), between.end(), [&](int v) {
-      return distance_from_line(mesh.vertices[at(v)], a, b) <= tolerance;
-    });
+    const bool straight = std::all_of(between.begin(), between.end(),
+                                      [&](int v) { return distance_from_line(mesh.vertices[v], a, b) <= tolerance; });
     if (straight)
-      for (const int v : between) ++votes[at(v)];
+      for (const int v : between) ++votes[v];
   }
 }
 
@@ -85,9 +81,9 @@ void vote_straight(const TriangleMesh& mesh, const std::vector<int>& loop, const
 void drop_straight_vertices(const TriangleMesh& mesh, double tolerance, std::vector<std::vector<int>>& faces) {
   std::vector<int> faces_at(mesh.vertices.size(), 0), votes(mesh.vertices.size(), 0);
   for (const auto& loop : faces)
-    for (const int v : loop) ++faces_at[at(v)];
+    for (const int v : loop) ++faces_at[v];
   for (const auto& loop : faces) vote_straight(mesh, loop, faces_at, tolerance, votes);
-  for (auto& loop : faces) std::erase_if(loop, [&](int v) { return votes[at(v)] == 2; });
+  for (auto& loop : faces) std::erase_if(loop, [&](int v) { return votes[v] == 2; });
 }
 
 }  // namespace
@@ -97,7 +93,7 @@ std::vector<std::vector<int>> coplanar_faces(const TriangleMesh& mesh, double to
   const auto groups = coplanar_groups(mesh, neighbours, tolerance);
   std::vector<int> group_of(mesh.triangles.size());
   for (std::size_t g = 0; g < groups.size(); ++g)
-    for (const int t : groups[g]) group_of[at(t)] = static_cast<int>(g);
+    for (const int t : groups[g]) group_of[t] = static_cast<int>(g);
   std::vector<std::vector<int>> faces;
   for (const auto& group : groups) {
     const auto loop = outline_of(mesh, neighbours, group, group_of);
@@ -105,7 +101,7 @@ std::vector<std::vector<int>> coplanar_faces(const TriangleMesh& mesh, double to
       faces.push_back(loop);
       continue;
     }
-    for (const int t : group) faces.emplace_back(mesh.triangles[at(t)].begin(), mesh.triangles[at(t)].end());
+    for (const int t : group) faces.emplace_back(mesh.triangles[t].begin(), mesh.triangles[t].end());
   }
   drop_straight_vertices(mesh, tolerance, faces);
   return faces;

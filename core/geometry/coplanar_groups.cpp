@@ -11,8 +11,6 @@ namespace nilas {
 
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 struct Plane {
   Vec3 normal;
   double offset;  ///< normal . x on the plane [m]
@@ -32,8 +30,8 @@ class GroupGrowth {
     }
   }
 
-  double area(int t) const { return area_vectors_[at(t)].norm(); }
-  bool taken(int t) const { return taken_[at(t)]; }
+  double area(int t) const { return area_vectors_[t].norm(); }
+  bool taken(int t) const { return taken_[t]; }
 
   /// Largest group around `seed`, whose triangles are then taken. The plane is fitted anew while the group grows: one
   /// small triangle with rounded vertices fixes the plane of a long face poorly.
@@ -45,43 +43,43 @@ class GroupGrowth {
       if (wider.size() <= group.size()) break;
       group = std::move(wider);
     }
-    for (const int t : group) taken_[at(t)] = true;
+    for (const int t : group) taken_[t] = true;
     return group;
   }
 
  private:
-  const Vec3& corner(std::size_t t, std::size_t k) const { return mesh_.vertices[at(mesh_.triangles[t][k])]; }
+  const Vec3& corner(std::size_t t, std::size_t k) const { return mesh_.vertices[mesh_.triangles[t][k]]; }
 
   /// Plane through the centroid of the group's area, normal to its area vector.
   Plane fitted_plane(const std::vector<int>& group) const {
     Vec3 sum = Vec3::Zero(), first = Vec3::Zero();
     double areas = 0;
     for (const int t : group) {
-      sum += area_vectors_[at(t)];
+      sum += area_vectors_[t];
       areas += area(t);
-      first += area(t) / 3 * (corner(at(t), 0) + corner(at(t), 1) + corner(at(t), 2));
+      first += area(t) / 3 * (corner(t, 0) + corner(t, 1) + corner(t, 2));
     }
     const Vec3 normal = sum.normalized();
-    return {normal, areas > 0 ? normal.dot(first) / areas : normal.dot(corner(at(group[0]), 0))};
+    return {normal, areas > 0 ? normal.dot(first) / areas : normal.dot(corner(group[0], 0))};
   }
 
   bool fits(int t, const Plane& plane) const {
-    const bool thin = heights_[at(t)] <= tolerance_;
-    if (!thin && plane.normal.dot(area_vectors_[at(t)]) <= 0.5 * area(t)) return false;
-    const double allowed = tolerance_ + (thin ? heights_[at(t)] : 0);
+    const bool thin = heights_[t] <= tolerance_;
+    if (!thin && plane.normal.dot(area_vectors_[t]) <= 0.5 * area(t)) return false;
+    const double allowed = tolerance_ + (thin ? heights_[t] : 0);
     for (std::size_t k = 0; k < 3; ++k)
-      if (std::abs(plane.normal.dot(corner(at(t), k)) - plane.offset) > allowed) return false;
+      if (std::abs(plane.normal.dot(corner(t, k)) - plane.offset) > allowed) return false;
     return true;
   }
 
   std::vector<int> grow(int seed, const Plane& plane) {
     ++visits_;
-    visit_[at(seed)] = visits_;
+    visit_[seed] = visits_;
     std::vector<int> group{seed};
     for (std::size_t k = 0; k < group.size(); ++k)
-      for (const int other : neighbours_[at(group[k])]) {
-        if (visit_[at(other)] == visits_ || taken_[at(other)]) continue;
-        visit_[at(other)] = visits_;
+      for (const int other : neighbours_[group[k]]) {
+        if (visit_[other] == visits_ || taken_[other]) continue;
+        visit_[other] = visits_;
         if (fits(other, plane)) group.push_back(other);
       }
     return group;
@@ -115,7 +113,7 @@ std::vector<std::array<int, 3>> triangle_neighbours(const TriangleMesh& mesh) {
   for (const auto& edge : edges) {
     const auto twin = std::lower_bound(edges.begin(), edges.end(), DirectedEdge{edge.to, edge.from, 0, 0}, before);
     NILAS_DEMAND(twin != edges.end() && twin->from == edge.to && twin->to == edge.from);
-    neighbours[at(edge.triangle)][at(edge.place)] = twin->triangle;
+    neighbours[edge.triangle][edge.place] = twin->triangle;
   }
   return neighbours;
 }

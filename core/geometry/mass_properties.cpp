@@ -26,9 +26,7 @@ VolumeMoments moments_about(const TriangleMesh& mesh, const Vec3& reference) {
   OrderFreeVectorSum first, second_x, second_y, second_z;
   for (const auto& triangle : mesh.triangles) {
     const auto t = from_first(triangle, mesh.vertices);
-    const auto corner = [&](std::size_t k) -> Vec3 {
-      return mesh.vertices[static_cast<std::size_t>(t[k])] - reference;
-    };
+    const auto corner = [&](std::size_t k) -> Vec3 { return mesh.vertices[t[k]] - reference; };
     const Vec3 a = corner(0), b = corner(1), c = corner(2), s = a + (b + c);
     const double v = k_volume * a.dot(b.cross(c));
     volume.add(v);

@@ -10,8 +10,6 @@ namespace nilas {
 
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 /// One use of an edge by a triangle.
 struct EdgeUse {
   int low, high;  ///< vertices
@@ -25,8 +23,8 @@ bool repeats_vertex(const std::array<int, 3>& t) { return t[0] == t[1] || t[1] =
 
 bool has_no_area(const TriangleMesh& mesh, const std::array<int, 3>& t) {
   constexpr double k_rounding = 1e-14;  // height over longest edge below which double precision cannot tell it from 0
-  const Vec3 ab = mesh.vertices[at(t[1])] - mesh.vertices[at(t[0])];
-  const Vec3 ac = mesh.vertices[at(t[2])] - mesh.vertices[at(t[0])];
+  const Vec3 ab = mesh.vertices[t[1]] - mesh.vertices[t[0]];
+  const Vec3 ac = mesh.vertices[t[2]] - mesh.vertices[t[0]];
   const double longest2 = std::max({ab.squaredNorm(), ac.squaredNorm(), (ac - ab).squaredNorm()});
   return ab.cross(ac).norm() <= k_rounding * longest2;
 }
@@ -70,8 +68,8 @@ double signed_volume(const TriangleMesh& mesh) {
   const Vec3 reference = mesh.vertices.front();
   double triple_products = 0;
   for (const auto& t : mesh.triangles) {
-    const Vec3 a = mesh.vertices[at(t[0])] - reference, b = mesh.vertices[at(t[1])] - reference;
-    triple_products += a.dot(b.cross(mesh.vertices[at(t[2])] - reference));
+    const Vec3 a = mesh.vertices[t[0]] - reference, b = mesh.vertices[t[1]] - reference;
+    triple_products += a.dot(b.cross(mesh.vertices[t[2]] - reference));
   }
   return k_tetrahedron * triple_products;
 }
@@ -95,7 +93,7 @@ MeshDefects find_defects(const TriangleMesh& mesh) {
   const auto uses = sorted_edge_uses(mesh);
   for (auto first = uses.begin(); first != uses.end();) {
     const auto last = std::upper_bound(first, uses.end(), *first);
-    const Vec3 middle = 0.5 * (mesh.vertices[at(first->low)] + mesh.vertices[at(first->high)]);
+    const Vec3 middle = 0.5 * (mesh.vertices[first->low] + mesh.vertices[first->high]);
     if (last - first == 1)
       note(defects.open_edges, middle);
     else if (last - first > 2 || first->upwards == (first + 1)->upwards)
@@ -103,8 +101,8 @@ MeshDefects find_defects(const TriangleMesh& mesh) {
     first = last;
   }
   for (const auto& t : mesh.triangles)
-    if (repeats_vertex(t) || has_no_area(mesh, t)) note(defects.degenerate_triangles, mesh.vertices[at(t[0])]);
-  if (!has_example) defects.example = mesh.vertices[at(mesh.triangles.front()[0])];
+    if (repeats_vertex(t) || has_no_area(mesh, t)) note(defects.degenerate_triangles, mesh.vertices[t[0]]);
+  if (!has_example) defects.example = mesh.vertices[mesh.triangles.front()[0]];
   return defects;
 }
 

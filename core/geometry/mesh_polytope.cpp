@@ -11,18 +11,16 @@ namespace nilas {
 
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 void drop_unused_vertices(ConvexPolytope& p) {
   std::vector<int> fresh(p.vertices.size(), -1);
   std::vector<Vec3> kept;
   for (auto& loop : p.faces)
     for (int& v : loop) {
-      if (fresh[at(v)] < 0) {
-        fresh[at(v)] = static_cast<int>(kept.size());
-        kept.push_back(p.vertices[at(v)]);
+      if (fresh[v] < 0) {
+        fresh[v] = static_cast<int>(kept.size());
+        kept.push_back(p.vertices[v]);
       }
-      v = fresh[at(v)];
+      v = fresh[v];
     }
   p.vertices = std::move(kept);
 }
@@ -33,7 +31,7 @@ double face_width(const ConvexPolytope& p, std::size_t f) {
   Vec3 twice_area = Vec3::Zero();
   double perimeter = 0;
   for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Vec3 &a = p.vertices[at(loop[i])], &b = p.vertices[at(loop[(i + 1) % loop.size()])];
+    const Vec3 &a = p.vertices[loop[i]], &b = p.vertices[loop[(i + 1) % loop.size()]];
     twice_area += (a - p.centre).cross(b - p.centre);
     perimeter += (b - a).norm();
   }
@@ -62,7 +60,7 @@ void demand_convex(const ConvexPolytope& p, double tolerance, double rounding) {
     const double tilt = rounding / face_width(p, f);
     for (std::size_t v = 0; v < p.vertices.size(); ++v) {
       const double height = above[static_cast<Eigen::Index>(v)] - p.offsets[f];
-      if (height > tolerance + tilt * (p.vertices[v] - p.vertices[at(p.faces[f][0])]).norm())
+      if (height > tolerance + tilt * (p.vertices[v] - p.vertices[p.faces[f][0]]).norm())
         not_convex(p.vertices[v], height);
     }
   }

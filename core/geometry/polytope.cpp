@@ -10,15 +10,13 @@ namespace nilas {
 
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 /// Twice the area vector of a loop.
 Vec3 area_vector(const std::vector<Vec3>& vertices, const std::vector<int>& loop) {
   OrderFreeVectorSum middle, area;
-  for (const int v : loop) middle.add(vertices[at(v)]);
+  for (const int v : loop) middle.add(vertices[v]);
   const Vec3 origin = middle.value() / static_cast<double>(loop.size());
   for (std::size_t i = 0; i < loop.size(); ++i)
-    area.add((vertices[at(loop[i])] - origin).cross(vertices[at(loop[(i + 1) % loop.size()])] - origin));
+    area.add((vertices[loop[i]] - origin).cross(vertices[loop[(i + 1) % loop.size()]] - origin));
   return area.value();
 }
 
@@ -41,7 +39,7 @@ void fill_planes(ConvexPolytope& p) {
     const Vec3 n = area_vector(p.vertices, loop).normalized();
     heights.noalias() = x * n;
     double offset = -std::numeric_limits<double>::infinity();
-    for (const int v : loop) offset = std::max(offset, n.dot(p.vertices[at(v)]));
+    for (const int v : loop) offset = std::max(offset, n.dot(p.vertices[v]));
     p.normals.push_back(n);
     p.offsets.push_back(offset);
     p.smallest_width = std::min(p.smallest_width, offset - heights.minCoeff());
@@ -55,9 +53,9 @@ void fill_adjacency(ConvexPolytope& p) {
     const auto& loop = p.faces[f];
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const int v = loop[i], next = loop[(i + 1) % loop.size()];
-      p.vertex_faces[at(v)].push_back(static_cast<int>(f));
-      p.vertex_neighbours[at(v)].push_back(next);
-      p.vertex_neighbours[at(next)].push_back(v);
+      p.vertex_faces[v].push_back(static_cast<int>(f));
+      p.vertex_neighbours[v].push_back(next);
+      p.vertex_neighbours[next].push_back(v);
     }
   }
   for (auto& neighbours : p.vertex_neighbours) {

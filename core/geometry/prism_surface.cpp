@@ -10,8 +10,6 @@ namespace nilas {
 
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 double twice_area(const Vec2& a, const Vec2& b, const Vec2& c) {
   return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
 }
@@ -20,14 +18,14 @@ double twice_area(const Vec2& a, const Vec2& b, const Vec2& c) {
 /// them is gone, so that none ends up in a triangle without area; a fan could.
 std::vector<std::array<int, 3>> cut_ears(const std::vector<Vec2>& outline, std::vector<int> piece) {
   std::vector<Vec2> points;
-  for (const int i : piece) points.push_back(outline[at(i)]);
+  for (const int i : piece) points.push_back(outline[i]);
   std::vector<std::array<int, 3>> triangles;
   while (piece.size() > 3) {
     const std::size_t n = piece.size();
     std::size_t best = n;
     double smallest = std::numeric_limits<double>::infinity();
     for (const int corner : corners(points)) {
-      const std::size_t i = at(corner);
+      const std::size_t i = corner;
       const double area = twice_area(points[(i + n - 1) % n], points[i], points[(i + 1) % n]);
       if (area >= smallest) continue;
       smallest = area;

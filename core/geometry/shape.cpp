@@ -13,8 +13,6 @@ namespace nilas {
 
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 double reach(const std::vector<Vec3>& points) {
   double r = 0;
   for (const auto& p : points) r = std::max(r, p.norm());
@@ -31,8 +29,8 @@ TriangleMesh convex_prism_surface(const std::vector<Vec2>& outline, double half)
 /// Corners of a convex piece; fewer than three where it has no width, as the ice between the sides of a needle.
 std::vector<Vec2> turning_points(const std::vector<Vec2>& outline, const std::vector<int>& piece) {
   std::vector<Vec2> points, turning;
-  for (const int i : piece) points.push_back(outline[at(i)]);
-  for (const int k : corners(points)) turning.push_back(points[at(k)]);
+  for (const int i : piece) points.push_back(outline[i]);
+  for (const int k : corners(points)) turning.push_back(points[k]);
   return turning;
 }
 

@@ -77,7 +77,7 @@ void write_stl(const TriangleMesh& mesh, const std::filesystem::path& file) {
   };
   const TriangleMesh stored = rounded_to_float(mesh);  // normals of what the file holds, so that copies are equal
   for (const auto& t : stored.triangles) {
-    const auto corner = [&](std::size_t k) -> const Vec3& { return stored.vertices[static_cast<std::size_t>(t[k])]; };
+    const auto corner = [&](std::size_t k) -> const Vec3& { return stored.vertices[t[k]]; };
     append((corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized());
     for (std::size_t k = 0; k < 3; ++k) append(corner(k));
     bytes.append(2, '\0');

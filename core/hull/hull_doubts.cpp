@@ -114,7 +114,7 @@ bool half_a_hull(const TriangleMesh& mesh, const HullMeasures& m) {
   double in_plane = 0;
   for (const auto& t : mesh.triangles) {
     std::array<Vec3, 3> p;
-    for (std::size_t k = 0; k < 3; ++k) p[k] = mesh.vertices[static_cast<std::size_t>(t[k])];
+    for (std::size_t k = 0; k < 3; ++k) p[k] = mesh.vertices[t[k]];
     const double off = std::max({std::abs(p[0].y()), std::abs(p[1].y()), std::abs(p[2].y())});
     if (off <= k_at_zero * size.y()) in_plane += 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).norm();
   }

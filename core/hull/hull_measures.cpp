@@ -38,7 +38,7 @@ View view_along(const TriangleMesh& mesh, const Eigen::AlignedBox3d& box, int ax
   for (const auto& t : mesh.triangles) {
     std::array<Vec3, 3> p;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3 x = mesh.vertices[static_cast<std::size_t>(t[k])] - box.min();
+      const Vec3 x = mesh.vertices[t[k]] - box.min();
       p[k] = {x[u] / box.sizes()[u], x[v] / box.sizes()[v], x[axis]};
     }
     const Vec3 ab = p[1] - p[0], ac = p[2] - p[0];
@@ -125,7 +125,7 @@ HullMeasures measure_hull(const TriangleMesh& mesh) {
   const double level = std::cos(15 * k_deg);
   for (const auto& t : mesh.triangles) {
     std::array<Vec3, 3> p;
-    for (std::size_t k = 0; k < 3; ++k) box.extend(p[k] = mesh.vertices[static_cast<std::size_t>(t[k])]);
+    for (std::size_t k = 0; k < 3; ++k) box.extend(p[k] = mesh.vertices[t[k]]);
     const Vec3 area = 0.5 * (p[1] - p[0]).cross(p[2] - p[0]);
     const double size = area.norm();
     top.add(area.z(), area.z() > level * size);

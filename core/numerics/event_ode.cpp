@@ -76,7 +76,7 @@ std::vector<int> found_events(void* memory, int count) {
   std::vector<int> flags(static_cast<std::size_t>(count)), found;
   demand(CVodeGetRootInfo(memory, flags.data()));
   for (int k = 0; k < count; ++k)
-    if (flags[static_cast<std::size_t>(k)] != 0) found.push_back(k);
+    if (flags[k] != 0) found.push_back(k);
   return found;
 }
 

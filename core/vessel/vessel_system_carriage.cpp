@@ -14,7 +14,7 @@ std::vector<int> free_axes(const CarriageModel& carriage) {
   if (carriage.balance == BalanceKind::prismatic) return {k_heave};
   std::vector<int> axes;
   for (int axis = 0; axis < 6; ++axis)
-    if (carriage.free[static_cast<std::size_t>((axis + 3) % 6)]) axes.push_back(axis);
+    if (carriage.free[(axis + 3) % 6]) axes.push_back(axis);
   return axes;
 }
 

@@ -24,7 +24,7 @@ std::vector<int> CarriedVessel::settling_coordinates(bool afloat) const {
   std::vector<int> settling;
   for (int i = 0; i < tree_.size(); ++i) {
     const bool held = std::find(free_coordinates_.begin(), free_coordinates_.end(), i) == free_coordinates_.end();
-    const int axis = axes_[static_cast<std::size_t>(i)];
+    const int axis = axes_[i];
     if (held || (afloat && (axis == k_roll || axis == k_pitch || axis == k_heave))) settling.push_back(i);
   }
   return settling;
@@ -44,8 +44,8 @@ VecX CarriedVessel::equilibrium(const RestModel& rest) {
   // Scales: one unit is a large force and a large displacement; for held coordinates the deflection under the weight.
   VecX force(n), move(n);
   for (Eigen::Index k = 0; k < n; ++k) {
-    const int i = settling[static_cast<std::size_t>(k)];
-    const bool shifts = axes_[static_cast<std::size_t>(i)] >= k_first_translation;
+    const int i = settling[k];
+    const bool shifts = axes_[i] >= k_first_translation;
     force[k] = shifts ? rest.weight : rest.weight * rest.length;
     move[k] = shifts ? rest.length : 1;
     if (stiffness_(i, i) > 0) move[k] = std::min(move[k], force[k] / stiffness_(i, i));
@@ -62,8 +62,7 @@ VecX CarriedVessel::equilibrium(const RestModel& rest) {
   if (!found.converged && rest.heave != 0) {  // above the water, the forces do not show the direction
     VecX start = VecX::Zero(n);
     for (Eigen::Index k = 0; k < n; ++k)
-      if (axes_[static_cast<std::size_t>(settling[static_cast<std::size_t>(k)])] == k_heave)
-        start[k] = rest.heave / move[k];
+      if (axes_[settling[k]] == k_heave) start[k] = rest.heave / move[k];
     found = solve_nonlinear(balance, start);
   }
   if (!found.converged)
@@ -79,7 +78,7 @@ VesselRest CarriedVessel::settle(const RestModel& rest, bool start_there) {
   const VecX left = static_force(rest, q);
   bool rests = true;
   for (const int i : free_coordinates_) {
-    const double lever = axes_[static_cast<std::size_t>(i)] < k_first_translation ? rest.length : 1;
+    const double lever = axes_[i] < k_first_translation ? rest.length : 1;
     rests = rests && std::abs(left[i]) <= k_unbalanced * rest.weight * lever;
   }
   // The tree is at q: the carriage balances all loads there.

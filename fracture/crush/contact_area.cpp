@@ -138,8 +138,8 @@ PressurePoints pressure_points(const FaceInIce& face, double least) {
   out.points[0] = face.centroid;
   if (wide < least) return out;
   const auto put = [&](const Vec3& arm) {
-    out.points[static_cast<std::size_t>(out.count++)] = face.centroid + arm;
-    out.points[static_cast<std::size_t>(out.count++)] = face.centroid - arm;
+    out.points[out.count++] = face.centroid + arm;
+    out.points[out.count++] = face.centroid - arm;
   };
   out.count = 0;
   const double share = narrow < least ? 1 : std::sqrt(2.0);

@@ -148,7 +148,7 @@ std::vector<std::vector<Vec2>> wedge_cracks(const WedgeFan& fan) {
     arc.push_back(fan.apex + fan.radius * direction_of(angle));
   }
   std::vector<std::vector<Vec2>> cracks;
-  for (int i = 0; i <= last; i += steps) cracks.push_back({fan.apex, arc[static_cast<std::size_t>(i)]});
+  for (int i = 0; i <= last; i += steps) cracks.push_back({fan.apex, arc[i]});
   cracks.push_back(std::move(arc));
   return cracks;
 }
@@ -160,8 +160,7 @@ std::vector<std::vector<Vec2>> wedge_cracks(const WedgeFan& fan, const std::vect
   NILAS_DEMAND(static_cast<int>(radii.size()) == 2 * fan.wedges + 1);
   NILAS_DEMAND(*std::min_element(radii.begin(), radii.end()) > 0);
   std::vector<Vec2> around;
-  for (int k = 0; k <= 2 * fan.wedges; ++k)
-    around.emplace_back(fan.apex + radii[static_cast<std::size_t>(k)] * direction_of(ray_angle(fan, k)));
+  for (int k = 0; k <= 2 * fan.wedges; ++k) around.emplace_back(fan.apex + radii[k] * direction_of(ray_angle(fan, k)));
   std::vector<std::vector<Vec2>> cracks;
   for (std::size_t k = 0; k < around.size(); k += 2) cracks.push_back({fan.apex, around[k]});
   cracks.push_back(std::move(around));

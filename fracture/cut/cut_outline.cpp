@@ -76,7 +76,7 @@ bool comes_before(const Loop& a, const Loop& b) {
 bool is_partition(const std::vector<CutPiece>& pieces, const SnappedLines& lines, const std::vector<char>& left_out) {
   std::vector<Vec2> outline;
   for (const int p : lines.outline)
-    if (!left_out[static_cast<std::size_t>(p)]) outline.push_back(lines.points[static_cast<std::size_t>(p)]);
+    if (!left_out[p]) outline.push_back(lines.points[p]);
   if (!is_simple_counter_clockwise(outline)) return false;
   return std::all_of(pieces.begin(), pieces.end(),
                      [](const CutPiece& piece) { return is_simple_counter_clockwise(piece.outline); });

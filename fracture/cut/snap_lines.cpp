@@ -78,7 +78,7 @@ class Snapper {
   }
 
  private:
-  const Vec2& at(int i) const { return out_.points[static_cast<std::size_t>(i)]; }
+  const Vec2& at(int i) const { return out_.points[i]; }
 
   static void append(std::vector<int>& line, int point) {
     if (line.empty() || line.back() != point) line.push_back(point);
@@ -198,7 +198,7 @@ class Snapper {
         append(out_.outline, s.a);
         for (const int p : s.through) append(out_.outline, p);
       } else {
-        auto& crack = out_.cracks[static_cast<std::size_t>(s.line)];
+        auto& crack = out_.cracks[s.line];
         for (const int p : s.through) append(crack, p);
         append(crack, s.b);
       }

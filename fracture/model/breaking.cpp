@@ -10,7 +10,7 @@ namespace nilas {
 namespace {
 
 bool is_structure(const Bodies& bodies, int body) {
-  const BodyKind kind = bodies.kind[static_cast<std::size_t>(body)];
+  const BodyKind kind = bodies.kind[body];
   return kind == BodyKind::vessel || kind == BodyKind::rigid;
 }
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <set>
 
+#include "contact/problem/row_of.h"
 #include "core/base/order_free_sum.h"
 
 namespace nilas {
@@ -18,7 +19,7 @@ constexpr double k_same = 1e-9;
 /// Where both bodies' motions brought a point from, within the time h before.
 Vec3 place_before(const Bodies& bodies, const ContactPoint& c, double h) {
   const auto velocity = [&](int body) -> Vec3 {
-    if (bodies.motion[static_cast<std::size_t>(body)] == Motion::fixed) return Vec3::Zero();
+    if (bodies.motion[body] == Motion::fixed) return Vec3::Zero();
     return bodies.velocity_at(body, c.p);
   };
   return c.p - 0.5 * h * (velocity(c.a) + velocity(c.b));
@@ -96,7 +97,7 @@ void BrokenContacts::add_to(const Bodies& bodies, const std::vector<ContactPoint
     for (Taker* taker : taking) taker->impulse.add(taker->part_of(load) / static_cast<double>(taking.size()));
   }
   for (const Taker& taker : all)
-    guess.segment<3>(3 * static_cast<Eigen::Index>(taker.point)) += C[taker.point].transpose() * taker.impulse.value();
+    guess.segment<3>(row_of(taker.point)) += C[taker.point].transpose() * taker.impulse.value();
 }
 
 void BrokenContacts::save(StateWriter out) const {

@@ -26,11 +26,8 @@ struct Moving {
   Mat3 R;
 
   Moving(const Bodies& bodies, int body)
-      : p(bodies.p_GB[static_cast<std::size_t>(body)]),
-        v(bodies.v_GB[static_cast<std::size_t>(body)]),
-        w(bodies.w_GB[static_cast<std::size_t>(body)]),
-        R(bodies.R_GB[static_cast<std::size_t>(body)]) {
-    if (bodies.motion[static_cast<std::size_t>(body)] != Motion::fixed) return;
+      : p(bodies.p_GB[body]), v(bodies.v_GB[body]), w(bodies.w_GB[body]), R(bodies.R_GB[body]) {
+    if (bodies.motion[body] != Motion::fixed) return;
     v.setZero();
     w.setZero();
   }
@@ -85,8 +82,8 @@ struct Crushing::Pair {
   bool touches_now() const { return !faces.empty(); }
   bool touches() const { return !faces.empty() || !faces_next.empty(); }
 
-  std::int64_t id(int body) const { return bodies.id[static_cast<std::size_t>(body)]; }
-  const std::vector<ConvexPolytope>& pieces() const { return bodies.shape[static_cast<std::size_t>(floe)]->parts; }
+  std::int64_t id(int body) const { return bodies.id[body]; }
+  const std::vector<ConvexPolytope>& pieces() const { return bodies.shape[floe]->parts; }
   CrushedFace name(const FaceInIce& face) const { return {id(hull.body), id(floe), face.face, face.piece}; }
   Placement hull_in_floe(double t) const { return between(of_hull.after(t), of_floe.after(t)); }
   double pressing_area(const std::vector<FaceInIce>& in_ice) const;
@@ -119,9 +116,7 @@ double Crushing::Pair::first_touch(const FaceInIce& face) const {
   double out = 0, in = ahead;
   for (int k = 0; k < k_touch_halvings; ++k) {
     const double t = 0.5 * (out + in);
-    const bool touches = face_in_ice(hull.faces[static_cast<std::size_t>(face.face)], hull_in_floe(t),
-                                     pieces()[static_cast<std::size_t>(face.piece)])
-                             .has_value();
+    const bool touches = face_in_ice(hull.faces[face.face], hull_in_floe(t), pieces()[face.piece]).has_value();
     (touches ? in : out) = t;
   }
   return in;
@@ -129,7 +124,7 @@ double Crushing::Pair::first_touch(const FaceInIce& face) const {
 
 /// With its bodies, normal, and the key of the face.
 ContactPoint Crushing::Pair::point_on(const FaceInIce& face) const {
-  const HullFace& surface = hull.faces[static_cast<std::size_t>(face.face)];
+  const HullFace& surface = hull.faces[face.face];
   const Vec3 into_ice = of_hull.R * surface.normal;
   ContactPoint point;
   point.a = hull.body;
@@ -178,7 +173,7 @@ void Crushing::follow(const Bodies& bodies, const std::vector<NewPiece>& pieces)
 
 /// Kept from step to step.
 const CrushingSurface& Crushing::floe_surface(const Bodies& bodies, int floe) {
-  CrushingSurface& surface = floes_[bodies.id[static_cast<std::size_t>(floe)]];
+  CrushingSurface& surface = floes_[bodies.id[floe]];
   if (surface.parts.empty()) surface = crushing_surface(bodies, floe).value();
   surface.body = floe;
   return surface;
@@ -228,7 +223,7 @@ std::vector<ContactPoint> Crushing::points(const Bodies& bodies, const std::vect
     const CrushingSurface& hull = hull_of(is_hull(a) ? a : b);
     const int floe = is_hull(a) ? b : a;
     if (!may_meet(bodies, hull, floe, ahead)) continue;
-    if (clear_volume_) near_hulls_.emplace(hull.id, bodies.id[static_cast<std::size_t>(floe)]);
+    if (clear_volume_) near_hulls_.emplace(hull.id, bodies.id[floe]);
     add_pair(pair_of(bodies, hull, floe, h, ahead), points);
   }
   depth_.forget_others();
@@ -238,10 +233,10 @@ std::vector<ContactPoint> Crushing::points(const Bodies& bodies, const std::vect
 }
 
 double Crushing::pressure(const Pair& pair, const FaceInIce& face, const Placement& hull_in_floe, double total) const {
-  double strength = ice_.compressive_strength[static_cast<std::size_t>(pair.floe)].at(face.centroid);
+  double strength = ice_.compressive_strength[pair.floe].at(face.centroid);
   if (ice_.is_breakable(pair.hull.body)) {  // the weaker ice gives way
     const Vec3 place = hull_in_floe.R.transpose() * (face.centroid - hull_in_floe.p);
-    strength = std::min(strength, ice_.compressive_strength[static_cast<std::size_t>(pair.hull.body)].at(place));
+    strength = std::min(strength, ice_.compressive_strength[pair.hull.body].at(place));
   }
   return law_.pressure(strength, total);
 }
@@ -328,7 +323,7 @@ bool Crushing::first_counts(const Pair& of_first, const Pair& of_second) {
 /// Remembered is the choice of floes that touch now alone: it does not depend on velocities, nor on the step's length.
 void Crushing::add_floes(const Bodies& bodies, int a, int b, double h, double ahead,
                          std::vector<ContactPoint>& points) {
-  const Ids ids(bodies.id[static_cast<std::size_t>(a)], bodies.id[static_cast<std::size_t>(b)]);
+  const Ids ids(bodies.id[a], bodies.id[b]);
   const CrushingSurface &of_a = floe_surface(bodies, a), &of_b = floe_surface(bodies, b);
   const auto pair = [&](bool first) { return pair_of(bodies, first ? of_a : of_b, first ? b : a, h, ahead); };
   const auto add = [&](const Pair& of_one, bool first) {
@@ -366,10 +361,9 @@ void Crushing::add_face(const Pair& pair, const FaceLoad& load, std::vector<Cont
   };
   if (load.force > 0) {
     const PressurePoints places = pressure_points(face, pair.least);
-    for (int k = 0; k < places.count; ++k)
-      add(places.points[static_cast<std::size_t>(k)], load.force / places.count, 0, 1 + k);
+    for (int k = 0; k < places.count; ++k) add(places.points[k], load.force / places.count, 0, 1 + k);
   }
-  const double closing = (pair.of_hull.R * pair.hull.faces[static_cast<std::size_t>(face.face)].normal).dot(velocity);
+  const double closing = (pair.of_hull.R * pair.hull.faces[face.face].normal).dot(velocity);
   if (!(load.growth > 0 && closing > rest)) return;
   // the way until the first touch is a gap, which closes in the same share of the step
   const double out = load.now ? 0 : pair.first_touch(face) / pair.ahead;

@@ -90,7 +90,7 @@ class Crushing {
   struct Pair;
 
   void learn(const Bodies& bodies, int body);
-  bool is_hull(int body) const { return is_hull_[static_cast<std::size_t>(body)] != 0; }
+  bool is_hull(int body) const { return is_hull_[body] != 0; }
   const CrushingSurface& hull_of(int body) const;
   static bool balls_meet(const Bodies& bodies, int a, int b, double ahead);
   const CrushingSurface& floe_surface(const Bodies& bodies, int floe);

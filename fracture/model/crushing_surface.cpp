@@ -25,7 +25,7 @@ std::optional<CrushingSurface> crushing_surface(const Bodies& bodies, int body) 
     surface.parts.push_back(make_polytope(shape.surface, k_facet_tolerance * shape.radius));
     for (const auto& face : surface.parts.front().faces) {
       std::vector<Vec3> loop;
-      for (const int v : face) loop.push_back(surface.parts.front().vertices[static_cast<std::size_t>(v)]);
+      for (const int v : face) loop.push_back(surface.parts.front().vertices[v]);
       surface.faces.push_back(make_hull_face(0, std::move(loop)));
     }
     surface.outer = outer_faces(surface.parts, surface.faces);

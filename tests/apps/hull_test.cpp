@@ -132,7 +132,7 @@ TEST(HullCommand, AnOpenHullIsRefusedWithItsPlaceAndAPicture) {
   const ScratchFolder folder;
   TriangleMesh open = nilas::box_mesh({0, 0, 0}, {4, 1, 1});
   std::erase_if(open.triangles, [&](const auto& t) {
-    return std::all_of(t.begin(), t.end(), [&](int v) { return open.vertices[static_cast<std::size_t>(v)].z() == 1; });
+    return std::all_of(t.begin(), t.end(), [&](int v) { return open.vertices[v].z() == 1; });
   });
   write_obj(folder.path() / "open.obj", {open});
   const auto refused = run_nilas("hull open.obj --out made", folder.path());

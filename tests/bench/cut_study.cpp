@@ -80,13 +80,13 @@ int main(int count, char** words) {
   std::printf("%-17s %7s %8s %4s %4s %5s  %8s %6s  %8s %8s %8s %7s  refused\n", "class", "cuts", "pieces", "bad",
               "thr.", "sliv.", "area", "bound", "overlap", "birth", "motion", "ms/cut");
   for (int c = 0; c < k_num_cut_classes; ++c) {
-    RandomStream random(20140401, k_cut_class_names[static_cast<std::size_t>(c)]);
+    RandomStream random(20140401, k_cut_class_names[c]);
     Tally tally;
     for (int i = 0; i < cuts / k_num_cut_classes; ++i) try {
         study(static_cast<CutClass>(c), random, tally);
       } catch (const std::exception& error) {
         if (++tally.thrown == 1) std::printf("%s\n", error.what());
       }
-    print(k_cut_class_names[static_cast<std::size_t>(c)], tally);
+    print(k_cut_class_names[c], tally);
   }
 }

@@ -73,7 +73,7 @@ double speed_of_fastest_floe(const Bodies& bodies) {
 Course run(const Scene& scene, double way_in_ice, double way_before_load) {
   WarningCounts warnings(make_logger("off", ""));
   Simulation simulation(scene, 1, warnings);
-  const double start = simulation.bodies().p_GB[static_cast<std::size_t>(simulation.vessel_index())].x();
+  const double start = simulation.bodies().p_GB[simulation.vessel_index()].x();
   const auto begun = std::chrono::steady_clock::now();
   Course course;
   long measured = 0, steps = 0;
@@ -84,7 +84,7 @@ Course run(const Scene& scene, double way_in_ice, double way_before_load) {
   course.floes_over = {static_cast<double>(simulation.info().floes)};
   for (double way = 0; steps < last && (first_touch < 0 || way < first_touch + way_in_ice); ++steps) {
     const StepRecord record = simulation.step();
-    way = simulation.bodies().p_GB[static_cast<std::size_t>(simulation.vessel_index())].x() - start;
+    way = simulation.bodies().p_GB[simulation.vessel_index()].x() - start;
     const double against = -record.vessel->contact.force.x();
     if (first_touch < 0 && against > 0) first_touch = way;
     course.peak = std::max(course.peak, against);

@@ -55,8 +55,8 @@ Packing packing(int nx, int ny, int nz) {
   const auto join = [&](int a, int b) {
     const int c = static_cast<int>(contacts.size());
     contacts.push_back({a, b});
-    of_body[static_cast<std::size_t>(a)].push_back(c);
-    of_body[static_cast<std::size_t>(b)].push_back(c);
+    of_body[a].push_back(c);
+    of_body[b].push_back(c);
   };
   for (int k = 0; k < nz; ++k)
     for (int j = 0; j < ny; ++j)
@@ -75,10 +75,10 @@ Packing packing(int nx, int ny, int nz) {
   for (int c = 0; c < static_cast<int>(contacts.size()); ++c) {
     std::map<int, Mat3> row;
     for (std::size_t side = 0; side < 2; ++side)
-      for (const int d : of_body[static_cast<std::size_t>(contacts[static_cast<std::size_t>(c)][side])]) {
-        const auto& other = contacts[static_cast<std::size_t>(d)];
-        const std::size_t at = other[0] == contacts[static_cast<std::size_t>(c)][side] ? 0 : 1;
-        const Mat3 part = arms[static_cast<std::size_t>(c)][side].transpose() * arms[static_cast<std::size_t>(d)][at];
+      for (const int d : of_body[contacts[c][side]]) {
+        const auto& other = contacts[d];
+        const std::size_t at = other[0] == contacts[c][side] ? 0 : 1;
+        const Mat3 part = arms[c][side].transpose() * arms[d][at];
         row.try_emplace(d, Mat3::Zero()).first->second += part;
       }
     for (const auto& [d, value] : row) {
@@ -112,8 +112,7 @@ void factors() {
     std::vector<Mat3> shifted_blocks = p.block;
     for (std::size_t row = 0; row < n; ++row)
       for (int at = p.row_start[row]; at < p.row_start[row + 1]; ++at)
-        if (p.column[static_cast<std::size_t>(at)] == static_cast<int>(row))
-          shifted_blocks[static_cast<std::size_t>(at)] += k_added * Mat3::Identity();
+        if (p.column[at] == static_cast<int>(row)) shifted_blocks[at] += k_added * Mat3::Identity();
     const VecX b = VecX::LinSpaced(shifted.rows(), -1, 1);
     const auto residual = [&](const VecX& x) { return (shifted * x - b).norm() / b.norm(); };
     const std::vector<Mat3> inverse(n, Mat3::Identity()), added(n, k_added * Mat3::Identity());

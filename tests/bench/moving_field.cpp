@@ -31,9 +31,7 @@ MovingField::MovingField(int floes) {
 }
 
 std::vector<Vec2> MovingField::cell(int i, int j, RandomStream& random) const {
-  const auto corner = [&](int column, int row) {
-    return corners_[static_cast<std::size_t>(row * (columns_ + 1) + column)];
-  };
+  const auto corner = [&](int column, int row) { return corners_[row * (columns_ + 1) + column]; };
   const std::vector<Vec2> quad{corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)};
   std::vector<Vec2> outline;
   for (std::size_t k = 0; k < quad.size(); ++k) {

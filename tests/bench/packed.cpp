@@ -131,7 +131,7 @@ int run(const fs::path& folder, const std::string& floes, const std::string& swe
     const StepRecord record = simulation.step();
     const double total = peers::now_ms() - t0;
     if (n < peers::k_first_measured) continue;
-    const auto ms = [&](Phase phase) { return record.ms[static_cast<std::size_t>(phase)]; };
+    const auto ms = [&](Phase phase) { return record.ms[phase]; };
     window.push_back({ms(Phase::detection),
                       ms(Phase::assembly) + ms(Phase::solver) + ms(Phase::integration) + ms(Phase::output),
                       ms(Phase::hydro), total});

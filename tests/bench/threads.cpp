@@ -33,7 +33,7 @@ double spin(int threads) {
   parallel_for(k_items, threads, [&](std::ptrdiff_t i) {
     double x = 1.0 + 1e-3 * static_cast<double>(i);
     for (int k = 0; k < k_rounds; ++k) x = 1.0 / (1.0 + x);
-    results[static_cast<std::size_t>(i)] = x;
+    results[i] = x;
   });
   double sum = 0;
   for (const double x : results) sum += x;

@@ -29,8 +29,7 @@ Mean mean_of(const std::vector<Course>& courses, const Value& value) {
 template <class Run>
 auto with_twins(int twins, int threads, const Run& run) {
   std::vector<decltype(run(std::uint64_t{0}))> courses(static_cast<std::size_t>(twins) + 1);
-  parallel_for(twins + 1, threads,
-               [&](std::ptrdiff_t k) { courses[static_cast<std::size_t>(k)] = run(static_cast<std::uint64_t>(k)); });
+  parallel_for(twins + 1, threads, [&](std::ptrdiff_t k) { courses[k] = run(static_cast<std::uint64_t>(k)); });
   return courses;
 }
 

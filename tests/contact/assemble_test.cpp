@@ -170,7 +170,7 @@ TEST(Assemble, FixedSideHasNoBlockAndNoVelocity) {
 TEST(Assemble, ArticulatedSideIsReducedAndItsPrescribedMotionGoesToW) {
   for (const int body : {1, 2}) {
     TwoFloes scene;
-    scene.bodies.motion[static_cast<std::size_t>(body)] = Motion::articulated;
+    scene.bodies.motion[body] = Motion::articulated;
     ArticulatedBlock block;
     ArticulatedBody& moved = block.bodies.emplace_back();
     moved.body = body;
@@ -183,7 +183,7 @@ TEST(Assemble, ArticulatedSideIsReducedAndItsPrescribedMotionGoesToW) {
     validate(out.problem);
     // The articulated block comes after the free body's, whatever the order of the bodies.
     EXPECT_EQ(out.first_articulated_block, 1);
-    EXPECT_EQ(out.block_of_body[static_cast<std::size_t>(body)], 1);
+    EXPECT_EQ(out.block_of_body[body], 1);
     EXPECT_EQ(out.problem.f.tail<2>(), block.f);
 
     // u for these speeds must equal u for the twist that they produce.
@@ -191,7 +191,7 @@ TEST(Assemble, ArticulatedSideIsReducedAndItsPrescribedMotionGoesToW) {
     const Vec6 twist = moved.jacobian * speeds + moved.prescribed;
     const Vec3 p(1, 0.2, 0.1);
     const auto other = static_cast<std::size_t>(3 - body);
-    const Vec3 v_moved = twist.head<3>() + twist.tail<3>().cross(p - scene.bodies.p_GB[static_cast<std::size_t>(body)]);
+    const Vec3 v_moved = twist.head<3>() + twist.tail<3>().cross(p - scene.bodies.p_GB[body]);
     const Vec3 v_other = scene.bodies.velocity_at(3 - body, p);
     VecX v(8);
     v << scene.bodies.v_GB[other], scene.bodies.w_GB[other], speeds;
@@ -229,7 +229,7 @@ TEST(Assemble, BodiesOfOneSystemShareABlock) {
   RandomStream random(2, "tree");
   const auto draw = [&](Eigen::Index, Eigen::Index) { return random.normal(); };
   for (const int body : {1, 2}) {
-    scene.bodies.motion[static_cast<std::size_t>(body)] = Motion::articulated;
+    scene.bodies.motion[body] = Motion::articulated;
     block.bodies.push_back({body, MatX::NullaryExpr(6, 3, draw), MatX::NullaryExpr(6, 1, draw)});
   }
   block.mass = Vec3(50, 60, 70).asDiagonal();
@@ -244,9 +244,9 @@ TEST(Assemble, BodiesOfOneSystemShareABlock) {
   const Vec3 speeds(0.8, -0.4, 0.3), p(1, 0.2, 0.1);
   Vec3 apart = Vec3::Zero(), turning = Vec3::Zero();
   for (const auto& [body, sign] : {std::pair(0, -1.0), std::pair(1, 1.0)}) {
-    const ArticulatedBody& one = block.bodies[static_cast<std::size_t>(body)];
+    const ArticulatedBody& one = block.bodies[body];
     const Vec6 twist = one.jacobian * speeds + one.prescribed;
-    const Vec3 arm = p - scene.bodies.p_GB[static_cast<std::size_t>(one.body)];
+    const Vec3 arm = p - scene.bodies.p_GB[one.body];
     apart += sign * (twist.head<3>() + twist.tail<3>().cross(arm));
     turning += sign * twist.tail<3>();
   }
@@ -300,7 +300,7 @@ TEST(Assemble, ImpulsesBalanceInLinearAndAngularMomentum) {
   for (int c = 0; c < 6; ++c) {
     const Vec3 r = vector();
     const Vec6 on_a = out.problem.jacobian_a(c).transpose() * r, on_b = out.problem.jacobian_b(c).transpose() * r;
-    EXPECT_LT((on_b.head<3>() - out.C[static_cast<std::size_t>(c)] * r).norm(), 1e-14);
+    EXPECT_LT((on_b.head<3>() - out.C[c] * r).norm(), 1e-14);
     EXPECT_LT((on_a.head<3>() + on_b.head<3>()).norm(), 1e-14);
     const Vec3 angular =
         on_a.tail<3>() + bodies.p_GB[0].cross(on_a.head<3>()) + on_b.tail<3>() + bodies.p_GB[1].cross(on_b.head<3>());

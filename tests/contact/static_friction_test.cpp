@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "contact/problem/row_of.h"
 #include "contact/registry.h"
 #include "tests/support/cone_problems.h"
 
@@ -88,7 +89,7 @@ TEST(StaticFriction, BreaksAChainLooseContactByContact) {
   EXPECT_EQ(problem.mu, (std::vector<double>{k_static, k_static, k_kinetic, k_kinetic}));
   for (std::size_t k = 0; k < pushes.size(); ++k) {
     const double expected = pushes[k] > k_static ? (pushes[k] - k_kinetic) * k_gravity * k_step : 0;
-    EXPECT_NEAR(solution.u[3 * static_cast<Eigen::Index>(k) + 1], expected, 1e-12);
+    EXPECT_NEAR(solution.u[row_of(k) + 1], expected, 1e-12);
   }
 }
 

@@ -14,7 +14,7 @@ constexpr int k_cuts_per_class = 80;
 
 struct RandomCuts : testing::TestWithParam<int> {
   CutClass kind() const { return static_cast<CutClass>(GetParam()); }
-  RandomStream random() const { return {1789, k_cut_class_names[static_cast<std::size_t>(GetParam())]}; }
+  RandomStream random() const { return {1789, k_cut_class_names[GetParam()]}; }
 };
 
 using Key = std::pair<double, double>;
@@ -101,7 +101,7 @@ TEST_P(RandomCuts, KeepMassMomentumAngularMomentumAndEnergy) {
 }
 
 std::string class_name(const testing::TestParamInfo<int>& tested) {
-  std::string name = k_cut_class_names[static_cast<std::size_t>(tested.param)];
+  std::string name = k_cut_class_names[tested.param];
   std::replace_if(
       name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
   return name;

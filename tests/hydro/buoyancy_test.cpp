@@ -17,7 +17,7 @@ Water sea() {
 Wrench buoyancy_on(const Bodies& bodies, int b) {
   Wrenches out(static_cast<std::size_t>(bodies.size()));
   make_buoyancy(sea(), 1)->add_forces(bodies, 0, out);
-  return out[static_cast<std::size_t>(b)];
+  return out[b];
 }
 
 std::vector<Shape> shapes() {
@@ -150,8 +150,7 @@ TEST(Buoyancy, RemembersNothingWrong) {
     Wrenches out(static_cast<std::size_t>(bodies.size()));
     module->add_forces(bodies, 0, out);
     EXPECT_EQ(module->potential_energy(bodies), make_buoyancy(sea(), 1)->potential_energy(bodies));
-    for (int b = 0; b < bodies.size(); ++b)
-      EXPECT_EQ(out[static_cast<std::size_t>(b)].force, buoyancy_on(bodies, b).force);
+    for (int b = 0; b < bodies.size(); ++b) EXPECT_EQ(out[b].force, buoyancy_on(bodies, b).force);
   };
   for (const Shape& shape : shapes()) {
     add_body(bodies, shape, {random_attitude(random), Vec3(0, 0, 0.3)});

@@ -46,8 +46,8 @@ Bodies random_bodies(const std::string& stream, int rounds) {
     for (const Shape& shape : shapes()) {
       const Vec3 p(random.uniform(-5, 5), random.uniform(-5, 5), 0.7 * random.uniform(-1, 1));
       const int b = add_body(bodies, shape, {random_attitude(random), p});
-      bodies.v_GB[static_cast<std::size_t>(b)] = random_vector(random);
-      bodies.w_GB[static_cast<std::size_t>(b)] = random_vector(random);
+      bodies.v_GB[b] = random_vector(random);
+      bodies.w_GB[b] = random_vector(random);
     }
   return bodies;
 }

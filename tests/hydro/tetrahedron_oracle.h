@@ -55,7 +55,7 @@ inline LongSolid submerged_oracle(const TriangleMesh& mesh, const Mat3& R, const
   LongSolid sum;
   for (const auto& t : mesh.triangles) {
     std::array<Long3, 4> corner{apex, apex, apex, apex};
-    for (std::size_t k = 0; k < 3; ++k) corner[k] = mesh.vertices[static_cast<std::size_t>(t[k])].cast<long double>();
+    for (std::size_t k = 0; k < 3; ++k) corner[k] = mesh.vertices[t[k]].cast<long double>();
     const long double sign = (corner[1] - corner[0]).cross(corner[2] - corner[0]).dot(corner[0] - apex) < 0 ? -1 : 1;
     for (auto& x : corner) x = ground(x);
     sum.add(sign, below(corner));

@@ -43,18 +43,18 @@ class MirrorImages {
   explicit MirrorImages(const Bodies& bodies, double near = 1e-9) : image_(bodies.p_GB.size(), -1) {
     for (int a = 0; a < bodies.size(); ++a)
       for (int b = 0; b < bodies.size(); ++b)
-        if (bodies.kind[at(a)] == bodies.kind[at(b)] && bodies.motion[at(a)] == bodies.motion[at(b)] &&
-            (bodies.p_GB[at(a)] - mirrored(bodies.p_GB[at(b)])).norm() <= near)
-          image_[at(a)] = b;
+        if (bodies.kind[a] == bodies.kind[b] && bodies.motion[a] == bodies.motion[b] &&
+            (bodies.p_GB[a] - mirrored(bodies.p_GB[b])).norm() <= near)
+          image_[a] = b;
   }
 
   bool paired() const { return std::find(image_.begin(), image_.end(), -1) == image_.end(); }
-  int image(int body) const { return image_[at(body)]; }
+  int image(int body) const { return image_[body]; }
 
   /// Whether every body has the mirrored surface, convex pieces, mass and inertia of its image, to the last bit.
   bool built_as_images(const Bodies& bodies) const {
     for (int b = 0; b < bodies.size(); ++b) {
-      const auto i = at(b), k = at(image(b));
+      const std::size_t i = b, k = image(b);
       const Vec3 signs(1, -1, 1);
       const Mat3 inertia = signs.asDiagonal() * bodies.inertia_B[k] * signs.asDiagonal();
       const bool moves = bodies.motion[i] != Motion::fixed;
@@ -69,7 +69,7 @@ class MirrorImages {
     StepAsymmetry found;
     const Bodies& bodies = simulation.bodies();
     for (int b = 0; b < bodies.size(); ++b) {
-      const auto i = at(b), k = at(image(b));
+      const std::size_t i = b, k = image(b);
       const auto raise = [](double& worst, double difference) { worst = std::max(worst, difference); };
       raise(found.poses, (bodies.p_GB[i] - mirrored(bodies.p_GB[k])).norm());
       const Mat3 turned = Vec3(1, -1, 1).asDiagonal() * bodies.R_GB[k] * Vec3(1, -1, 1).asDiagonal();
@@ -102,21 +102,19 @@ class MirrorImages {
     return all;
   }
 
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
   double load_difference(const SolvedProblem& last) const {
     const ContactProblem& problem = last.problem;
     std::vector<int> block(image_.size(), -1);
     for (std::size_t c = 0; c < last.points.size(); ++c) {
-      block[at(last.points[c].a)] = problem.pairs[c].a;
-      block[at(last.points[c].b)] = problem.pairs[c].b;
+      block[last.points[c].a] = problem.pairs[c].a;
+      block[last.points[c].b] = problem.pairs[c].b;
     }
     double worst = 0;
     for (std::size_t b = 0; b < image_.size(); ++b) {
-      const int own = block[b], other = block[at(image_[b])];
+      const int own = block[b], other = block[image_[b]];
       if (own < 0 || other < 0 || problem.block_size(own) != 6) continue;
-      const auto f = problem.f.segment<6>(problem.block_offset[at(own)]);
-      const auto g = problem.f.segment<6>(problem.block_offset[at(other)]);
+      const auto f = problem.f.segment<6>(problem.block_offset[own]);
+      const auto g = problem.f.segment<6>(problem.block_offset[other]);
       worst = std::max(worst, (Vec3(f.head<3>()) - mirrored(g.head<3>())).norm());
       worst = std::max(worst, (Vec3(f.tail<3>()) - mirrored_axial(g.tail<3>())).norm());
     }

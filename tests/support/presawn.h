@@ -61,14 +61,12 @@ class ConvexOracle {
     for (const Vec3& v : mesh.vertices) hull_.vertices.push_back(R * v + p);
     std::map<std::pair<int, int>, Vec3> first_side;
     for (const auto& triangle : mesh.triangles) {
-      const auto corner = [&](int k) {
-        return hull_.vertices[static_cast<std::size_t>(triangle[static_cast<std::size_t>(k % 3)])];
-      };
+      const auto corner = [&](int k) { return hull_.vertices[triangle[k % 3]]; };
       const Vec3 n = (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
       hull_.normals.push_back(n);
       offsets_.push_back(n.dot(corner(0)));
       for (int k = 0; k < 3; ++k) {
-        const int i = triangle[static_cast<std::size_t>(k)], j = triangle[static_cast<std::size_t>((k + 1) % 3)];
+        const int i = triangle[k], j = triangle[(k + 1) % 3];
         const auto [other, is_new] = first_side.try_emplace(std::minmax(i, j), n);
         if (!is_new) edges_.push_back({corner(k), (corner(k + 1) - corner(k)).normalized(), n, other->second});
       }
@@ -106,8 +104,7 @@ class ConvexOracle {
   static std::vector<Vec3> directions(const oracle::Solid& piece) {
     std::vector<Vec3> all;
     for (const auto& [i, j] : piece.edges) {
-      const Vec3 along =
-          (piece.vertices[static_cast<std::size_t>(j)] - piece.vertices[static_cast<std::size_t>(i)]).normalized();
+      const Vec3 along = (piece.vertices[j] - piece.vertices[i]).normalized();
       constexpr double k_parallel = 1e-9;
       if (std::none_of(all.begin(), all.end(), [&](const Vec3& d) { return d.cross(along).norm() < k_parallel; }))
         all.push_back(along);

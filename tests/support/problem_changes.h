@@ -35,15 +35,14 @@ inline void copy_contact(const ContactProblem& from, int c, std::uint64_t key, b
 /// The same problem with its contacts in another order.
 inline ContactProblem with_order(const ContactProblem& problem, const std::vector<int>& order) {
   ContactProblem out = without_contacts(problem);
-  for (const int c : order) copy_contact(problem, c, problem.key[static_cast<std::size_t>(c)], false, out);
+  for (const int c : order) copy_contact(problem, c, problem.key[c], false, out);
   return out;
 }
 
 /// The same problem with block lists swapped: A's rows take the place of B's. Velocities and impulses stay the same.
 inline ContactProblem with_swapped_sides(const ContactProblem& problem) {
   ContactProblem out = without_contacts(problem);
-  for (int c = 0; c < problem.num_contacts(); ++c)
-    copy_contact(problem, c, problem.key[static_cast<std::size_t>(c)], true, out);
+  for (int c = 0; c < problem.num_contacts(); ++c) copy_contact(problem, c, problem.key[c], true, out);
   return out;
 }
 

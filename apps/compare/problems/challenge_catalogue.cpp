@@ -14,10 +14,10 @@ constexpr double k_step = 0.01, k_gravity = 9.81;  // [s] [m/s^2]
 
 /// Multiplies a body's mass and inertia; its free velocity stays.
 void make_heavier(ContactProblem& problem, int block, double factor) {
-  const auto begin = static_cast<std::ptrdiff_t>(problem.mass_offset[static_cast<std::size_t>(block)]),
+  const auto begin = static_cast<std::ptrdiff_t>(problem.mass_offset[block]),
              end = static_cast<std::ptrdiff_t>(problem.mass_offset[static_cast<std::size_t>(block) + 1]);
-  for (auto k = begin; k < end; ++k) problem.mass_data[static_cast<std::size_t>(k)] *= factor;
-  problem.f.segment(problem.block_offset[static_cast<std::size_t>(block)], problem.block_size(block)) *= factor;
+  for (auto k = begin; k < end; ++k) problem.mass_data[k] *= factor;
+  problem.f.segment(problem.block_offset[block], problem.block_size(block)) *= factor;
 }
 
 /// A wedge pressed between two walls that lean outwards by 10 degrees: friction alone could hold any squeeze.

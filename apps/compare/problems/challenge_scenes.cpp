@@ -13,7 +13,7 @@ namespace {
 bool all_can_move(const ContactProblem& problem) {
   const std::vector<Mat3> diagonal = delassus_diagonal(problem);
   for (int c = 0; c < problem.num_contacts(); ++c)
-    if (!problem.is_moment(c) && !(diagonal[static_cast<std::size_t>(c)].trace() > 0)) return false;
+    if (!problem.is_moment(c) && !(diagonal[c].trace() > 0)) return false;
   return true;
 }
 

@@ -119,7 +119,7 @@ std::vector<double> middle_first(std::vector<double> tolerances) {
   for (std::ptrdiff_t away = 0; out.size() < tolerances.size(); ++away)
     for (const std::ptrdiff_t k : {middle + away, middle - away})
       if (k >= 0 && k < static_cast<std::ptrdiff_t>(tolerances.size()) && (away > 0 || k != middle || out.empty()))
-        out.push_back(tolerances[static_cast<std::size_t>(k)]);
+        out.push_back(tolerances[k]);
   return out;
 }
 

@@ -65,7 +65,7 @@ double contact_mass_ratio(const ContactProblem& problem) {
   };
   for (int c = 0; c < problem.num_contacts(); ++c) {
     if (problem.is_moment(c)) continue;
-    const auto& pair = problem.pairs[static_cast<std::size_t>(c)];
+    const auto& pair = problem.pairs[c];
     see(pair.a, problem.jacobian_a(c));
     see(pair.b, problem.jacobian_b(c));
   }

@@ -25,7 +25,7 @@ TwinRuns::TwinRuns(const Scene& scene, const Simulation& itself, int count, int 
   for (int k = 1; k <= count; ++k)
     twins_.push_back(std::make_unique<Twin>(scene, scene.twin + static_cast<std::uint64_t>(k)));
   parallel_pieces(count, threads_, [&](std::ptrdiff_t k) {
-    Twin& twin = *twins_[static_cast<std::size_t>(k)];
+    Twin& twin = *twins_[k];
     twin.simulation = std::make_unique<Simulation>(twin.scene, 1, twin.warnings);
     twin.loads.resize(loads_.size());
   });
@@ -55,7 +55,7 @@ StepRecord TwinRuns::step(Simulation& itself) {
     if (k == 0)
       record = itself.step();
     else
-      step_twin(*twins_[static_cast<std::size_t>(k - 1)]);
+      step_twin(*twins_[k - 1]);
   });
   note_loads(record, loads_);
   std::vector<const Bodies*> runs{&itself.bodies()};

@@ -71,7 +71,7 @@ void write_open_edges(const fs::path& file, const TriangleMesh& mesh) {
   for (const auto& [edge, count] : sides) {
     if (count == 2) continue;
     for (const int v : {edge.first, edge.second}) {
-      const Vec3& x = mesh.vertices[static_cast<std::size_t>(v)];
+      const Vec3& x = mesh.vertices[v];
       out << fmt::format("{:.6g} {:.6g} {:.6g}\n", x.x(), x.y(), x.z());
     }
     out << "\n\n";
@@ -99,7 +99,7 @@ void write_faces(std::ofstream& out, const TriangleMesh& mesh, const Colour& col
   const double light = eye.z() > 0 ? 1 : -1;
   for (const auto& t : mesh.triangles) {
     std::array<Vec3, 3> p;
-    for (std::size_t k = 0; k < 3; ++k) p[k] = mesh.vertices[static_cast<std::size_t>(t[k])];
+    for (std::size_t k = 0; k < 3; ++k) p[k] = mesh.vertices[t[k]];
     const Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
     if (two_sided || normal.dot(eye) > 0) write_face(out, p, shaded(colour, normal, light), longest);
   }
@@ -115,7 +115,7 @@ TriangleMesh coarsened(const TriangleMesh& mesh, double cell) {
     stand_in[v] = first.try_emplace({cube.x(), cube.y(), cube.z()}, static_cast<int>(v)).first->second;
   }
   for (auto t : mesh.triangles) {
-    for (int& v : t) v = stand_in[static_cast<std::size_t>(v)];
+    for (int& v : t) v = stand_in[v];
     if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) coarse.triangles.push_back(t);
   }
   return coarse;
@@ -157,8 +157,7 @@ void write_waterline(const fs::path& file, const TriangleMesh& mesh, double leve
   std::ofstream out(file);
   for (const auto& t : mesh.triangles)
     for (std::size_t k = 0, found = 0; k < 3; ++k) {
-      const Vec3 &a = mesh.vertices[static_cast<std::size_t>(t[k])],
-                 &b = mesh.vertices[static_cast<std::size_t>(t[(k + 1) % 3])];
+      const Vec3 &a = mesh.vertices[t[k]], &b = mesh.vertices[t[(k + 1) % 3]];
       if ((a.z() < level) == (b.z() < level)) continue;
       const Vec3 p = a + (b - a) * ((level - a.z()) / (b.z() - a.z()));
       out << fmt::format("{:.6g} {:.6g} {:.6g}\n", p.x(), p.y(), p.z()) << (++found == 2 ? "\n\n" : "");

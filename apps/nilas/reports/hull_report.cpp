@@ -48,8 +48,7 @@ double block_coefficient(const TriangleMesh& mesh, double volume, double level) 
   Eigen::AlignedBox3d wet;
   for (const auto& t : mesh.triangles)
     for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3 &a = mesh.vertices[static_cast<std::size_t>(t[k])],
-                 &b = mesh.vertices[static_cast<std::size_t>(t[(k + 1) % 3])];
+      const Vec3 &a = mesh.vertices[t[k]], &b = mesh.vertices[t[(k + 1) % 3]];
       if (a.z() <= level) wet.extend(a);
       if ((a.z() < level) != (b.z() < level)) wet.extend(a + (b - a) * ((level - a.z()) / (b.z() - a.z())));
     }

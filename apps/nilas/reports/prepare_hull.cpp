@@ -32,7 +32,7 @@ struct Reach {
 Reach demand_sensible_size(const PolygonSoup& soup, const fs::path& file) {
   Eigen::AlignedBox3d box;
   for (const auto& loop : soup.polygons)
-    for (const int v : loop) box.extend(soup.points[static_cast<std::size_t>(v)]);
+    for (const int v : loop) box.extend(soup.points[v]);
   const double longest = box.sizes().maxCoeff(), furthest = std::max(-box.min().minCoeff(), box.max().maxCoeff());
   constexpr double k_shortest = 1e-2, k_longest = 2e3, k_far = 1e5;  // [m]
   if (!(longest >= k_shortest && longest <= k_longest && furthest <= k_far))

@@ -73,7 +73,7 @@ bool any_fast(const Bodies& bodies, const FastMotion& motion, const std::vector<
 
 bool is_fast(const Bodies& bodies, const FastMotion& motion, const std::vector<double>& widths, double share, int a,
              int b) {
-  const double width = std::min(widths[static_cast<std::size_t>(a)], widths[static_cast<std::size_t>(b)]);
+  const double width = std::min(widths[a], widths[b]);
   return relative_way(bodies, motion, a, b) > share * width;
 }
 
@@ -92,7 +92,7 @@ std::vector<FastPair> fast_pairs(const Bodies& bodies, const FastMotion& motion,
   std::sort(boxes.begin(), boxes.end(), [](const SweptBox& p, const SweptBox& q) {
     return std::pair(p.low.x(), p.body) < std::pair(q.low.x(), q.body);
   });
-  const auto is_fixed = [&](int b) { return bodies.motion[static_cast<std::size_t>(b)] == Motion::fixed; };
+  const auto is_fixed = [&](int b) { return bodies.motion[b] == Motion::fixed; };
   for (std::size_t i = 0; i < boxes.size(); ++i)
     for (std::size_t j = i + 1; j < boxes.size() && boxes[j].low.x() <= boxes[i].high.x(); ++j) {
       const SweptBox &p = boxes[i], &q = boxes[j];
@@ -100,7 +100,7 @@ std::vector<FastPair> fast_pairs(const Bodies& bodies, const FastMotion& motion,
       if (is_fixed(p.body) && is_fixed(q.body)) continue;
       const auto [a, b] = std::minmax(p.body, q.body);
       if (!is_fast(bodies, motion, widths, share, a, b)) continue;
-      const double width = std::min(widths[static_cast<std::size_t>(a)], widths[static_cast<std::size_t>(b)]);
+      const double width = std::min(widths[a], widths[b]);
       pairs.push_back({a, b, width, relative_way(bodies, motion, a, b)});
     }
   std::sort(pairs.begin(), pairs.end(),

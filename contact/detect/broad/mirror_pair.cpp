@@ -40,15 +40,15 @@ bool are_images(const Bodies& bodies, const Part& a, const Part& b) {
 }
 
 Axis axis_across(const Bodies& bodies, const PairView& pair) {
-  const double toward_b = bodies.p_GB[static_cast<std::size_t>(pair.b.body)].y() < 0 ? -1 : 1;
+  const double toward_b = bodies.p_GB[pair.b.body].y() < 0 ? -1 : 1;
   Axis axis;
-  axis.n = bodies.R_GB[static_cast<std::size_t>(pair.a.body)].transpose() * Vec3(0, toward_b, 0);
+  axis.n = bodies.R_GB[pair.a.body].transpose() * Vec3(0, toward_b, 0);
   axis.s = separation(pair, axis.n);
   return axis;
 }
 
 double middle_plane(const Bodies& bodies, const Part& a, const Part& b) {
-  return 0.5 * (bodies.p_GB[static_cast<std::size_t>(a.body)].y() + bodies.p_GB[static_cast<std::size_t>(b.body)].y());
+  return 0.5 * (bodies.p_GB[a.body].y() + bodies.p_GB[b.body].y());
 }
 
 bool serves_instead(const Axis& across, const Axis& best) {

@@ -67,7 +67,7 @@ std::vector<Loop> shown(const PartCover& cover, const Loop& loop, const Vec3& n)
   std::vector<Loop> left{loop}, next;
   for (const CoveringPart& part : cover.parts) {
     const ConvexPolytope& polytope = *part.facets->polytope;
-    const double top = n.dot(polytope.vertices[static_cast<std::size_t>(support_vertex(*part.facets, n))]);
+    const double top = n.dot(polytope.vertices[support_vertex(*part.facets, n)]);
     if (top <= n.dot(loop.front()) + cover.tolerance) continue;
     next.clear();
     for (Loop& piece : left) subtract(part, cover.tolerance, std::move(piece), next);
@@ -78,17 +78,15 @@ std::vector<Loop> shown(const PartCover& cover, const Loop& loop, const Vec3& n)
 
 bool is_hidden_face(const PartCover& cover, const ConvexPolytope& polytope, std::size_t f) {
   Loop loop;
-  for (const int v : polytope.faces[f]) loop.push_back(polytope.vertices[static_cast<std::size_t>(v)]);
+  for (const int v : polytope.faces[f]) loop.push_back(polytope.vertices[v]);
   double area = 0;
   for (const Loop& piece : shown(cover, loop, polytope.normals[f])) area += area_of(piece);
   return area <= cover.tolerance * polytope.radius;
 }
 
 bool is_hidden_edge(const PartCover& cover, const ConvexPolytope& polytope, const PartEdge& edge) {
-  const Vec3 &n0 = polytope.normals[static_cast<std::size_t>(edge.f0)],
-             &n1 = polytope.normals[static_cast<std::size_t>(edge.f1)];
-  const Loop ends{polytope.vertices[static_cast<std::size_t>(edge.v0)],
-                  polytope.vertices[static_cast<std::size_t>(edge.v1)]};
+  const Vec3 &n0 = polytope.normals[edge.f0], &n1 = polytope.normals[edge.f1];
+  const Loop ends{polytope.vertices[edge.v0], polytope.vertices[edge.v1]};
   for (const double share : {k_beside_face, 0.5, 1 - k_beside_face}) {
     double length = 0;
     for (const Loop& piece : shown(cover, ends, ((1 - share) * n0 + share * n1).normalized()))
@@ -129,9 +127,8 @@ std::shared_ptr<PartCover> cover_of(const std::vector<Part>& parts, const std::v
   for (const PartEdge& edge : facets.edges) cover->edge_is_internal.push_back(is_hidden_edge(*cover, polytope, edge));
   for (std::size_t v = 0; v < polytope.vertices.size(); ++v) {
     const auto edges = facets.vertex_edges[static_cast<int>(v)];
-    cover->vertex_is_internal.push_back(std::count_if(edges.begin(), edges.end(), [&](int e) {
-                                          return cover->edge_is_internal[static_cast<std::size_t>(e)] == 0;
-                                        }) <= 1);
+    cover->vertex_is_internal.push_back(
+        std::count_if(edges.begin(), edges.end(), [&](int e) { return cover->edge_is_internal[e] == 0; }) <= 1);
   }
   return cover;
 }
@@ -141,7 +138,7 @@ std::shared_ptr<PartCover> cover_of(const std::vector<Part>& parts, const std::v
 std::vector<std::vector<Vec3>> shown_pieces(const Part& part, std::size_t face) {
   const ConvexPolytope& polytope = *part.facets->polytope;
   Loop loop;
-  for (const int v : polytope.faces[face]) loop.push_back(polytope.vertices[static_cast<std::size_t>(v)]);
+  for (const int v : polytope.faces[face]) loop.push_back(polytope.vertices[v]);
   if (!part.cover) return {loop};
   if (part.cover->face_is_internal[face] != 0) return {};
   std::vector<Loop> pieces = shown(*part.cover, loop, polytope.normals[face]);
@@ -170,8 +167,7 @@ bool CoveringPart::leads_out_within(double depth, const Vec3& x) const {
 
 static bool hides_at(const CoveringPart& part, const Vec3& x, const Vec3& n, double tolerance) {
   if (!part.contains(x, tolerance)) return false;
-  return n.dot(part.facets->polytope->vertices[static_cast<std::size_t>(support_vertex(*part.facets, n))]) >
-         n.dot(x) + tolerance;
+  return n.dot(part.facets->polytope->vertices[support_vertex(*part.facets, n)]) > n.dot(x) + tolerance;
 }
 
 bool PartCover::hides(const Vec3& x, const Vec3& n) const {

@@ -14,7 +14,7 @@ Vec3 mean_free_velocity(const Bodies& bodies) {
   double free = 0;
   for (int b = 0; b < bodies.size(); ++b)
     if (bodies.is_free(b)) {
-      sum.add(bodies.v_GB[static_cast<std::size_t>(b)]);
+      sum.add(bodies.v_GB[b]);
       free += 1;
     }
   return sum.value() / std::max(free, 1.0);

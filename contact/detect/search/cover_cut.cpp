@@ -116,9 +116,7 @@ void drop_dominated(const CoveredSide& side, FacingSurfaces& facing) {
 }
 
 void drop_internal_features(const CoveredSide& side, FacingSurfaces& facing) {
-  const auto is = [](const std::vector<char>& internal, int i) {
-    return i >= 0 && internal[static_cast<std::size_t>(i)] != 0;
-  };
+  const auto is = [](const std::vector<char>& internal, int i) { return i >= 0 && internal[i] != 0; };
   std::erase_if(facing.points, [&](const OverlayPoint& p) {
     const PartCover& cover = side.cover();
     if (p.feature.kind == FeatureKind::crossing)

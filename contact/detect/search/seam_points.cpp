@@ -29,11 +29,11 @@ class SeamJoin {
     for (std::ptrdiff_t i = 0; i < count_; ++i) merge_coincident(i);
     std::vector<char> known = dropped_;
     for (std::ptrdiff_t i = 0; i < count_; ++i) {
-      if (known[static_cast<std::size_t>(i)] != 0) continue;
+      if (known[i] != 0) continue;
       std::vector<std::ptrdiff_t> plane;
       for (std::ptrdiff_t k = i; k < count_; ++k) {
-        if (known[static_cast<std::size_t>(k)] != 0 || (first_[k].n - first_[i].n).norm() > k_one_plane) continue;
-        known[static_cast<std::size_t>(k)] = 1;
+        if (known[k] != 0 || (first_[k].n - first_[i].n).norm() > k_one_plane) continue;
+        known[k] = 1;
         plane.push_back(k);
       }
       reduce(plane);
@@ -44,12 +44,12 @@ class SeamJoin {
  private:
   void merge_coincident(std::ptrdiff_t i) {
     Vec3 sum = first_[i].n;
-    for (std::ptrdiff_t k = i + 1; k < count_ && dropped_[static_cast<std::size_t>(i)] == 0; ++k) {
-      if (dropped_[static_cast<std::size_t>(k)] != 0 || same_parts(first_[i], first_[k])) continue;
+    for (std::ptrdiff_t k = i + 1; k < count_ && dropped_[i] == 0; ++k) {
+      if (dropped_[k] != 0 || same_parts(first_[i], first_[k])) continue;
       if ((first_[i].p - first_[k].p).norm() > touching_ || first_[i].n.dot(first_[k].n) < k_gentle_cosine) continue;
       sum += first_[k].n;
       first_[i].gap = std::min(first_[i].gap, first_[k].gap);
-      dropped_[static_cast<std::size_t>(k)] = 1;
+      dropped_[k] = 1;
     }
     if (sum != first_[i].n) first_[i].n = sum.normalized();
   }
@@ -69,7 +69,7 @@ class SeamJoin {
     keep_spread_points(touching_, margin_, k_four_points_do, points);
     for (const std::ptrdiff_t k : plane)
       if (std::none_of(points.begin(), points.end(), [&](const OverlayPoint& p) { return p.feature.first == k; }))
-        dropped_[static_cast<std::size_t>(k)] = 1;
+        dropped_[k] = 1;
   }
 
   const Bodies& bodies_;

@@ -95,9 +95,8 @@ class WayOut {
     if (seen) return false;
     const FacetedGeometry& facets = *side.part().facets;
     support_vertices(facets, n, pair_.tolerance, room_.vertices);
-    return std::any_of(room_.vertices.begin(), room_.vertices.end(), [&](int v) {
-      return !side.cover().hides(facets.polytope->vertices[static_cast<std::size_t>(v)], n);
-    });
+    return std::any_of(room_.vertices.begin(), room_.vertices.end(),
+                       [&](int v) { return !side.cover().hides(facets.polytope->vertices[v], n); });
   }
 
   /// Parts that do not overlap have no points that do.
@@ -143,8 +142,7 @@ class WayOut {
       if (!part.facets) continue;
       const int count = static_cast<int>(part.facets->polytope->faces.size());
       for (int f = 0; f < count; ++f)
-        if (!part.cover || part.cover->face_is_internal[static_cast<std::size_t>(f)] == 0)
-          out.push_back(face_axis(pair_, kind, f));
+        if (!part.cover || part.cover->face_is_internal[f] == 0) out.push_back(face_axis(pair_, kind, f));
     }
   }
 
@@ -153,9 +151,7 @@ class WayOut {
     choose_facing_edges(pair_, least, {pair_.a.centre, pair_.b_in_a.point(pair_.b.centre)}, room_.edges);
     const auto drop_internal = [](const Part& part, std::vector<EdgeInA>& edges) {
       if (!part.cover) return;
-      std::erase_if(edges, [&](const EdgeInA& edge) {
-        return part.cover->edge_is_internal[static_cast<std::size_t>(edge.edge)] != 0;
-      });
+      std::erase_if(edges, [&](const EdgeInA& edge) { return part.cover->edge_is_internal[edge.edge] != 0; });
     };
     drop_internal(pair_.a, room_.edges.of_a);
     drop_internal(pair_.b, room_.edges.of_b);

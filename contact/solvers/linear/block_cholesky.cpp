@@ -1,14 +1,13 @@
 #include "contact/solvers/linear/block_cholesky.h"
 
 #include "contact/problem/inverse_root.h"
+#include "contact/problem/row_of.h"
 
 namespace nilas {
 
 namespace {
 
-std::size_t at(Eigen::Index i) { return static_cast<std::size_t>(i); }
 /// First of the three numbers of a block row.
-Eigen::Index row_of(int i) { return 3 * static_cast<Eigen::Index>(i); }
 
 }  // namespace
 
@@ -21,7 +20,7 @@ BlockCholesky::BlockCholesky(const Eigen::SparseMatrix<double>& a) : a_(a) {
   }
   value_.resize(column_.size());
   fill_ = block_fill(row_start_, column_);
-  const auto n = at(fill_.size());
+  const std::size_t n = fill_.size();
   upper_block_.resize(fill_.upper.columns.size());
   inverse_root_.resize(n);
   row_.resize(n);
@@ -31,24 +30,24 @@ BlockCholesky::BlockCholesky(const Eigen::SparseMatrix<double>& a) : a_(a) {
 void BlockCholesky::set_values(const std::vector<Mat3>& inverse, const std::vector<Mat3>& added) {
   const int* const outer = a_.outerIndexPtr();
   for (Eigen::Index i = 0; i < a_.cols() / 3; ++i)
-    for (int k = row_start_[at(i)]; k < row_start_[at(i) + 1]; ++k) {
-      const int j = column_[at(k)], in_column = 3 * (k - row_start_[at(i)]);
+    for (int k = row_start_[i]; k < row_start_[i + 1]; ++k) {
+      const int j = column_[k], in_column = 3 * (k - row_start_[i]);
       Mat3 block;
       for (int c = 0; c < 3; ++c) block.row(c) = Eigen::Map<const Vec3>(a_.valuePtr() + outer[3 * i + c] + in_column);
-      value_[at(k)].noalias() = inverse[at(i)] * (block * inverse[at(j)]).eval();
-      if (i == j) value_[at(k)] += added[at(i)];
+      value_[k].noalias() = inverse[i] * (block * inverse[j]).eval();
+      if (i == j) value_[k] += added[i];
     }
 }
 
 /// Leaves row i of the matrix less what the rows before take from it, from the diagonal on, in row_.
 void BlockCholesky::eliminate(int i) {
-  const int source = fill_.source[at(i)];
-  for (int k = row_start_[at(source)]; k < row_start_[at(source) + 1]; ++k) {
-    const int j = fill_.place[at(column_[at(k)])];
-    if (j >= i) row_[at(j)] = PaddedBlock(value_[at(k)]);
+  const int source = fill_.source[i];
+  for (int k = row_start_[source]; k < row_start_[source + 1]; ++k) {
+    const int j = fill_.place[column_[k]];
+    if (j >= i) row_[j] = PaddedBlock(value_[k]);
   }
   for (const int pivot : fill_.lower[i]) {
-    const std::size_t here = next_[at(pivot)]++, end = fill_.upper.first(pivot + 1);
+    const std::size_t here = next_[pivot]++, end = fill_.upper.first(pivot + 1);
     const PaddedBlock* const blocks = upper_block_.data() + here;
     const PaddedBlock factor(blocks->matrix().transpose());
     subtract_products(factor, blocks, fill_.upper.columns.data() + here, end - here, row_.data());
@@ -60,18 +59,18 @@ bool BlockCholesky::keep_row(int i) {
   const int n = fill_.size();
   if (i >= fill_.tail) {
     for (int j = i; j < n; ++j) {
-      dense_.block<3, 3>(row_of(i - fill_.tail), row_of(j - fill_.tail)) = row_[at(j)].matrix();
-      row_[at(j)] = {};
+      dense_.block<3, 3>(row_of(i - fill_.tail), row_of(j - fill_.tail)) = row_[j].matrix();
+      row_[j] = {};
     }
     return true;
   }
-  const Mat3 root = inverse_root(row_[at(i)].matrix());
-  row_[at(i)] = {};
-  inverse_root_[at(i)] = PaddedBlock(root);
+  const Mat3 root = inverse_root(row_[i].matrix());
+  row_[i] = {};
+  inverse_root_[i] = PaddedBlock(root);
   PaddedBlock* kept = upper_block_.data() + fill_.upper.first(i);
   for (const int j : fill_.upper[i]) {
-    *kept++ = product(inverse_root_[at(i)], row_[at(j)]);
-    row_[at(j)] = {};
+    *kept++ = product(inverse_root_[i], row_[j]);
+    row_[j] = {};
   }
   return root.allFinite() && root.diagonal().minCoeff() > 0;
 }
@@ -93,9 +92,9 @@ bool BlockCholesky::factor(const std::vector<Mat3>& inverse, const std::vector<M
 VecX BlockCholesky::solve_unrefined(const VecX& b) const {
   const int n = fill_.size(), tail = fill_.tail;
   VecX y(row_of(n));
-  for (int i = 0; i < n; ++i) y.segment<3>(row_of(i)) = b.segment<3>(row_of(fill_.source[at(i)]));
+  for (int i = 0; i < n; ++i) y.segment<3>(row_of(i)) = b.segment<3>(row_of(fill_.source[i]));
   for (int i = 0; i < tail; ++i) {
-    const Vec3 scaled = inverse_root_[at(i)].matrix() * y.segment<3>(row_of(i));
+    const Vec3 scaled = inverse_root_[i].matrix() * y.segment<3>(row_of(i));
     y.segment<3>(row_of(i)) = scaled;
     const PaddedBlock* block = upper_block_.data() + fill_.upper.first(i);
     for (const int j : fill_.upper[i]) y.segment<3>(row_of(j)).noalias() -= (block++)->matrix().transpose() * scaled;
@@ -105,10 +104,10 @@ VecX BlockCholesky::solve_unrefined(const VecX& b) const {
     Vec3 sum = y.segment<3>(row_of(i));
     const PaddedBlock* block = upper_block_.data() + fill_.upper.first(i);
     for (const int j : fill_.upper[i]) sum.noalias() -= (block++)->matrix() * y.segment<3>(row_of(j));
-    y.segment<3>(row_of(i)) = inverse_root_[at(i)].matrix().transpose() * sum;
+    y.segment<3>(row_of(i)) = inverse_root_[i].matrix().transpose() * sum;
   }
   VecX x(row_of(n));
-  for (int i = 0; i < n; ++i) x.segment<3>(row_of(fill_.source[at(i)])) = y.segment<3>(row_of(i));
+  for (int i = 0; i < n; ++i) x.segment<3>(row_of(fill_.source[i])) = y.segment<3>(row_of(i));
   return x;
 }
 
@@ -116,8 +115,8 @@ VecX BlockCholesky::times(const VecX& y) const {
   VecX out(y.size());
   for (Eigen::Index i = 0; i < y.size() / 3; ++i) {
     Vec3 sum = Vec3::Zero();
-    for (int k = row_start_[at(i)]; k < row_start_[at(i) + 1]; ++k)
-      sum.noalias() += value_[at(k)] * y.segment<3>(row_of(column_[at(k)]));
+    for (int k = row_start_[i]; k < row_start_[i + 1]; ++k)
+      sum.noalias() += value_[k] * y.segment<3>(row_of(column_[k]));
     out.segment<3>(3 * i) = sum;
   }
   return out;

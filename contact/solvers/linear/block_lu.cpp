@@ -2,8 +2,6 @@
 
 namespace nilas {
 
-static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 static void add(const Mat3& m, PaddedBlock& to) { to = PaddedBlock(to.matrix() + m); }
 
 void BlockLu::analyse(const std::vector<int>& row_start, const std::vector<int>& column) {
@@ -13,21 +11,20 @@ void BlockLu::analyse(const std::vector<int>& row_start, const std::vector<int>&
   fill_ = block_fill(row_start, column);
   upper_block_.resize(fill_.upper.columns.size());
   lower_block_.resize(fill_.lower.columns.size());
-  pivot_inverse_.resize(at(fill_.size()));
-  row_.assign(at(fill_.size()), {});
+  pivot_inverse_.resize(fill_.size());
+  row_.assign(fill_.size(), {});
 }
 
 bool BlockLu::factorise(const std::vector<Mat3>& block) {
   const int n = fill_.size();
   dense_.setZero(3 * (n - fill_.tail), 3 * (n - fill_.tail));
   for (int i = 0; i < n; ++i) {
-    const int source = fill_.source[at(i)];
-    for (int k = row_start_[at(source)]; k < row_start_[at(source) + 1]; ++k)
-      add(block[at(k)], row_[at(fill_.place[at(column_[at(k)])])]);
+    const int source = fill_.source[i];
+    for (int k = row_start_[source]; k < row_start_[source + 1]; ++k) add(block[k], row_[fill_.place[column_[k]]]);
     PaddedBlock* factor = lower_block_.data() + fill_.lower.first(i);
     for (const int pivot : fill_.lower[i]) {
-      *factor = product(row_[at(pivot)], pivot_inverse_[at(pivot)]);
-      row_[at(pivot)] = {};
+      *factor = product(row_[pivot], pivot_inverse_[pivot]);
+      row_[pivot] = {};
       const auto columns = fill_.upper[pivot];
       subtract_products(*factor, upper_block_.data() + fill_.upper.first(pivot), columns.data(), columns.size(),
                         row_.data());
@@ -35,22 +32,22 @@ bool BlockLu::factorise(const std::vector<Mat3>& block) {
     }
     if (i >= fill_.tail) {
       for (int j = fill_.tail; j < n; ++j) {
-        dense_.block<3, 3>(3 * (i - fill_.tail), 3 * (j - fill_.tail)) = row_[at(j)].matrix();
-        row_[at(j)] = {};
+        dense_.block<3, 3>(3 * (i - fill_.tail), 3 * (j - fill_.tail)) = row_[j].matrix();
+        row_[j] = {};
       }
       continue;
     }
-    const Mat3 inverse = Mat3(row_[at(i)].matrix()).inverse();
-    pivot_inverse_[at(i)] = PaddedBlock(inverse);
-    row_[at(i)] = {};
+    const Mat3 inverse = Mat3(row_[i].matrix()).inverse();
+    pivot_inverse_[i] = PaddedBlock(inverse);
+    row_[i] = {};
     if (!inverse.allFinite()) {
       row_.assign(row_.size(), {});
       return false;
     }
     PaddedBlock* kept = upper_block_.data() + fill_.upper.first(i);
     for (const int j : fill_.upper[i]) {
-      *kept++ = row_[at(j)];
-      row_[at(j)] = {};
+      *kept++ = row_[j];
+      row_[j] = {};
     }
   }
   return factorise_tail();
@@ -67,7 +64,7 @@ void BlockLu::solve(VecX& x) const {
   const int n = fill_.size();
   VecX y(3 * n);
   for (int i = 0; i < n; ++i) {
-    Vec3 sum = x.segment<3>(3 * fill_.source[at(i)]);
+    Vec3 sum = x.segment<3>(3 * fill_.source[i]);
     const PaddedBlock* block = lower_block_.data() + fill_.lower.first(i);
     for (const int j : fill_.lower[i]) sum -= (block++)->matrix() * y.segment<3>(3 * j);
     y.segment<3>(3 * i) = sum;
@@ -77,9 +74,9 @@ void BlockLu::solve(VecX& x) const {
     Vec3 sum = y.segment<3>(3 * i);
     const PaddedBlock* block = upper_block_.data() + fill_.upper.first(i);
     for (const int j : fill_.upper[i]) sum -= (block++)->matrix() * y.segment<3>(3 * j);
-    y.segment<3>(3 * i) = pivot_inverse_[at(i)].matrix() * sum;
+    y.segment<3>(3 * i) = pivot_inverse_[i].matrix() * sum;
   }
-  for (int i = 0; i < n; ++i) x.segment<3>(3 * fill_.source[at(i)]) = y.segment<3>(3 * i);
+  for (int i = 0; i < n; ++i) x.segment<3>(3 * fill_.source[i]) = y.segment<3>(3 * i);
 }
 
 }  // namespace nilas

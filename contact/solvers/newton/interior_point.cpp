@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/problem/row_of.h"
+
 namespace nilas {
 
 namespace {
@@ -17,13 +19,10 @@ constexpr double k_shortest_step = 1e-4;
 constexpr int k_patience = 5;
 constexpr double k_fall = 0.7;
 
-std::size_t at_(int i) { return static_cast<std::size_t>(i); }
-Eigen::Index row_of(int c) { return 3 * static_cast<Eigen::Index>(c); }
-
 VecX slopes(const MassScaled& problem) {
   VecX slope(3 * problem.num_contacts());
   for (int a = 0; a < problem.num_contacts(); ++a) {
-    const double mu = problem.mu[at_(a)];
+    const double mu = problem.mu[a];
     slope.segment<3>(row_of(a)) = mu > 1 ? Vec3(1 / mu, 1, 1) : Vec3(1, mu, mu);
   }
   return slope;
@@ -33,7 +32,7 @@ VecX slopes(const MassScaled& problem) {
 VecX caps(const MassScaled& problem, const VecX& slope) {
   const double least = k_least_cap * problem.q.cwiseAbs().maxCoeff();
   VecX cap(problem.num_contacts());
-  for (int a = 0; a < problem.num_contacts(); ++a) cap[a] = std::max(problem.cap[at_(a)], least) / slope[row_of(a)];
+  for (int a = 0; a < problem.num_contacts(); ++a) cap[a] = std::max(problem.cap[a], least) / slope[row_of(a)];
   return cap;
 }
 
@@ -120,14 +119,14 @@ double InteriorPoint::gap_after(const InteriorIterate& at, const Direction& d, d
 
 InteriorPoint::Right InteriorPoint::predictor(const InteriorIterate& at) const {
   Right right{VecX(at.x.size()), -at.slack.cwiseProduct(at.multiplier)};
-  for (int a = 0; a < problem_.num_contacts(); ++a) right.g.segment<3>(row_of(a)) = -nt_[at_(a)].scaled;
+  for (int a = 0; a < problem_.num_contacts(); ++a) right.g.segment<3>(row_of(a)) = -nt_[a].scaled;
   return right;
 }
 
 InteriorPoint::Right InteriorPoint::corrector(const InteriorIterate& at, const Direction& affine, double target) const {
   Right right = predictor(at);
   for (int a = 0; a < problem_.num_contacts(); ++a) {
-    const Vec3& scaled = nt_[at_(a)].scaled;
+    const Vec3& scaled = nt_[a].scaled;
     const Vec3 change =
         target * Vec3::UnitX() - jordan_product(affine.x.segment<3>(row_of(a)), affine.z.segment<3>(row_of(a)));
     right.g.segment<3>(row_of(a)) +=
@@ -148,7 +147,7 @@ InteriorPoint::Direction InteriorPoint::direction(const InteriorIterate& at, con
       excess[a] = at.x[row_of(a)] + at.slack[a] - cap_[a];
       other[0] += at.multiplier[a] + (right.line[a] + at.multiplier[a] * excess[a]) / at.slack[a];
     }
-    rhs.segment<3>(row_of(a)) = right.g.segment<3>(row_of(a)) - nt_[at_(a)].inverse * other;
+    rhs.segment<3>(row_of(a)) = right.g.segment<3>(row_of(a)) - nt_[a].inverse * other;
   }
   Direction d;
   d.x = factor_.solve(rhs);
@@ -156,7 +155,7 @@ InteriorPoint::Direction InteriorPoint::direction(const InteriorIterate& at, con
   d.slack = d.multiplier = VecX::Zero(nc);
   for (int a = 0; a < nc; ++a) {
     if (!has_cap(a)) continue;
-    d.slack[a] = -excess[a] - nt_[at_(a)].inverse.row(0).dot(d.x.segment<3>(row_of(a)));
+    d.slack[a] = -excess[a] - nt_[a].inverse.row(0).dot(d.x.segment<3>(row_of(a)));
     d.multiplier[a] = (right.line[a] - at.multiplier[a] * d.slack[a]) / at.slack[a];
   }
   return d;
@@ -168,7 +167,7 @@ double InteriorPoint::longest_step(const InteriorIterate& at, const Direction& d
     if (ds < 0) step = std::min(step, -s / ds);
   };
   for (int a = 0; a < problem_.num_contacts(); ++a) {
-    const Vec3& scaled = nt_[at_(a)].scaled;
+    const Vec3& scaled = nt_[a].scaled;
     for (const VecX* const part : {&d.x, &d.z}) {
       if (has_tangent(a))
         step = std::min(step, step_to_boundary(scaled, part->segment<3>(row_of(a))));
@@ -184,7 +183,7 @@ double InteriorPoint::longest_step(const InteriorIterate& at, const Direction& d
 InteriorIterate InteriorPoint::moved(const InteriorIterate& at, const Direction& d, double step) const {
   InteriorIterate next{at.x, at.z, at.slack + step * d.slack, at.multiplier + step * d.multiplier};
   for (int a = 0; a < problem_.num_contacts(); ++a) {
-    const NesterovTodd& nt = nt_[at_(a)];
+    const NesterovTodd& nt = nt_[a];
     next.x.segment<3>(row_of(a)) += step * (nt.inverse * d.x.segment<3>(row_of(a)));
     next.z.segment<3>(row_of(a)) += step * (nt.scaling * d.z.segment<3>(row_of(a)));
   }

@@ -55,7 +55,7 @@ class InteriorPoint {
     VecX g;     ///< P dx + P^-1 dz
     VecX line;  ///< s dl + l ds
   };
-  bool has_tangent(int a) const { return problem_.mu[static_cast<std::size_t>(a)] > 0; }
+  bool has_tangent(int a) const { return problem_.mu[a] > 0; }
   bool has_cap(int a) const;
   NesterovTodd scaling_at(const InteriorIterate& at, int a) const;
   bool factor(const InteriorIterate& at);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contact/law/cone.h"
+#include "contact/problem/row_of.h"
 
 namespace nilas {
 
@@ -22,9 +23,6 @@ constexpr double k_shortest = 1.0 / 128;
 constexpr double k_long = 0.1;
 /// Fewer rows than this are factored as a dense matrix.
 constexpr int k_dense_rows = 400;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-Eigen::Index row_of(int c) { return 3 * static_cast<Eigen::Index>(c); }
 
 /// F and its derivatives with respect to r and u.
 struct Piece {
@@ -82,7 +80,7 @@ struct Size {
 
 class Finish {
  public:
-  explicit Finish(const MassScaled& problem) : problem_(problem), pieces_(at(problem.num_contacts())) {}
+  explicit Finish(const MassScaled& problem) : problem_(problem), pieces_(problem.num_contacts()) {}
 
   /// Fills the pieces.
   Size evaluate(const VecX& r) {
@@ -90,10 +88,10 @@ class Finish {
     Size size;
     for (int a = 0; a < problem_.num_contacts(); ++a) {
       const Vec3 r_a = r.segment<3>(row_of(a)), u_a = u.segment<3>(row_of(a));
-      pieces_[at(a)] = problem_.law == Law::ccp ? convex(r_a, u_a, problem_.mu[at(a)], problem_.cap[at(a)])
-                                                : alart_curnier(r_a, u_a, problem_.mu[at(a)], problem_.cap[at(a)]);
-      const double square = pieces_[at(a)].f.squaredNorm();
-      const double map = std::sqrt(square) / problem_.scale[at(a)];
+      pieces_[a] = problem_.law == Law::ccp ? convex(r_a, u_a, problem_.mu[a], problem_.cap[a])
+                                            : alart_curnier(r_a, u_a, problem_.mu[a], problem_.cap[a]);
+      const double square = pieces_[a].f.squaredNorm();
+      const double map = std::sqrt(square) / problem_.scale[a];
       if (!(map <= size.worst_m_s)) size.worst_m_s = map;
       size.norm += square;
     }
@@ -105,25 +103,25 @@ class Finish {
   VecX step(double damping) const {
     const int nc = problem_.num_contacts();
     VecX dr(3 * nc);
-    std::vector<int> place(at(nc), -1);
+    std::vector<int> place(nc, -1);
     int active = 0;
     for (int a = 0; a < nc; ++a) {
-      dr.segment<3>(row_of(a)) = -pieces_[at(a)].f;
-      if (!pieces_[at(a)].by_u.isZero(0)) place[at(a)] = active++;
+      dr.segment<3>(row_of(a)) = -pieces_[a].f;
+      if (!pieces_[a].by_u.isZero(0)) place[a] = active++;
     }
     // F' of an open contact is the unit matrix: its dr is known, and what it does to u goes to the right side
     VecX open = dr;
     for (int a = 0; a < nc; ++a)
-      if (place[at(a)] >= 0) open.segment<3>(row_of(a)).setZero();
+      if (place[a] >= 0) open.segment<3>(row_of(a)).setZero();
     const VecX moved = problem_.w * open;
     VecX rhs(3 * active);
     for (int a = 0; a < nc; ++a)
-      if (place[at(a)] >= 0)
-        rhs.segment<3>(row_of(place[at(a)])) = -pieces_[at(a)].f - pieces_[at(a)].by_u * moved.segment<3>(row_of(a));
+      if (place[a] >= 0)
+        rhs.segment<3>(row_of(place[a])) = -pieces_[a].f - pieces_[a].by_u * moved.segment<3>(row_of(a));
     const VecX solved = solve(place, active, damping, rhs);
     if (solved.size() != rhs.size() || !solved.allFinite()) return {};
     for (int a = 0; a < nc; ++a)
-      if (place[at(a)] >= 0) dr.segment<3>(row_of(a)) = solved.segment<3>(row_of(place[at(a)]));
+      if (place[a] >= 0) dr.segment<3>(row_of(a)) = solved.segment<3>(row_of(place[a]));
     return dr;
   }
 
@@ -135,17 +133,17 @@ class Finish {
     std::vector<Eigen::Triplet<double>> entries;
     for (Eigen::Index column = 0; column < w.cols(); column += 3) {
       const int b = static_cast<int>(column / 3);
-      if (place[at(b)] < 0) continue;
+      if (place[b] < 0) continue;
       for (int k = 0; k < outer[column + 1] - outer[column]; k += 3) {
         const int a = w.innerIndexPtr()[outer[column] + k] / 3;
-        if (place[at(a)] < 0) continue;
+        if (place[a] < 0) continue;
         Mat3 block;
         for (int j = 0; j < 3; ++j) block.col(j) = Eigen::Map<const Vec3>(w.valuePtr() + outer[column + j] + k);
-        block = (pieces_[at(a)].by_u * block).eval();
-        if (a == b) block += pieces_[at(a)].by_r;
+        block = (pieces_[a].by_u * block).eval();
+        if (a == b) block += pieces_[a].by_r;
         for (int i = 0; i < 3; ++i)
           for (int j = 0; j < 3; ++j)
-            if (block(i, j) != 0) entries.emplace_back(3 * place[at(a)] + i, 3 * place[at(b)] + j, block(i, j));
+            if (block(i, j) != 0) entries.emplace_back(3 * place[a] + i, 3 * place[b] + j, block(i, j));
       }
     }
     return entries;

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "contact/law/law_map.h"
+#include "contact/problem/row_of.h"
 #include "contact/solvers/newton/rounded_solve.h"
 #include "core/base/order_free_sum.h"
 
@@ -15,53 +16,50 @@ namespace {
 /// A plan is made anew when fewer than this share of its contacts carry something.
 constexpr double k_carrying_share = 0.7;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-Eigen::Index row_of(int c) { return 3 * static_cast<Eigen::Index>(c); }
-
 }  // namespace
 
 NewtonSystem::NewtonSystem(const LocalProblem& island, bool order_free)
     : island_(island), order_free_(order_free), block_(island.block), q_(island.q) {
   const int nc = island.num_contacts();
   for (int a = 0; a < nc; ++a) {
-    const double d = (island.diagonal(a).trace() + island.compliance[at(a)]) / 3;
+    const double d = (island.diagonal(a).trace() + island.compliance[a]) / 3;
     scale_.push_back(1 / std::sqrt(d));
-    cap_.push_back(island.force_limit[at(a)] / scale_.back());
+    cap_.push_back(island.force_limit[a] / scale_.back());
     q_.segment<3>(row_of(a)) *= scale_.back();
   }
   for (int a = 0; a < nc; ++a)
-    for (int k = island.row_start[at(a)]; k < island.row_start[at(a) + 1]; ++k) {
-      const int b = island.column[at(k)];
-      if (a == b) block_[at(k)](0, 0) += island.compliance[at(a)];
-      block_[at(k)] *= scale_[at(a)] * scale_[at(b)];
+    for (int k = island.row_start[a]; k < island.row_start[a + 1]; ++k) {
+      const int b = island.column[k];
+      if (a == b) block_[k](0, 0) += island.compliance[a];
+      block_[k] *= scale_[a] * scale_[b];
     }
-  slopes_.resize(at(nc));
-  place_.assign(at(nc), -1);
+  slopes_.resize(nc);
+  place_.assign(nc, -1);
 }
 
 VecX NewtonSystem::scaled(const VecX& r) const {
   VecX out = r;
-  for (int a = 0; a < island_.num_contacts(); ++a) out.segment<3>(row_of(a)) /= scale_[at(a)];
+  for (int a = 0; a < island_.num_contacts(); ++a) out.segment<3>(row_of(a)) /= scale_[a];
   return out;
 }
 
 VecX NewtonSystem::impulses(const VecX& scaled_r) const {
   VecX out = scaled_r;
-  for (int a = 0; a < island_.num_contacts(); ++a) out.segment<3>(row_of(a)) *= scale_[at(a)];
+  for (int a = 0; a < island_.num_contacts(); ++a) out.segment<3>(row_of(a)) *= scale_[a];
   return out;
 }
 
 Vec3 NewtonSystem::row_product(int a, const VecX& r) const {
   Vec3 sum = Vec3::Zero();
-  for (int k = island_.row_start[at(a)]; k < island_.row_start[at(a) + 1]; ++k)
-    sum.noalias() += block_[at(k)] * r.segment<3>(row_of(island_.column[at(k)]));
+  for (int k = island_.row_start[a]; k < island_.row_start[a + 1]; ++k)
+    sum.noalias() += block_[k] * r.segment<3>(row_of(island_.column[k]));
   return sum;
 }
 
 Vec3 NewtonSystem::order_free_row_product(int a, const VecX& r) const {
   OrderFreeVectorSum sum;
-  for (int k = island_.row_start[at(a)]; k < island_.row_start[at(a) + 1]; ++k)
-    sum.add(block_[at(k)] * r.segment<3>(row_of(island_.column[at(k)])));
+  for (int k = island_.row_start[a]; k < island_.row_start[a + 1]; ++k)
+    sum.add(block_[k] * r.segment<3>(row_of(island_.column[k])));
   return sum.value();
 }
 
@@ -73,7 +71,7 @@ VecX NewtonSystem::product(const VecX& r) const {
 }
 
 LawSlopes NewtonSystem::slopes(int a, const VecX& r, const VecX& u) const {
-  return law_slopes(island_.law, island_.facets, island_.mu[at(a)], cap_[at(a)], r.segment<3>(row_of(a)),
+  return law_slopes(island_.law, island_.facets, island_.mu[a], cap_[a], r.segment<3>(row_of(a)),
                     u.segment<3>(row_of(a)));
 }
 
@@ -88,8 +86,8 @@ double NewtonSystem::length(const std::vector<double>& squares) const {
 double NewtonSystem::linearise(const VecX& r, const VecX& u) {
   std::vector<double> squares;
   for (int a = 0; a < island_.num_contacts(); ++a) {
-    slopes_[at(a)] = slopes(a, r, u);
-    squares.push_back(slopes_[at(a)].value.squaredNorm());
+    slopes_[a] = slopes(a, r, u);
+    squares.push_back(slopes_[a].value.squaredNorm());
   }
   return length(squares);
 }
@@ -104,7 +102,7 @@ double NewtonSystem::law_map(const VecX& r) const {
   const VecX u = velocities(r);
   double worst = 0;
   for (int a = 0; a < island_.num_contacts(); ++a) {
-    const Vec3 impulse = scale_[at(a)] * r.segment<3>(row_of(a)), velocity = u.segment<3>(row_of(a)) / scale_[at(a)];
+    const Vec3 impulse = scale_[a] * r.segment<3>(row_of(a)), velocity = u.segment<3>(row_of(a)) / scale_[a];
     const double map = nilas::law_map(island_.law, island_.facets, contact_scale(island_, a), impulse, velocity);
     if (!(map <= worst)) worst = map;  // a NaN stays
   }
@@ -133,8 +131,8 @@ void NewtonSystem::plan() {
   column_.clear();
   from_.clear();
   for (const int a : planned_) {
-    for (int k = island_.row_start[at(a)]; k < island_.row_start[at(a) + 1]; ++k) {
-      const int place = place_[at(island_.column[at(k)])];
+    for (int k = island_.row_start[a]; k < island_.row_start[a + 1]; ++k) {
+      const int place = place_[island_.column[k]];
       if (place < 0) continue;
       column_.push_back(place);
       from_.push_back(k);
@@ -147,11 +145,11 @@ void NewtonSystem::plan() {
 
 void NewtonSystem::fill(double weight) {
   for (std::size_t i = 0; i < planned_.size(); ++i) {
-    const LawSlopes& law = slopes_[at(planned_[i])];
+    const LawSlopes& law = slopes_[planned_[i]];
     for (int k = row_start_[i]; k < row_start_[i + 1]; ++k) {
-      const bool diagonal = column_[at(k)] == static_cast<int>(i);
-      matrix_[at(k)].noalias() = law.by_velocity * block_[at(from_[at(k)])];
-      if (diagonal) matrix_[at(k)] += weight * law.by_velocity + law.by_impulse;
+      const bool diagonal = column_[k] == static_cast<int>(i);
+      matrix_[k].noalias() = law.by_velocity * block_[from_[k]];
+      if (diagonal) matrix_[k] += weight * law.by_velocity + law.by_impulse;
     }
   }
 }
@@ -160,25 +158,22 @@ bool NewtonSystem::step(double weight, const VecX& r, VecX& dr) {
   choose_contacts();
   dr = VecX::Zero(r.size());
   for (std::size_t a = 0; a < slopes_.size(); ++a)
-    if (slopes_[a].open)
-      dr.segment<3>(3 * static_cast<Eigen::Index>(a)) = -r.segment<3>(3 * static_cast<Eigen::Index>(a));
-  VecX x(3 * static_cast<Eigen::Index>(planned_.size()));
+    if (slopes_[a].open) dr.segment<3>(row_of(a)) = -r.segment<3>(row_of(a));
+  VecX x(row_of(planned_.size()));
   const bool opens = !dr.isZero(0);
   const VecX opening = opens ? product(dr) : dr;
   for (std::size_t i = 0; i < planned_.size(); ++i) {
-    const LawSlopes& law = slopes_[at(planned_[i])];
+    const LawSlopes& law = slopes_[planned_[i]];
     // an open contact kept in the matrix says dr = -r there as well, so its opening must not count twice
-    x.segment<3>(3 * static_cast<Eigen::Index>(i)) =
-        -law.value - law.by_velocity * opening.segment<3>(row_of(planned_[i]));
+    x.segment<3>(row_of(i)) = -law.value - law.by_velocity * opening.segment<3>(row_of(planned_[i]));
   }
   for (std::size_t i = 0; i < planned_.size(); ++i)
-    if (slopes_[at(planned_[i])].open) x.segment<3>(3 * static_cast<Eigen::Index>(i)).setZero();
+    if (slopes_[planned_[i]].open) x.segment<3>(row_of(i)).setZero();
   fill(weight);
   if (!planned_.empty() && !factors_.factorise(matrix_)) return false;
   if (!planned_.empty() && order_free_ && !solve_rounded({row_start_, column_, matrix_}, factors_, x)) return false;
   if (!planned_.empty() && !order_free_) factors_.solve(x);
-  for (std::size_t i = 0; i < planned_.size(); ++i)
-    dr.segment<3>(row_of(planned_[i])) += x.segment<3>(3 * static_cast<Eigen::Index>(i));
+  for (std::size_t i = 0; i < planned_.size(); ++i) dr.segment<3>(row_of(planned_[i])) += x.segment<3>(row_of(i));
   return dr.allFinite();
 }
 

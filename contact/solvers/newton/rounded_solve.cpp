@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "contact/problem/row_of.h"
+
 namespace nilas {
 
 namespace {
@@ -42,7 +44,7 @@ VecX remainder(const BlockRows& matrix, const VecX& b, const std::vector<TwoFold
   VecX out(b.size());
   for (std::size_t i = 0; i + 1 < matrix.row_start.size(); ++i)
     for (int row = 0; row < 3; ++row) {
-      const Eigen::Index place = 3 * static_cast<Eigen::Index>(i) + row;
+      const Eigen::Index place = row_of(i) + row;
       TwoFold sum{b[place], 0};
       for (int k = matrix.row_start[i]; k < matrix.row_start[i + 1]; ++k) {
         const auto at = static_cast<std::size_t>(k);

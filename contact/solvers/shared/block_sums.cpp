@@ -23,20 +23,18 @@ BlockSums::BlockSums(const RowIsland& island, bool order_free)
 
 void BlockSums::list_sides() {
   std::vector<int> place(static_cast<std::size_t>(island_.problem.num_blocks()), -1);
-  for (std::size_t b = 0; b < island_.island.blocks.size(); ++b)
-    place[static_cast<std::size_t>(island_.island.blocks[b])] = static_cast<int>(b);
+  for (std::size_t b = 0; b < island_.island.blocks.size(); ++b) place[island_.island.blocks[b]] = static_cast<int>(b);
   const auto visit = [&](const auto& call) {
     for (int k = island_.island.first; k < island_.island.last; ++k) {
       const auto i = static_cast<std::size_t>(k);
       const PgsContact& contact = island_.rows.contacts[i];
-      const auto& pair = island_.problem.pairs[static_cast<std::size_t>(island_.rows.source[i])];
+      const auto& pair = island_.problem.pairs[island_.rows.source[i]];
       const int c = k - island_.island.first, stride = contact.stride();
-      if (pair.a >= 0) call(place[static_cast<std::size_t>(pair.a)], Side{c, stride, contact.responses});
-      if (pair.b >= 0)
-        call(place[static_cast<std::size_t>(pair.b)], Side{c, stride, contact.responses + contact.size_a});
+      if (pair.a >= 0) call(place[pair.a], Side{c, stride, contact.responses});
+      if (pair.b >= 0) call(place[pair.b], Side{c, stride, contact.responses + contact.size_a});
     }
   };
-  visit([&](int b, const Side&) { ++blocks_[static_cast<std::size_t>(b)].last_side; });
+  visit([&](int b, const Side&) { ++blocks_[b].last_side; });
   int first = 0;
   for (Block& block : blocks_) {
     block.first_side = first;
@@ -44,14 +42,12 @@ void BlockSums::list_sides() {
     block.last_side = block.first_side;
   }
   sides_.resize(static_cast<std::size_t>(first));
-  visit([&](int b, const Side& side) {
-    sides_[static_cast<std::size_t>(blocks_[static_cast<std::size_t>(b)].last_side++)] = side;
-  });
+  visit([&](int b, const Side& side) { sides_[blocks_[b].last_side++] = side; });
 }
 
 void BlockSums::set_velocities(const VecX& r) {
   parallel_for(static_cast<std::ptrdiff_t>(blocks_.size()), island_.threads, [&](std::ptrdiff_t k) {
-    const Block& block = blocks_[static_cast<std::size_t>(k)];
+    const Block& block = blocks_[k];
     double* const z = island_.rows.velocities.data() + block.first;
     std::copy_n(free_.data() + block.first_free, block.size, z);
     if (order_free_)
@@ -70,7 +66,7 @@ void BlockSums::gather(const Block& block, const VecX& r, double* z) const {
   const double* const coefficients = island_.rows.coefficients.data();
   Eigen::Map<Column> sum(z, block.size);
   for (int k = block.first_side; k < block.last_side; ++k) {
-    const Side& side = sides_[static_cast<std::size_t>(k)];
+    const Side& side = sides_[k];
     const double* const own = r.data() + 3 * static_cast<std::ptrdiff_t>(side.contact);
     if (own[0] == 0 && own[1] == 0 && own[2] == 0) continue;
     const auto row = [&](int i) {
@@ -94,7 +90,7 @@ void BlockSums::gather_order_free(const Block& block, const VecX& r, double* z) 
   for (int j = 0; j < block.size; ++j) {
     OrderFreeSum sum;
     sum.add(z[j]);
-    for (int k = block.first_side; k < block.last_side; ++k) sum.add(term(sides_[static_cast<std::size_t>(k)], j, r));
+    for (int k = block.first_side; k < block.last_side; ++k) sum.add(term(sides_[k], j, r));
     z[j] = sum.value();
   }
 }

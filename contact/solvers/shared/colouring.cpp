@@ -16,9 +16,7 @@ struct Run {
 
 std::vector<Run> find_runs(const ContactProblem& problem, const std::vector<int>& contacts) {
   std::vector<Run> runs;
-  const auto pair = [&](int k) -> const ContactProblem::Pair& {
-    return problem.pairs[static_cast<std::size_t>(contacts[static_cast<std::size_t>(k)])];
-  };
+  const auto pair = [&](int k) -> const ContactProblem::Pair& { return problem.pairs[contacts[k]]; };
   for (int k = 0; k < static_cast<int>(contacts.size()); ++k) {
     if (!runs.empty() && pair(k).a == pair(runs.back().first).a && pair(k).b == pair(runs.back().first).b)
       runs.back().last = k + 1;
@@ -33,15 +31,13 @@ std::vector<Run> find_runs(const ContactProblem& problem, const std::vector<int>
 void colour(const ContactProblem& problem, std::vector<int>& contacts, int first, std::vector<int>& runs,
             std::vector<int>& colours) {
   const std::vector<Run> found = find_runs(problem, contacts);
-  const auto blocks_of = [&](const Run& run) {
-    return problem.pairs[static_cast<std::size_t>(contacts[static_cast<std::size_t>(run.first)])];
-  };
+  const auto blocks_of = [&](const Run& run) { return problem.pairs[contacts[run.first]]; };
   std::vector<int> neighbours(static_cast<std::size_t>(problem.num_blocks()), 0);
   for (const Run& run : found)
     for (const int k : {blocks_of(run).a, blocks_of(run).b})
-      if (k >= 0) ++neighbours[static_cast<std::size_t>(k)];
+      if (k >= 0) ++neighbours[k];
   // greedy colours never exceed the neighbours of both blocks together
-  const auto is_crowded = [&](int k) { return k >= 0 && 2 * neighbours[static_cast<std::size_t>(k)] > k_most_colours; };
+  const auto is_crowded = [&](int k) { return k >= 0 && 2 * neighbours[k] > k_most_colours; };
 
   std::vector<std::uint64_t> used(neighbours.size(), 0);
   std::vector<std::vector<Run>> by_colour;
@@ -54,10 +50,10 @@ void colour(const ContactProblem& problem, std::vector<int>& contacts, int first
     }
     std::uint64_t taken = 0;
     for (const int k : {a, b})
-      if (k >= 0) taken |= used[static_cast<std::size_t>(k)];
+      if (k >= 0) taken |= used[k];
     const auto free = static_cast<std::size_t>(std::countr_one(taken));
     for (const int k : {a, b})
-      if (k >= 0) used[static_cast<std::size_t>(k)] |= std::uint64_t{1} << free;
+      if (k >= 0) used[k] |= std::uint64_t{1} << free;
     if (by_colour.size() <= free) by_colour.resize(free + 1);
     by_colour[free].push_back(run);
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/law/cone.h"
+#include "contact/problem/row_of.h"
 
 namespace nilas {
 
@@ -11,9 +12,6 @@ namespace {
 
 /// Larger differences between W' and its symmetric part, whose mean diagonal is 1, are not rounding.
 constexpr double k_rounding = 1e-14;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-Eigen::Index row_of(int c) { return 3 * static_cast<Eigen::Index>(c); }
 
 }  // namespace
 
@@ -25,14 +23,14 @@ MassScaled mass_scaled(const LocalProblem& island) {
   scaled.q = island.q;
   VecX rows(3 * nc);
   for (int a = 0; a < nc; ++a) {
-    const double compliance = island.compliance[at(a)];
+    const double compliance = island.compliance[a];
     scaled.w.coeffRef(row_of(a), row_of(a)) += compliance;
     const double d = (island.diagonal(a).trace() + compliance) / 3;
     const double e = 1 / std::sqrt(d);
     scaled.scale.push_back(e);
     rows.segment<3>(row_of(a)).setConstant(e);
-    scaled.mu.push_back(island.law == Law::frictionless ? 0 : island.mu[at(a)]);
-    scaled.cap.push_back(island.force_limit[at(a)] / e);
+    scaled.mu.push_back(island.law == Law::frictionless ? 0 : island.mu[a]);
+    scaled.cap.push_back(island.force_limit[a] / e);
   }
   scaled.w = rows.asDiagonal() * scaled.w * rows.asDiagonal();
   scaled.q = scaled.q.cwiseProduct(rows);
@@ -44,13 +42,13 @@ MassScaled mass_scaled(const LocalProblem& island) {
 
 VecX MassScaled::impulses(const VecX& scaled) const {
   VecX r = scaled;
-  for (int a = 0; a < num_contacts(); ++a) r.segment<3>(row_of(a)) *= scale[at(a)];
+  for (int a = 0; a < num_contacts(); ++a) r.segment<3>(row_of(a)) *= scale[a];
   return r;
 }
 
 VecX MassScaled::scaled_impulses(const VecX& r) const {
   VecX scaled = r;
-  for (int a = 0; a < num_contacts(); ++a) scaled.segment<3>(row_of(a)) /= scale[at(a)];
+  for (int a = 0; a < num_contacts(); ++a) scaled.segment<3>(row_of(a)) /= scale[a];
   return scaled;
 }
 
@@ -59,7 +57,7 @@ double convex_map(const MassScaled& problem, const VecX& scaled, const VecX& vel
   for (int a = 0; a < problem.num_contacts(); ++a) {
     const Vec3 r = scaled.segment<3>(row_of(a));
     const Vec3 step = r - velocity.segment<3>(row_of(a));
-    const double map = (r - project_cone(step, problem.mu[at(a)], problem.cap[at(a)])).norm() / problem.scale[at(a)];
+    const double map = (r - project_cone(step, problem.mu[a], problem.cap[a])).norm() / problem.scale[a];
     if (!(map <= worst)) worst = map;  // a NaN stays
   }
   return worst;
@@ -68,7 +66,7 @@ double convex_map(const MassScaled& problem, const VecX& scaled, const VecX& vel
 VecX de_saxce_shift(const MassScaled& problem, const VecX& velocity) {
   VecX shift = VecX::Zero(velocity.size());
   for (int a = 0; a < problem.num_contacts(); ++a)
-    shift[row_of(a)] = problem.mu[at(a)] * tangential_norm(velocity.segment<3>(row_of(a)));
+    shift[row_of(a)] = problem.mu[a] * tangential_norm(velocity.segment<3>(row_of(a)));
   return shift;
 }
 
@@ -78,16 +76,16 @@ std::optional<ContactSolution> solve_immovable(const LocalProblem& island) {
   solution.r = VecX::Zero(3 * nc);
   bool any = false, all = true;
   for (int a = 0; a < nc; ++a) {
-    if (island.diagonal(a).trace() + island.compliance[at(a)] > 0) {
+    if (island.diagonal(a).trace() + island.compliance[a] > 0) {
       all = false;
       continue;
     }
     any = true;
     if (!(island.q[row_of(a)] < 0)) continue;
-    if (std::isfinite(island.force_limit[at(a)])) {
-      solution.r[row_of(a)] = island.force_limit[at(a)];
+    if (std::isfinite(island.force_limit[a])) {
+      solution.r[row_of(a)] = island.force_limit[a];
     } else {
-      solution.message = "contact " + std::to_string(island.key[at(a)]) + " closes and neither side can move";
+      solution.message = "contact " + std::to_string(island.key[a]) + " closes and neither side can move";
     }
   }
   if (!any) return std::nullopt;

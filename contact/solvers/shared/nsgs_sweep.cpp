@@ -78,11 +78,10 @@ double visit_in_turn(PgsRows& rows, std::vector<NsgsContact>& blocks, int island
     const auto i = static_cast<std::size_t>(backward ? first + last - 1 - k : k);
     NsgsContact& own = blocks[i - static_cast<std::size_t>(island_first)];
     PgsContact& contact = rows.contacts[i];
-    const double change =
-        contact.bound_by < 0
-            ? visit_any<path>(contact, own, coefficients, velocities, rows.law, facets)
-            : visit_moment(contact, own, rows.contacts[static_cast<std::size_t>(contact.bound_by)].r[0], coefficients,
-                           velocities, rows.law == Law::pyramid);
+    const double change = contact.bound_by < 0
+                              ? visit_any<path>(contact, own, coefficients, velocities, rows.law, facets)
+                              : visit_moment(contact, own, rows.contacts[contact.bound_by].r[0], coefficients,
+                                             velocities, rows.law == Law::pyramid);
     if (!(change <= largest)) largest = change;
   }
   return largest;
@@ -99,7 +98,7 @@ double visit_colour(PgsRows& rows, const PgsIsland& island, std::vector<NsgsCont
   std::vector<double> changes(static_cast<std::size_t>(num_chunks(count, k_runs)), 0.0);
   parallel_chunks(count, k_runs, threads, [&](std::ptrdiff_t chunk, std::ptrdiff_t first, std::ptrdiff_t last) {
     const auto from = static_cast<std::size_t>(begin + first), to = static_cast<std::size_t>(begin + last);
-    changes[static_cast<std::size_t>(chunk)] =
+    changes[chunk] =
         visit_in_turn<path>(rows, blocks, island.first, island.runs[from], island.runs[to], facets, backward);
   });
   double largest = 0;
@@ -143,7 +142,7 @@ std::vector<NsgsContact> make_nsgs_contacts(const PgsRows& rows, const PgsIsland
   std::vector<NsgsContact> blocks;
   blocks.reserve(static_cast<std::size_t>(island.last - island.first));
   for (int k = island.first; k < island.last; ++k) {
-    const PgsContact& c = rows.contacts[static_cast<std::size_t>(k)];
+    const PgsContact& c = rows.contacts[k];
     const Mat3 w = block_of(c, rows.law);
     blocks.push_back({ContactBlock(w, c.mu, c.force_limit, c.compliance), {0, c.r[0]}, w.trace() / 3});
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/problem/operators.h"
+#include "contact/problem/row_of.h"
 #include "contact/solvers/shared/colouring.h"
 #include "contact/solvers/shared/pgs_sweep.h"
 #include "core/base/parallel.h"
@@ -35,10 +36,10 @@ static PgsShape shape_of(const ContactProblem::Pair& pair, int size_a, int size_
 
 /// Where contact c reads and writes; its numbers follow later.
 static PgsContact place_contact(const ContactProblem& problem, const PgsRows& rows, int c) {
-  const auto& pair = problem.pairs[static_cast<std::size_t>(c)];
+  const auto& pair = problem.pairs[c];
   PgsContact contact;
-  if (pair.a >= 0) contact.first_a = rows.first_velocity[static_cast<std::size_t>(pair.a)];
-  if (pair.b >= 0) contact.first_b = rows.first_velocity[static_cast<std::size_t>(pair.b)];
+  if (pair.a >= 0) contact.first_a = rows.first_velocity[pair.a];
+  if (pair.b >= 0) contact.first_b = rows.first_velocity[pair.b];
   contact.size_a = pair.a < 0 ? 0 : problem.block_size(pair.a);
   contact.size_b = pair.b < 0 ? 0 : problem.block_size(pair.b);
   contact.shape = shape_of(pair, contact.size_a, contact.size_b);
@@ -61,15 +62,15 @@ static void place_islands(const PreparedProblem& prepared, RowOrder order, PgsRo
     if (order == RowOrder::coloured && members.size() >= k_fewest_coloured)
       colour(problem, members, island.first, island.runs, island.colours);
     for (const int c : members) {
-      for (const int k : {problem.pairs[static_cast<std::size_t>(c)].a, problem.pairs[static_cast<std::size_t>(c)].b}) {
-        if (k < 0 || listed[static_cast<std::size_t>(k)] != 0) continue;
-        listed[static_cast<std::size_t>(k)] = 1;
+      for (const int k : {problem.pairs[c].a, problem.pairs[c].b}) {
+        if (k < 0 || listed[k] != 0) continue;
+        listed[k] = 1;
         island.blocks.push_back(k);
       }
       PgsContact& contact = rows.contacts.emplace_back(place_contact(problem, rows, c));
       Eigen::Index count = rows_per_contact * contact.stride();
       count += count % 2;  // the unrolled sweeps load pairs
-      const bool once = has_roots(masses, problem.pairs[static_cast<std::size_t>(c)]);
+      const bool once = has_roots(masses, problem.pairs[c]);
       contact.rows = coefficients;
       contact.responses = once ? coefficients : coefficients + count;
       coefficients += once ? count : 2 * count;
@@ -85,12 +86,11 @@ static void place_islands(const PreparedProblem& prepared, RowOrder order, PgsRo
 static void link_moments(const ContactProblem& problem, PgsRows& rows) {
   if (!problem.has_moments()) return;
   std::vector<int> place(problem.pairs.size());
-  for (std::size_t k = 0; k < rows.source.size(); ++k)
-    place[static_cast<std::size_t>(rows.source[k])] = static_cast<int>(k);
+  for (std::size_t k = 0; k < rows.source.size(); ++k) place[rows.source[k]] = static_cast<int>(k);
   for (std::size_t k = 0; k < rows.source.size(); ++k) {
-    const auto& moment = problem.moments[static_cast<std::size_t>(rows.source[k])];
-    if (moment.moment >= 0) rows.contacts[k].moment = place[static_cast<std::size_t>(moment.moment)];
-    if (moment.contact >= 0) rows.contacts[k].bound_by = place[static_cast<std::size_t>(moment.contact)];
+    const auto& moment = problem.moments[rows.source[k]];
+    if (moment.moment >= 0) rows.contacts[k].moment = place[moment.moment];
+    if (moment.contact >= 0) rows.contacts[k].bound_by = place[moment.contact];
   }
 }
 
@@ -134,7 +134,7 @@ static void write_row(const MassInverse& masses, int block, const double* jacobi
 /// All three rows of contact c and their responses.
 static void write_rows(const ContactProblem& problem, const MassInverse& masses, int c, double* rows,
                        double* responses) {
-  const auto& pair = problem.pairs[static_cast<std::size_t>(c)];
+  const auto& pair = problem.pairs[c];
   const auto a = problem.jacobian_a(c), b = problem.jacobian_b(c);
   const Eigen::Index n_a = a.cols(), n_b = b.cols(), stride = n_a + n_b;
   for (Eigen::Index i = 0; i < 3; ++i) {
@@ -185,7 +185,7 @@ static void fill_contact(const ContactProblem& problem, const MassInverse& masse
   PgsContact& contact = rows.contacts[place];
   const int c = rows.source[place];
   const auto i = static_cast<std::size_t>(c);
-  const auto first = 3 * static_cast<Eigen::Index>(c);
+  const auto first = row_of(c);
   const auto& pair = problem.pairs[i];
   const bool normal_only = rows.law == Law::frictionless, once = contact.rows == contact.responses;
   double* const all_rows = normal_only ? room : rows.coefficients.data() + contact.rows;
@@ -224,7 +224,7 @@ static bool all_finite(const PgsRows& rows) {
 }
 
 void set_block_velocities(const MassInverse& masses, int k, const double* momentum, PgsRows& rows) {
-  double* const out = rows.velocities.data() + rows.first_velocity[static_cast<std::size_t>(k)];
+  double* const out = rows.velocities.data() + rows.first_velocity[k];
   if (masses.has_root(k))
     masses.apply_root(k, momentum, out);
   else
@@ -233,8 +233,7 @@ void set_block_velocities(const MassInverse& masses, int k, const double* moment
 
 static void set_velocities(const ContactProblem& problem, const MassInverse& masses, PgsRows& rows, int threads) {
   parallel_for(problem.num_blocks(), threads, [&](std::ptrdiff_t k) {
-    set_block_velocities(masses, static_cast<int>(k),
-                         problem.f.data() + problem.block_offset[static_cast<std::size_t>(k)], rows);
+    set_block_velocities(masses, static_cast<int>(k), problem.f.data() + problem.block_offset[k], rows);
   });
   rows.finite = all_finite(rows);
   for (const auto& contact : rows.contacts) apply_impulse(contact, rows);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "contact/problem/operators.h"
+#include "contact/problem/row_of.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 
@@ -19,9 +20,7 @@ ContactSolution solve_one(const RowIsland& island, const SolverSettings& shared,
   ContactSolution part = solve(island);
   const auto culprit = island.residual.find_culprit(island.rows, island.island, shared.tolerance);
   if (culprit.contact >= 0)
-    fail(closing_message(culprit.contact, island.problem.key[static_cast<std::size_t>(culprit.contact)],
-                         culprit.closing_speed),
-         part);
+    fail(closing_message(culprit.contact, island.problem.key[culprit.contact], culprit.closing_speed), part);
   return part;
 }
 
@@ -56,7 +55,7 @@ void solve_all(const ContactProblem& problem, const MassInverse& masses, PgsRows
     if (!is_large(i)) solve_island(i, 1);
   });
   for (std::size_t k = 0; k < rows.source.size(); ++k)
-    out.r.segment<3>(3 * static_cast<Eigen::Index>(rows.source[k])) = Eigen::Map<const Vec3>(rows.contacts[k].r);
+    out.r.segment<3>(row_of(rows.source[k])) = Eigen::Map<const Vec3>(rows.contacts[k].r);
   merge(parts, out);
 }
 
@@ -69,7 +68,7 @@ ContactSolution solve_row_islands(const PreparedProblem& prepared, const VecX& g
   NILAS_DEMAND(guess.size() == 0 || guess.size() == 3 * problem.num_contacts());
   PgsRows rows = make_pgs_rows(prepared, guess, order, shared.threads);
   ContactSolution out;
-  out.r = VecX::Zero(3 * static_cast<Eigen::Index>(problem.num_contacts()));
+  out.r = VecX::Zero(row_of(problem.num_contacts()));
   if (masses.first_bad_block() >= 0)
     fail("mass block " + std::to_string(masses.first_bad_block()) + " is not positive definite", out);
   else if (!rows.finite || !guess.allFinite())

@@ -5,6 +5,7 @@
 
 #include "contact/law/moment_cone.h"
 #include "contact/problem/operators.h"
+#include "contact/problem/row_of.h"
 
 namespace nilas {
 
@@ -14,12 +15,10 @@ constexpr double k_closing_speed = 1e-9;
 constexpr double k_immovable_share = 1e-20;
 
 static const PgsContact& moment_of(const PgsRows& rows, const PgsContact& contact) {
-  return rows.contacts[static_cast<std::size_t>(contact.moment)];
+  return rows.contacts[contact.moment];
 }
 
-static int moment_source(const PgsRows& rows, const PgsContact& contact) {
-  return rows.source[static_cast<std::size_t>(contact.moment)];
-}
+static int moment_source(const PgsRows& rows, const PgsContact& contact) { return rows.source[contact.moment]; }
 
 double RowResidual::law_map(const PgsRows& rows, const PgsIsland& island) {
   set_velocities(rows, island);
@@ -30,8 +29,7 @@ double RowResidual::law_map(const PgsRows& rows, const PgsIsland& island) {
     if (contact.bound_by >= 0) continue;  // judged with its contact
     const int c = rows.source[i];
     const Vec3 r = Eigen::Map<const Vec3>(contact.r);
-    const Vec3 u = compliant_velocity(problem_.compliance[static_cast<std::size_t>(c)], r,
-                                      contact_velocity(problem_, c, v_.data()));
+    const Vec3 u = compliant_velocity(problem_.compliance[c], r, contact_velocity(problem_, c, v_.data()));
     const double map =
         contact.moment < 0
             ? nilas::law_map(problem_.law, problem_.facets, rows.scales[i], r, u)
@@ -45,7 +43,7 @@ double RowResidual::law_map(const PgsRows& rows, const PgsIsland& island) {
 
 void RowResidual::set_velocities(const PgsRows& rows, const PgsIsland& island) {
   for (const int k : island.blocks) {
-    const int first = problem_.block_offset[static_cast<std::size_t>(k)];
+    const int first = problem_.block_offset[k];
     momentum_.segment(first, problem_.block_size(k)) = problem_.f.segment(first, problem_.block_size(k));
   }
   for (int k = island.first; k < island.last; ++k) {
@@ -53,14 +51,13 @@ void RowResidual::set_velocities(const PgsRows& rows, const PgsIsland& island) {
     add_impulse(problem_, rows.source[i], Eigen::Map<const Vec3>(rows.contacts[i].r), momentum_.data());
   }
   for (const int k : island.blocks) {
-    const int first = problem_.block_offset[static_cast<std::size_t>(k)];
+    const int first = problem_.block_offset[k];
     masses_.apply(k, momentum_.data() + first, v_.data() + first);
   }
 }
 
 void RowResidual::correct(PgsRows& rows, const PgsIsland& island) const {
-  for (const int k : island.blocks)
-    set_block_velocities(masses_, k, momentum_.data() + problem_.block_offset[static_cast<std::size_t>(k)], rows);
+  for (const int k : island.blocks) set_block_velocities(masses_, k, momentum_.data() + problem_.block_offset[k], rows);
 }
 
 RowResidual::Culprit RowResidual::find_culprit(const PgsRows& rows, const PgsIsland& island, double tolerance) {
@@ -82,7 +79,7 @@ std::string find_culprit(const LocalProblem& problem, const VecX& r, double tole
     if (w(0, 0) > k_immovable_share * w.trace() || problem.compliance[i] > 0 || std::isfinite(problem.force_limit[i]))
       continue;
     if (u.size() == 0) u = contact_velocities(problem, r);
-    const double u_n = u[3 * static_cast<Eigen::Index>(c)];
+    const double u_n = u[row_of(c)];
     if (u_n < -std::max(k_closing_speed, tolerance)) return closing_message(c, problem.key[i], -u_n);
   }
   return "";

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "contact/law/law_map.h"
+#include "contact/problem/row_of.h"
 
 namespace nilas {
 
@@ -14,15 +15,15 @@ RowSweeps::RowSweeps(const RowIsland& whole) : rows_(whole.rows), island_(whole.
 double RowSweeps::law_map() const { return residual_.law_map(rows_, island_) / k_agreed_share; }
 
 VecX RowSweeps::impulses() const {
-  VecX r(3 * static_cast<Eigen::Index>(island_.last - island_.first));
+  VecX r(row_of(island_.last - island_.first));
   for (int k = island_.first; k < island_.last; ++k)
-    std::copy_n(rows_.contacts[static_cast<std::size_t>(k)].r, 3, r.data() + 3 * (k - island_.first));
+    std::copy_n(rows_.contacts[k].r, 3, r.data() + 3 * (k - island_.first));
   return r;
 }
 
 void RowSweeps::set_impulses(const VecX& r) {
   for (int k = island_.first; k < island_.last; ++k)
-    std::copy_n(r.data() + 3 * (k - island_.first), 3, rows_.contacts[static_cast<std::size_t>(k)].r);
+    std::copy_n(r.data() + 3 * (k - island_.first), 3, rows_.contacts[k].r);
 }
 
 LocalSweeps::LocalSweeps(const LocalProblem& problem, const VecX& guess)
@@ -35,8 +36,8 @@ double LocalSweeps::law_map() const {
   double worst = 0;
   for (int c = 0; c < problem_.num_contacts(); ++c) {
     const auto i = static_cast<std::size_t>(c);
-    const Vec3 r = r_.segment<3>(3 * static_cast<Eigen::Index>(c));
-    const Vec3 own = compliant_velocity(problem_.compliance[i], r, u.segment<3>(3 * static_cast<Eigen::Index>(c)));
+    const Vec3 r = r_.segment<3>(row_of(c));
+    const Vec3 own = compliant_velocity(problem_.compliance[i], r, u.segment<3>(row_of(c)));
     const double map = nilas::law_map(problem_.law, problem_.facets, scales_[i], r, own);
     if (!(map <= worst)) worst = map;
     if (std::isnan(worst)) break;
@@ -49,11 +50,11 @@ Vec3 LocalSweeps::velocity(int c) const {
   const double* const r = r_.data();
   double u[3] = {0, 0, 0};
   for (int k = problem_.row_start[i]; k < problem_.row_start[i + 1]; ++k) {
-    const double* const w = problem_.block[static_cast<std::size_t>(k)].data();
-    const double* const x = r + 3 * static_cast<std::ptrdiff_t>(problem_.column[static_cast<std::size_t>(k)]);
+    const double* const w = problem_.block[k].data();
+    const double* const x = r + 3 * static_cast<std::ptrdiff_t>(problem_.column[k]);
     for (int j = 0; j < 3; ++j) u[j] += w[j] * x[0] + w[j + 3] * x[1] + w[j + 6] * x[2];
   }
-  const auto q = problem_.q.segment<3>(3 * static_cast<Eigen::Index>(c));
+  const auto q = problem_.q.segment<3>(row_of(c));
   return {u[0] + q[0], u[1] + q[1], u[2] + q[2]};
 }
 

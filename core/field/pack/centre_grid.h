@@ -21,7 +21,7 @@ class CentreGrid {
     const int y0 = row(centre.y() - distance), y1 = row(centre.y() + distance);
     for (int x = x0; x <= x1; ++x)
       for (int y = y0; y <= y1; ++y)
-        for (const int floe : cells_[static_cast<std::size_t>(x * rows_ + y)]) visit(floe);
+        for (const int floe : cells_[x * rows_ + y]) visit(floe);
   }
 
  private:

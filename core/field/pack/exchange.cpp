@@ -16,7 +16,6 @@ constexpr double k_far_share = 0.5;         ///< share of moves to any place; th
 constexpr double k_near_move = 0.2;         ///< standard deviation of a near move, in floe sizes
 constexpr double k_near_turn = 0.5;         ///< standard deviation of a near move's turn [rad]
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 double squared_depth(double depth) { return depth > 0 ? depth * depth : 0; }
 
 double largest_radius(const std::vector<LooseFloe>& floes) {
@@ -61,7 +60,7 @@ void Exchange::try_swap(int i) {
   if (i == j) return;
   const double before = overlap_now(i) + overlap_now(j);
   if (before == 0) return;
-  Trial a{i, floes_[at(i)], {}}, b{j, floes_[at(j)], {}};
+  Trial a{i, floes_[i], {}}, b{j, floes_[j], {}};
   std::swap(a.moved.centre, b.moved.centre);
   std::swap(a.moved.angle, b.moved.angle);
   if (!keep_angle)
@@ -78,7 +77,7 @@ void Exchange::try_swap(int i) {
 void Exchange::try_move(int i) {
   const double before = overlap_now(i);
   if (before == 0) return;
-  Trial trial{i, floes_[at(i)], {}};
+  Trial trial{i, floes_[i], {}};
   if (random_.uniform() < k_far_share) {
     trial.moved.centre = random_place(bounds_, random_);
     trial.moved.angle = random_.uniform(-k_pi, k_pi);
@@ -92,18 +91,16 @@ void Exchange::try_move(int i) {
   if (overlap(i, trial.moved.centre, trial.outline, i) < before) keep(trial);
 }
 
-double Exchange::overlap_now(int floe) const {
-  return overlap(floe, floes_[at(floe)].centre, outlines_[at(floe)], floe);
-}
+double Exchange::overlap_now(int floe) const { return overlap(floe, floes_[floe].centre, outlines_[floe], floe); }
 
 double Exchange::overlap(int floe, const Vec2& centre, const ConvexOutline& outline, int other) const {
-  const double radius = floes_[at(floe)].radius;
+  const double radius = floes_[floe].radius;
   double sum = squared_depth(gap_ + beyond_edge(outline, bounds_));
   grid_.visit_near(centre, radius + largest_radius_ + gap_, [&](int k) {
     if (k == floe || k == other) return;
-    const double reach = radius + floes_[at(k)].radius + gap_;
-    if ((centre - floes_[at(k)].centre).squaredNorm() >= reach * reach) return;
-    sum += squared_depth(gap_ - best_axis(outline, outlines_[at(k)]).gap);
+    const double reach = radius + floes_[k].radius + gap_;
+    if ((centre - floes_[k].centre).squaredNorm() >= reach * reach) return;
+    sum += squared_depth(gap_ - best_axis(outline, outlines_[k]).gap);
   });
   for (const Obstacle& o : bounds_.obstacles)
     if (is_near(o, centre, radius, gap_)) sum += squared_depth(gap_ - best_axis(outline, o.outline).gap);
@@ -111,11 +108,11 @@ double Exchange::overlap(int floe, const Vec2& centre, const ConvexOutline& outl
 }
 
 void Exchange::keep(Trial& trial) {
-  LooseFloe& floe = floes_[at(trial.floe)];
+  LooseFloe& floe = floes_[trial.floe];
   grid_.erase(trial.floe, floe.centre);
   floe = std::move(trial.moved);
   grid_.insert(trial.floe, floe.centre);
-  outlines_[at(trial.floe)] = std::move(trial.outline);
+  outlines_[trial.floe] = std::move(trial.outline);
 }
 
 }  // namespace nilas

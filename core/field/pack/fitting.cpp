@@ -19,8 +19,6 @@ constexpr double k_smallest_rest = 0.5;     ///< smallest share of a floe's area
 constexpr double k_largest_radius = 1;      ///< radius limit of a fitted floe, in floe sizes: a side ratio of 1 : 3.7
 constexpr double k_chamfer = 0.25;          ///< share of the shorter edge that a new corner takes
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 /// Area of the triangle of corner i and its neighbours.
 double corner_area(const std::vector<Vec2>& outline, std::size_t i) {
   const std::size_t n = outline.size();
@@ -90,35 +88,35 @@ class Fitter {
   }
 
  private:
-  double size(int floe) const { return std::sqrt(floes_[at(floe)].area); }
+  double size(int floe) const { return std::sqrt(floes_[floe].area); }
 
   /// Adds the line between two floes, on the axis of their largest separation. It divides the gap or overlap in
   /// proportion to their sizes.
   void divide(int a, int b) {
-    const SeparatingAxis axis = best_axis(outlines_[at(a)], outlines_[at(b)]);
+    const SeparatingAxis axis = best_axis(outlines_[a], outlines_[b]);
     if (axis.gap > k_largest_growth * (size(a) + size(b))) return;
     const int below = axis.of_first ? a : b, above = axis.of_first ? b : a;
-    const ConvexOutline& owner = outlines_[at(below)];
-    const Vec2 normal = owner.normals[at(axis.edge)];
+    const ConvexOutline& owner = outlines_[below];
+    const Vec2 normal = owner.normals[axis.edge];
     const double share = size(below) / (size(below) + size(above));
-    const double line = normal.dot(owner.corners[at(axis.edge)]) + (axis.gap - limits_.gap) * share;
-    cells_[at(below)].push_back({normal, line});
-    cells_[at(above)].push_back({-normal, -line - limits_.gap});
+    const double line = normal.dot(owner.corners[axis.edge]) + (axis.gap - limits_.gap) * share;
+    cells_[below].push_back({normal, line});
+    cells_[above].push_back({-normal, -line - limits_.gap});
   }
 
   void bound(int a) {
-    auto& cell = cells_[at(a)];
+    auto& cell = cells_[a];
     cell.push_back({Vec2::UnitX(), bounds_.high.x() - limits_.gap});
     cell.push_back({-Vec2::UnitX(), -bounds_.low.x() - limits_.gap});
     cell.push_back({Vec2::UnitY(), bounds_.high.y() - limits_.gap});
     cell.push_back({-Vec2::UnitY(), -bounds_.low.y() - limits_.gap});
-    const LooseFloe& floe = floes_[at(a)];
+    const LooseFloe& floe = floes_[a];
     for (const Obstacle& o : bounds_.obstacles) {
       if (!is_near(o, floe.centre, floe.radius, k_largest_growth * size(a))) continue;
-      const SeparatingAxis axis = best_axis(outlines_[at(a)], o.outline);
-      const ConvexOutline& owner = axis.of_first ? outlines_[at(a)] : o.outline;
-      const Vec2 normal = owner.normals[at(axis.edge)];
-      const double edge = normal.dot(owner.corners[at(axis.edge)]);
+      const SeparatingAxis axis = best_axis(outlines_[a], o.outline);
+      const ConvexOutline& owner = axis.of_first ? outlines_[a] : o.outline;
+      const Vec2 normal = owner.normals[axis.edge];
+      const double edge = normal.dot(owner.corners[axis.edge]);
       if (axis.of_first)
         cell.push_back({normal, edge + axis.gap - limits_.gap});
       else

@@ -6,23 +6,20 @@
 
 namespace nilas {
 
-namespace {
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-}  // namespace
+namespace {}  // namespace
 
 std::vector<NearPair> near_pairs(const std::vector<LooseFloe>& floes, double scale, double distance) {
   std::vector<double> left(floes.size());
   for (std::size_t i = 0; i < floes.size(); ++i) left[i] = floes[i].centre.x() - scale * floes[i].radius;
   std::vector<int> order(floes.size());
   std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(),
-            [&](int i, int j) { return left[at(i)] != left[at(j)] ? left[at(i)] < left[at(j)] : i < j; });
+  std::sort(order.begin(), order.end(), [&](int i, int j) { return left[i] != left[j] ? left[i] < left[j] : i < j; });
   std::vector<NearPair> pairs;
   for (std::size_t k = 0; k < order.size(); ++k) {
-    const LooseFloe& a = floes[at(order[k])];
+    const LooseFloe& a = floes[order[k]];
     const double right = a.centre.x() + scale * a.radius + distance;
-    for (std::size_t l = k + 1; l < order.size() && left[at(order[l])] < right; ++l) {
-      const LooseFloe& b = floes[at(order[l])];
+    for (std::size_t l = k + 1; l < order.size() && left[order[l]] < right; ++l) {
+      const LooseFloe& b = floes[order[l]];
       const double reach = scale * (a.radius + b.radius) + distance;
       if ((a.centre - b.centre).squaredNorm() < reach * reach) pairs.push_back({order[k], order[l]});
     }
@@ -41,7 +38,7 @@ double deepest_overlap(const std::vector<LooseFloe>& floes, const FieldBounds& b
   const std::vector<ConvexOutline> outlines = placed_outlines(floes);
   double deepest = 0;
   for (const NearPair& pair : near_pairs(floes, 1, 0))
-    deepest = std::max(deepest, -best_axis(outlines[at(pair.a)], outlines[at(pair.b)]).gap);
+    deepest = std::max(deepest, -best_axis(outlines[pair.a], outlines[pair.b]).gap);
   for (std::size_t i = 0; i < floes.size(); ++i) {
     deepest = std::max(deepest, beyond_edge(outlines[i], bounds));
     for (const Obstacle& o : bounds.obstacles)

@@ -23,7 +23,7 @@ bool is_inside(const Obstacle& obstacle, const Vec2& point) {
 double circle_overlap(const std::vector<LooseFloe>& floes, const CentreGrid& grid, const Vec2& place, double radius) {
   double sum = 0;
   grid.visit_near(place, radius + floes.front().radius, [&](int j) {
-    const LooseFloe& other = floes[static_cast<std::size_t>(j)];
+    const LooseFloe& other = floes[j];
     const double depth = radius + other.radius - (place - other.centre).norm();
     if (depth > 0) sum += depth * depth;
   });

@@ -15,8 +15,6 @@ constexpr double k_largest_move = 0.25;
 /// Scale of floes in the search for pairs, so that growth does not require a new search in every pass.
 constexpr double k_pair_scale = 1.02;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 }  // namespace
 
 Relaxation::Relaxation(std::vector<LooseFloe>& floes, const FieldBounds& bounds, const RelaxationSettings& settings)
@@ -62,8 +60,8 @@ void Relaxation::find_contacts() {
   contacts_.clear();
   const double reach = settings_.gap + settings_.reach;
   for (Pair& pair : pairs_) {
-    const ConvexOutline& a = outlines_[at(pair.a)];
-    const ConvexOutline& b = pair.b >= 0 ? outlines_[at(pair.b)] : bounds_.obstacles[at(-pair.b - 1)].outline;
+    const ConvexOutline& a = outlines_[pair.a];
+    const ConvexOutline& b = pair.b >= 0 ? outlines_[pair.b] : bounds_.obstacles[-pair.b - 1].outline;
     if (gap_on_axis(a, b, pair.edge, pair.of_first) >= reach) continue;
     const SeparatingAxis axis = best_axis(a, b);
     pair.edge = axis.edge;
@@ -77,11 +75,11 @@ void Relaxation::find_contacts() {
 }
 
 void Relaxation::add_wall_contacts(int a) {
-  const LooseFloe& floe = floes_[at(a)];
+  const LooseFloe& floe = floes_[a];
   const double reach = settings_.gap + settings_.reach;
   const auto wall = [&](const Vec2& outward, double offset) {
     if (offset - outward.dot(floe.centre) > pair_scale_ * floe.radius + reach) return;
-    for (const Vec2& corner : outlines_[at(a)].corners) {
+    for (const Vec2& corner : outlines_[a].corners) {
       const double gap = offset - outward.dot(corner);
       if (gap < reach) add_contact(a, -1, outward, corner, gap);
     }
@@ -95,7 +93,7 @@ void Relaxation::add_wall_contacts(int a) {
 void Relaxation::add_contact(int a, int b, const Vec2& normal, const Vec2& point, double gap) {
   double yielding = 0;
   const auto arm = [&](int floe) {
-    const LooseFloe& f = floes_[at(floe)];
+    const LooseFloe& f = floes_[floe];
     const Vec2 r = point - f.centre;
     const double r_cross_n = r.x() * normal.y() - r.y() * normal.x();
     yielding += 1 / f.area + r_cross_n * r_cross_n / f.polar_moment;
@@ -106,17 +104,17 @@ void Relaxation::add_contact(int a, int b, const Vec2& normal, const Vec2& point
 }
 
 void Relaxation::apply(int floe, const Vec2& normal, double arm, double impulse) {
-  const LooseFloe& f = floes_[at(floe)];
+  const LooseFloe& f = floes_[floe];
   const double move = impulse / f.area;
-  displacements_[at(floe)] += Vec3(normal.x() * move, normal.y() * move, arm * impulse / f.polar_moment);
+  displacements_[floe] += Vec3(normal.x() * move, normal.y() * move, arm * impulse / f.polar_moment);
 }
 
 void Relaxation::sweep() {
   for (Contact& c : contacts_) {
-    const Vec3& a = displacements_[at(c.a)];
+    const Vec3& a = displacements_[c.a];
     double opening = -(c.normal.x() * a.x() + c.normal.y() * a.y() + c.arm_a * a.z());
     if (c.b >= 0) {
-      const Vec3& b = displacements_[at(c.b)];
+      const Vec3& b = displacements_[c.b];
       opening += c.normal.x() * b.x() + c.normal.y() * b.y() + c.arm_b * b.z();
     }
     const double impulse = std::max(0.0, c.impulse + c.response * (c.lack - opening));

@@ -20,8 +20,6 @@ using VertexBase =
 using Triangles = CGAL::Triangulation_data_structure_2<VertexBase, CGAL::Regular_triangulation_face_base_2<Kernel>>;
 using Triangulation = CGAL::Regular_triangulation_2<Kernel, Triangles>;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 struct Neighbours {
   std::vector<std::vector<int>> of;  ///< sorted, so that they do not depend on the triangulation's history
   std::vector<bool> hidden;          ///< sites without a cell
@@ -36,12 +34,12 @@ Neighbours neighbours(const PowerSites& sites) {
   const Triangulation triangulation(points.begin(), points.end());
   Neighbours found{std::vector<std::vector<int>>(points.size()), std::vector<bool>(points.size(), true)};
   for (auto v = triangulation.finite_vertices_begin(); v != triangulation.finite_vertices_end(); ++v)
-    found.hidden[at(v->info())] = false;
+    found.hidden[v->info()] = false;
   for (auto e = triangulation.finite_edges_begin(); e != triangulation.finite_edges_end(); ++e) {
     const int a = e->first->vertex(Triangulation::ccw(e->second))->info();
     const int b = e->first->vertex(Triangulation::cw(e->second))->info();
-    found.of[at(a)].push_back(b);
-    found.of[at(b)].push_back(a);
+    found.of[a].push_back(b);
+    found.of[b].push_back(a);
   }
   for (auto& list : found.of) std::sort(list.begin(), list.end());
   return found;
@@ -95,11 +93,11 @@ bool boxes_meet(const std::vector<Vec2>& outline, const Obstacle& obstacle) {
 PowerCell cell_of(int i, const std::vector<int>& near, const PowerSites& sites, const FieldBounds& bounds) {
   PowerCell cell{{bounds.low, {bounds.high.x(), bounds.low.y()}, bounds.high, {bounds.low.x(), bounds.high.y()}},
                  {-1, -1, -1, -1}};
-  const Vec2& p = sites.points[at(i)];
+  const Vec2& p = sites.points[i];
   for (const int j : near) {
-    const Vec2 way = sites.points[at(j)] - p;
+    const Vec2 way = sites.points[j] - p;
     const double distance = way.norm();
-    const double shift = 0.5 * (distance + (sites.weights[at(i)] - sites.weights[at(j)]) / distance);
+    const double shift = 0.5 * (distance + (sites.weights[i] - sites.weights[j]) / distance);
     const Vec2 normal = way / distance;
     cut(cell, normal, normal.dot(p) + shift, j);
     if (cell.outline.empty()) return cell;

@@ -6,7 +6,6 @@ namespace nilas {
 
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 int size_of(const ConvexOutline& outline) { return static_cast<int>(outline.corners.size()); }
 
 /// Smallest signed distance of the corners of `other` from edge `edge` of `owner`.
@@ -53,7 +52,7 @@ int incident_edge(const ConvexOutline& other, const Vec2& normal) {
   int best = 0;
   double lowest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < size_of(other); ++i) {
-    const double facing = other.normals[at(i)].dot(normal);
+    const double facing = other.normals[i].dot(normal);
     if (facing < lowest) {
       lowest = facing;
       best = i;
@@ -74,7 +73,7 @@ void fill_normals(ConvexOutline& outline) {
 }
 
 double gap_on_axis(const ConvexOutline& first, const ConvexOutline& second, int edge, bool of_first) {
-  return of_first ? edge_gap(first, second, at(edge)) : edge_gap(second, first, at(edge));
+  return of_first ? edge_gap(first, second, edge) : edge_gap(second, first, edge);
 }
 
 SeparatingAxis best_axis(const ConvexOutline& first, const ConvexOutline& second) {
@@ -89,13 +88,13 @@ Touching touching_points(const ConvexOutline& first, const ConvexOutline& second
                          double reach) {
   const ConvexOutline& owner = axis.of_first ? first : second;
   const ConvexOutline& other = axis.of_first ? second : first;
-  const Vec2& normal = owner.normals[at(axis.edge)];
+  const Vec2& normal = owner.normals[axis.edge];
   const Vec2 along(-normal.y(), normal.x());
-  const Vec2& start = owner.corners[at(axis.edge)];
-  const double length = along.dot(owner.corners[at((axis.edge + 1) % size_of(owner))] - start);
+  const Vec2& start = owner.corners[axis.edge];
+  const double length = along.dot(owner.corners[(axis.edge + 1) % size_of(owner)] - start);
 
   const int edge = incident_edge(other, normal);
-  const Vec2 ends[2] = {other.corners[at(edge)], other.corners[at((edge + 1) % size_of(other))]};
+  const Vec2 ends[2] = {other.corners[edge], other.corners[(edge + 1) % size_of(other)]};
   const double t[2] = {along.dot(ends[0] - start), along.dot(ends[1] - start)};
   const double low = std::min(t[0], t[1]), high = std::max(t[0], t[1]);
 

@@ -48,13 +48,13 @@ std::vector<double> heights_over(const HalfSpace& plane, const TriangleMesh& pie
 /// numbers.
 TriangleMesh surface_below(const TriangleMesh& piece, const HalfSpace& plane, const std::vector<double>& heights) {
   TriangleMesh side{piece.vertices, {}};
-  const auto height = [&](int v) { return heights[static_cast<std::size_t>(v)]; };
+  const auto height = [&](int v) { return heights[v]; };
   std::map<std::pair<int, int>, int> crossings;
   const auto crossing = [&](int a, int b) {
     const int low = std::min(a, b), high = std::max(a, b);  // the neighbouring triangle must find the same point
     const auto [found, fresh] = crossings.try_emplace({low, high}, static_cast<int>(side.vertices.size()));
     if (fresh) {
-      const Vec3 &p = side.vertices[static_cast<std::size_t>(low)], &q = side.vertices[static_cast<std::size_t>(high)];
+      const Vec3 &p = side.vertices[low], &q = side.vertices[high];
       const Vec3 x = p + height(low) / (height(low) - height(high)) * (q - p);
       side.vertices.push_back(x - plane.height(x) * plane.normal);
     }
@@ -111,7 +111,7 @@ void add_cap(TriangleMesh& side, const HalfSpace& plane, const std::vector<std::
   const Vec3 across = plane.normal.unitOrthogonal(), up = plane.normal.cross(across);
   CapTriangulation cap;
   const auto insert = [&](int v) {
-    const Vec3& p = side.vertices[static_cast<std::size_t>(v)];
+    const Vec3& p = side.vertices[v];
     const auto vertex = cap.insert({across.dot(p), up.dot(p)});
     if (vertex->info().number < 0) vertex->info().number = v;
     return vertex;
@@ -151,10 +151,10 @@ std::vector<TriangleMesh> connected(const TriangleMesh& mesh) {
     TriangleMesh& part = parts[found->second];
     std::array<int, 3> corners = mesh.triangles[t];
     for (int& v : corners) {
-      int& number = numbers[found->second][static_cast<std::size_t>(v)];
+      int& number = numbers[found->second][v];
       if (number < 0) {
         number = static_cast<int>(part.vertices.size());
-        part.vertices.push_back(mesh.vertices[static_cast<std::size_t>(v)]);
+        part.vertices.push_back(mesh.vertices[v]);
       }
       v = number;
     }

@@ -26,7 +26,7 @@ std::vector<HollowEdge> hollow_edges(const TriangleMesh& piece, const std::vecto
   const std::vector<Corners> corners = corners_of(piece);
   std::vector<HollowEdge> found;
   for (const auto& e : edges) {
-    const Vec3 &a = piece.vertices[static_cast<std::size_t>(e.a)], &b = piece.vertices[static_cast<std::size_t>(e.b)];
+    const Vec3 &a = piece.vertices[e.a], &b = piece.vertices[e.b];
     const Corners& beyond = corners[e.right];
     const Vec3 left = normal_of(corners[e.left]), right = normal_of(beyond);
     if (!left.allFinite() || !right.allFinite()) continue;
@@ -72,8 +72,7 @@ Ends sample_edges(const TriangleMesh& piece, const std::vector<SharedEdge>& edge
   const std::size_t stride = 1 + edges.size() / most;
   Ends ends;
   for (std::size_t k = 0; k < edges.size(); k += stride)
-    ends.emplace_back(piece.vertices[static_cast<std::size_t>(edges[k].a)],
-                      piece.vertices[static_cast<std::size_t>(edges[k].b)]);
+    ends.emplace_back(piece.vertices[edges[k].a], piece.vertices[edges[k].b]);
   return ends;
 }
 

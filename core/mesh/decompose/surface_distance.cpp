@@ -47,7 +47,7 @@ std::vector<Corners> corners_of(const TriangleMesh& mesh) {
   std::vector<Corners> out;
   for (const auto& t : mesh.triangles) {
     Corners& c = out.emplace_back();
-    for (std::size_t k = 0; k < 3; ++k) c[k] = mesh.vertices[static_cast<std::size_t>(t[k])];
+    for (std::size_t k = 0; k < 3; ++k) c[k] = mesh.vertices[t[k]];
   }
   return out;
 }

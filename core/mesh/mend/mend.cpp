@@ -18,7 +18,7 @@ TriangleMesh as_stored(const SurfaceMesh& mesh) {
   Weld weld;
   for (const auto& t : rounded.triangles) {
     std::array<Vec3, 3> corners;
-    for (std::size_t k = 0; k < 3; ++k) corners[k] = rounded.vertices[static_cast<std::size_t>(t[k])];
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = rounded.vertices[t[k]];
     if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0]) weld.add(corners);
   }
   return weld.take();
@@ -81,10 +81,10 @@ PolygonSoup without_unused(const PolygonSoup& soup) {
   for (const auto& loop : soup.polygons) {
     auto& fresh = kept.polygons.emplace_back();
     for (const int v : loop) {
-      int& n = number[static_cast<std::size_t>(v)];
+      int& n = number[v];
       if (n < 0) {
         n = static_cast<int>(kept.points.size());
-        kept.points.push_back(soup.points[static_cast<std::size_t>(v)]);
+        kept.points.push_back(soup.points[v]);
       }
       fresh.push_back(n);
     }
@@ -97,7 +97,7 @@ void demand_few_corners(const PolygonSoup& soup) {
   constexpr std::size_t k_most = 10000;
   for (const auto& loop : soup.polygons) {
     if (loop.size() <= k_most) continue;
-    const Vec3& p = soup.points[static_cast<std::size_t>(loop.front())];
+    const Vec3& p = soup.points[loop.front()];
     throw InputError(fmt::format("a face from ({:.6g}, {:.6g}, {:.6g}) m on has {} corners; allowed: {}", p.x(), p.y(),
                                  p.z(), loop.size(), k_most));
   }

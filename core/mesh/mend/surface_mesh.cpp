@@ -28,7 +28,7 @@ TriangleMesh triangles_of(const SurfaceMesh& mesh) {
 std::vector<Vec3> pinched_vertices(const TriangleMesh& mesh) {
   std::vector<std::map<int, int>> around(mesh.vertices.size());  // from each neighbour to the next
   for (const auto& t : mesh.triangles)
-    for (std::size_t k = 0; k < 3; ++k) around[static_cast<std::size_t>(t[k])][t[(k + 1) % 3]] = t[(k + 2) % 3];
+    for (std::size_t k = 0; k < 3; ++k) around[t[k]][t[(k + 1) % 3]] = t[(k + 2) % 3];
   std::vector<Vec3> pinched;
   for (std::size_t v = 0; v < around.size(); ++v) {
     if (around[v].empty()) continue;
@@ -46,7 +46,7 @@ SurfaceMesh surface_of(const TriangleMesh& mesh) {
   SurfaceMesh out;
   std::vector<SurfaceMesh::Vertex_index> vertices;
   for (const auto& p : mesh.vertices) vertices.push_back(out.add_vertex(to_point(p)));
-  const auto vertex = [&](int i) { return vertices[static_cast<std::size_t>(i)]; };
+  const auto vertex = [&](int i) { return vertices[i]; };
   for (const auto& t : mesh.triangles)
     NILAS_DEMAND(out.add_face(vertex(t[0]), vertex(t[1]), vertex(t[2])) != SurfaceMesh::null_face());
   return out;

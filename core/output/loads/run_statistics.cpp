@@ -204,7 +204,7 @@ std::optional<LoadError> RunStatistics::load_error(const TwinStatistics* twins) 
 const std::vector<double>& RunStatistics::series_of(const std::string& name) const {
   const auto found = std::find(load_names_.begin(), load_names_.end(), name);
   NILAS_DEMAND(found != load_names_.end());
-  return load_series_[static_cast<std::size_t>(found - load_names_.begin())];
+  return load_series_[found - load_names_.begin()];
 }
 
 std::optional<double> RunStatistics::mean_tow(const LoadWindow& window) const {

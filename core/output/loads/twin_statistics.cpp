@@ -17,7 +17,7 @@ double mean_diameter(const Bodies& bodies) {
   int count = 0;
   for (int b = 0; b < bodies.size(); ++b) {
     if (!bodies.is_free(b)) continue;
-    sum += 2 * bodies.shape[static_cast<std::size_t>(b)]->bounding_radius;
+    sum += 2 * bodies.shape[b]->bounding_radius;
     ++count;
   }
   return count > 0 ? sum / count : 0;

@@ -38,8 +38,7 @@ void visit_figures(Summary& s, const Visit& visit) {
   for (const auto& column : residual_columns())
     visit(std::string("/worst/") + column.name + "/value", s.residuals.*column.member);
   for (int p = 0; p < k_num_phases; ++p)
-    visit(std::string("/modules/ms_per_step/") + to_string(static_cast<Phase>(p)),
-          s.phase_ms[static_cast<std::size_t>(p)]);
+    visit(std::string("/modules/ms_per_step/") + to_string(static_cast<Phase>(p)), s.phase_ms[p]);
   visit("/ice_load/touched", s.touched);
 }
 

@@ -35,7 +35,7 @@ SourceColumns::SourceColumns(const std::string& text) {
 
 SourceColumns::Line* SourceColumns::find(int line) {
   const bool known = line >= 1 && static_cast<std::size_t>(line) <= lines_.size();
-  return known ? &lines_[static_cast<std::size_t>(line - 1)] : nullptr;
+  return known ? &lines_[line - 1] : nullptr;
 }
 
 int SourceColumns::tag(int line, const std::string& name) {

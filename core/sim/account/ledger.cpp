@@ -7,7 +7,7 @@ namespace nilas {
 
 namespace {
 
-bool moves(const Bodies& bodies, int b) { return bodies.motion[static_cast<std::size_t>(b)] != Motion::fixed; }
+bool moves(const Bodies& bodies, int b) { return bodies.motion[b] != Motion::fixed; }
 
 double spin_energy(const Mat3& inertia, const Vec3& w) { return 0.5 * w.dot(inertia * w); }
 
@@ -201,8 +201,7 @@ double kinetic_energy(const Bodies& bodies) {
 double weight_energy(const Bodies& bodies, const Vec3& gravity) {
   double sum = 0;
   for (int k = 0; k < bodies.size(); ++k)
-    if (moves(bodies, k))
-      sum -= bodies.mass[static_cast<std::size_t>(k)] * gravity.dot(bodies.p_GB[static_cast<std::size_t>(k)]);
+    if (moves(bodies, k)) sum -= bodies.mass[k] * gravity.dot(bodies.p_GB[k]);
   return sum;
 }
 
@@ -244,7 +243,7 @@ MomentumBalance momentum_balance(const Bodies& bodies, const StepMotion& motion,
     const int of_vessel = k - vessel.index;
     if (vessel.joints == nullptr || of_vessel < 0 || of_vessel >= static_cast<int>(vessel.joints->held.size()))
       continue;
-    const Wrench& held = vessel.joints->held[static_cast<std::size_t>(of_vessel)];
+    const Wrench& held = vessel.joints->held[of_vessel];
     add(motion.p[b], motion.h * held.force, motion.h * held.torque, -1);
   }
   for (std::size_t i = 0; i < motion.points.size(); ++i) {

@@ -21,12 +21,12 @@ static ImpulseResidual residual_of(const SolvedProblem& solved, const StepMotion
 static Wrench from_behind(const SolvedProblem& solved, const StepMotion& motion, int vessel, int num_parts) {
   Wrench sum;
   const auto is_vessel = [&](int body) { return body >= vessel && body <= vessel + num_parts; };
-  const Vec3& com = motion.p[static_cast<std::size_t>(vessel)];
+  const Vec3& com = motion.p[vessel];
   const auto points = static_cast<int>(motion.points.size());
   for (std::vector<int>& island : find_islands(solved.problem)) {
     std::erase_if(island, [&](int c) { return c >= points; });  // drops the moments
     const auto of_vessel = [&](int c) {
-      const ContactPoint& point = motion.points[static_cast<std::size_t>(c)];
+      const ContactPoint& point = motion.points[c];
       return is_vessel(point.a) || is_vessel(point.b);
     };
     if (std::none_of(island.begin(), island.end(), of_vessel)) continue;
@@ -45,7 +45,7 @@ LoadResidual load_residual(const SolvedProblem& solved, const std::vector<Mat3>&
                            int vessel, int num_parts) {
   LoadResidual sum;
   const auto is_vessel = [&](int body) { return body >= vessel && body <= vessel + num_parts; };
-  const Vec3& com = motion.p[static_cast<std::size_t>(vessel)];
+  const Vec3& com = motion.p[vessel];
   for (std::size_t i = 0; i < motion.points.size(); ++i) {
     const ContactPoint& c = motion.points[i];
     const bool is_b = is_vessel(c.b);

@@ -30,7 +30,7 @@ std::vector<Vec2> hull_outline(const Bodies& bodies, int vessel, double z) {
       if (corners[i].z() <= z) points.push_back(corners[i].head<2>());
       for (const int j : part.vertex_neighbours[i]) {
         const Vec3& a = corners[i];
-        const Vec3& b = corners[static_cast<std::size_t>(j)];
+        const Vec3& b = corners[j];
         if (a.z() < z && b.z() > z) points.push_back((a + (z - a.z()) / (b.z() - a.z()) * (b - a)).head<2>());
       }
     }
@@ -149,7 +149,7 @@ class IceBuilder {
     const FloeVariation variation = floe_variation(scene_);
     for (auto& planned : parts_.ice)
       parallel_for(static_cast<std::ptrdiff_t>(planned.floes.size()), threads_, [&](std::ptrdiff_t i) {
-        PlannedFloe& one = planned.floes[static_cast<std::size_t>(i)];
+        PlannedFloe& one = planned.floes[i];
         one.texture = variation.draw(one.floe, one.name, one.means);
       });
   }
@@ -215,7 +215,7 @@ class IceBuilder {
   /// Horizontal direction from which the vessel comes: -x of its own frame.
   Vec2 aft() const {
     const int v = parts_.vessel_index;
-    return v < 0 ? Vec2(-Vec2::UnitX()) : Vec2(-parts_.bodies.R_GB[static_cast<std::size_t>(v)].col(0).head<2>());
+    return v < 0 ? Vec2(-Vec2::UnitX()) : Vec2(-parts_.bodies.R_GB[v].col(0).head<2>());
   }
 
   bool is_buoyant() const { return scene_.hydro && scene_.hydro->buoyancy; }
@@ -272,7 +272,7 @@ class IceBuilder {
   void add_weak_lines(const PlannedIce& group, const Vec2& centre, const std::vector<Vec2>& outline, int body) {
     std::vector<WeakLine> lines = group.weak_lines;
     for (const WeakLineScene& line : ice_.weak_lines) lines.push_back({line.points, line.strength});
-    parts_.ice_properties->weak_lines[static_cast<std::size_t>(body)] = lines_near(lines, centre, outline);
+    parts_.ice_properties->weak_lines[body] = lines_near(lines, centre, outline);
   }
 
   void name_breakable() {

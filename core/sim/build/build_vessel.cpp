@@ -162,7 +162,7 @@ void add_rods(const Scene& scene, VesselModel& model, RunInfo& info) {
   }
   if (model.rods.empty()) return;
   if (const auto fault = rod_fault(model, scene.time.start)) {
-    const RodScene& rod = scene.vessel->rods[static_cast<std::size_t>(fault->rod)];
+    const RodScene& rod = scene.vessel->rods[fault->rod];
     const std::string line = rod.line > 0 ? std::to_string(rod.line) + ":" : "";  // added elements have none
     throw InputError(scene.file.string() + ":" + line + " <rod name='" + rod.name + "'>: " + fault->message);
   }

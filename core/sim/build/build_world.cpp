@@ -80,7 +80,7 @@ constexpr std::array k_judged{BodyKind::floe, BodyKind::vessel};
 
 void refuse_overlaps(const Scene& scene, const WorldParts& parts) {
   const Bodies& bodies = parts.bodies;
-  const auto kind = [&](int b) { return bodies.kind[static_cast<std::size_t>(b)]; };
+  const auto kind = [&](int b) { return bodies.kind[b]; };
   double tolerance = PackedFieldScene{}.overlap_tolerance;
   const auto tolerate = [&](const PackedFieldScene& packed) {
     tolerance = std::max(tolerance, packed.overlap_tolerance);
@@ -96,15 +96,14 @@ void refuse_overlaps(const Scene& scene, const WorldParts& parts) {
     const bool judged =
         std::any_of(k_judged.begin(), k_judged.end(), [&](BodyKind k) { return kind(c.a) == k || kind(c.b) == k; });
     if (!judged) continue;
-    const auto reach = [&](int b) { return bodies.shape[static_cast<std::size_t>(b)]->bounding_radius; };
+    const auto reach = [&](int b) { return bodies.shape[b]->bounding_radius; };
     const double allowed = tolerance * std::min(reach(c.a), reach(c.b));
     if (-c.gap <= allowed) continue;
     const auto& names = bodies.name;
     throw InputError(fmt::format(
         "{}: '{}' and '{}' overlap by {:g} m at the start, along the shortest way apart; allowed is {:.3g} m, "
         "{:g} times the smaller radius (the largest overlap_tolerance of the scene's fields)",
-        scene.file.string(), names[static_cast<std::size_t>(c.a)], names[static_cast<std::size_t>(c.b)], -c.gap,
-        allowed, tolerance));
+        scene.file.string(), names[c.a], names[c.b], -c.gap, allowed, tolerance));
   }
 }
 

@@ -70,7 +70,7 @@ class Doubts {
   }
 
   bool falls(int b) const {
-    const BodyKind kind = parts_.bodies.kind[static_cast<std::size_t>(b)];
+    const BodyKind kind = parts_.bodies.kind[b];
     return parts_.bodies.is_free(b) && (kind == BodyKind::floe || kind == BodyKind::vessel);
   }
 

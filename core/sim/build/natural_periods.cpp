@@ -14,7 +14,7 @@ namespace {
 /// Mass matrix. All matrices of this file refer to small motions (translation; rotation) of the centre of mass, in G.
 Mat6 mass_matrix(const Bodies& bodies, int vessel) {
   Mat6 M = Mat6::Zero();
-  M.topLeftCorner<3, 3>() = bodies.mass[static_cast<std::size_t>(vessel)] * Mat3::Identity();
+  M.topLeftCorner<3, 3>() = bodies.mass[vessel] * Mat3::Identity();
   M.bottomRightCorner<3, 3>() = bodies.inertia_G(vessel);
   return M;
 }
@@ -46,7 +46,7 @@ Mat6 water_stiffness(const Scene& scene, const WorldParts& parts) {
 Mat6 joint_motion(const CarriageModel& carriage, const WorldParts& parts, double t0) {
   const CarriageMotion::State start = carriage.motion.at(t0);
   const Mat3 to_carriage = Eigen::AngleAxisd(-start.yaw, Vec3::UnitZ()).toRotationMatrix();
-  const Vec3 arm = start.p - parts.bodies.p_GB[static_cast<std::size_t>(parts.vessel_index)];
+  const Vec3 arm = start.p - parts.bodies.p_GB[parts.vessel_index];
   Mat3 cross;
   cross << 0, -arm.z(), arm.y(), arm.z(), 0, -arm.x(), -arm.y(), arm.x(), 0;
   Mat6 T = Mat6::Zero();
@@ -92,7 +92,7 @@ std::vector<NaturalPeriod> natural_periods(const Scene& scene, const WorldParts&
   if (basis.cols() == 0) return {};
   // Modes are named along the vessel's own axes.
   Mat6 axes = Mat6::Zero();
-  const Mat3& R = parts.bodies.R_GB[static_cast<std::size_t>(parts.vessel_index)];
+  const Mat3& R = parts.bodies.R_GB[parts.vessel_index];
   axes.topLeftCorner<3, 3>() = axes.bottomRightCorner<3, 3>() = R.transpose();
   const MatX K = basis.transpose() * (cells + water) * basis, mass = basis.transpose() * M * basis;
   const Eigen::GeneralizedSelfAdjointEigenSolver<MatX> modes(K, mass);

@@ -42,11 +42,11 @@ FloeVariation floe_variation(const Scene& scene) {
   const auto n = static_cast<Eigen::Index>(vary.size());
   MatX correlation = MatX::Identity(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const VaryScene& one = vary[static_cast<std::size_t>(i)];
+    const VaryScene& one = vary[i];
     spreads.push_back(spread_of(one, scene, water_density));
     for (const auto& [partner, value] : one.correlations)
       for (Eigen::Index j = 0; j < n; ++j)
-        if (vary[static_cast<std::size_t>(j)].property == partner) correlation(i, j) = correlation(j, i) = value;
+        if (vary[j].property == partner) correlation(i, j) = correlation(j, i) = value;
   }
   return FloeVariation(std::move(spreads), correlation, scene.seed);
 }

@@ -9,6 +9,7 @@
 #include "contact/assemble.h"
 #include "contact/law/contact_frame.h"
 #include "contact/measure/measure.h"
+#include "contact/problem/row_of.h"
 #include "core/base/error.h"
 #include "core/bodies/free_rotation.h"
 
@@ -24,7 +25,7 @@ constexpr double k_probe = 1e-5;
 /// Reverse slip above this speed ends a state that began at rest; below it is rounding [m/s].
 constexpr double k_slip_slack = 1e-11;
 
-bool moves(const Bodies& bodies, int k) { return bodies.motion[static_cast<std::size_t>(k)] != Motion::fixed; }
+bool moves(const Bodies& bodies, int k) { return bodies.motion[k] != Motion::fixed; }
 
 double probe_time(const Bodies& bodies) {
   double rate = 0;
@@ -88,7 +89,7 @@ std::vector<Vec6> free_accelerations(const Bodies& bodies, const Wrenches& loads
   if (vessel == nullptr) return rates;
   const VecX accelerations = vessel->accelerations(loads);
   for (int k = vessel->hull(); vessel->holds(k); ++k)
-    if (moves(bodies, k)) rates[static_cast<std::size_t>(k)] = vessel->twist_rate(k, accelerations);
+    if (moves(bodies, k)) rates[k] = vessel->twist_rate(k, accelerations);
   return rates;
 }
 
@@ -126,11 +127,11 @@ MatX delassus(const Bodies& bodies, const std::vector<Direction>& rows, const st
   const auto size = static_cast<Eigen::Index>(rows.size());
   MatX W = MatX::Zero(size, size);
   for (Eigen::Index j = 0; j < size; ++j) {
-    const Direction& column = columns[static_cast<std::size_t>(j)];
+    const Direction& column = columns[j];
     const Vec6 at_a = response(bodies, column.a, column.on_a), at_b = response(bodies, column.b, column.on_b);
     const VecX of_vessel = column.on_vessel.size() > 0 ? vessel->response(column.on_vessel) : VecX();
     for (Eigen::Index i = 0; i < size; ++i) {
-      const Direction& row = rows[static_cast<std::size_t>(i)];
+      const Direction& row = rows[i];
       if (row.a == column.a) W(i, j) += row.on_a.dot(at_a);
       if (row.a == column.b) W(i, j) += row.on_a.dot(at_b);
       if (row.b == column.a) W(i, j) += row.on_b.dot(at_a);
@@ -207,7 +208,7 @@ std::vector<ContactKinematics> SustainedContacts::kinematics(Bodies& bodies, con
     if (point == nullptr) continue;
     out[i].found = true;
     out[i].point = *point;
-    out[i].frame = contact_frame(point->n, bodies.R_GB[static_cast<std::size_t>(point->a)], 0);
+    out[i].frame = contact_frame(point->n, bodies.R_GB[point->a], 0);
     out[i].velocity = relative_velocity(bodies, *point);
     const Vec3 u = out[i].frame.transpose() * out[i].velocity;
     out[i].bias = 2 * k_drift_rate * u;
@@ -226,9 +227,7 @@ std::vector<ContactKinematics> SustainedContacts::kinematics(Bodies& bodies, con
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const ContactPoint *const after = find(later, keys[i]), *const before = find(earlier, keys[i]);
     if (!out[i].found || after == nullptr || before == nullptr) continue;
-    const Vec3 rate =
-        (later_velocity[static_cast<std::size_t>(after - later.data())] - relative_velocity(bodies, *before)) /
-        (2 * probe);
+    const Vec3 rate = (later_velocity[after - later.data()] - relative_velocity(bodies, *before)) / (2 * probe);
     out[i].bias += out[i].frame.transpose() * rate;
     out[i].bias[0] += (after->n - before->n).dot(out[i].velocity) / (2 * probe);
   }
@@ -251,15 +250,15 @@ AccelerationProblem SustainedContacts::pose(Bodies& bodies, const Wrenches& load
   for (std::size_t b = 0; b < rates.size(); ++b) {
     const int block = out.contacts.block_of_body[b];
     if (block >= 0 && bodies.is_free(static_cast<int>(b)))
-      problem.f.segment<6>(problem.block_offset[static_cast<std::size_t>(block)]) = problem.mass(block) * rates[b];
+      problem.f.segment<6>(problem.block_offset[block]) = problem.mass(block) * rates[b];
   }
   std::vector<std::uint64_t> keys;
   for (const auto& point : points) keys.push_back(point.key);
   const auto at = kinematics(bodies, keys);
-  for (std::size_t i = 0; i < at.size(); ++i) problem.w.segment<3>(3 * static_cast<Eigen::Index>(i)) = at[i].bias;
+  for (std::size_t i = 0; i < at.size(); ++i) problem.w.segment<3>(row_of(i)) = at[i].bias;
   if (vessel_ != nullptr)
     for (std::size_t i = 0; i < at.size(); ++i)
-      problem.w.segment<3>(3 * static_cast<Eigen::Index>(i)) += vessel_bias(bodies, points[i], out.contacts.C[i]);
+      problem.w.segment<3>(row_of(i)) += vessel_bias(bodies, points[i], out.contacts.C[i]);
   const VecX free = velocities(problem, VecX::Zero(problem.w.size()));
   out.scale = contact_velocities(problem, free).lpNorm<Eigen::Infinity>();
   for (std::size_t i = 0; i < at.size(); ++i) {
@@ -273,8 +272,7 @@ AccelerationProblem SustainedContacts::pose(Bodies& bodies, const Wrenches& load
     }
     out.slip[i] /= speed;
     constexpr double k_far_above = 1e6;
-    problem.w.segment<3>(3 * static_cast<Eigen::Index>(i)) +=
-        k_far_above * out.scale * (out.contacts.C[i].transpose() * out.slip[i]);
+    problem.w.segment<3>(row_of(i)) += k_far_above * out.scale * (out.contacts.C[i].transpose() * out.slip[i]);
   }
   return out;
 }
@@ -285,7 +283,7 @@ Vec3 SustainedContacts::vessel_bias(const Bodies& bodies, const ContactPoint& c,
   for (const auto& [body, sign] : {std::pair(c.a, -1.0), std::pair(c.b, 1.0)}) {
     if (!vessel_->holds(body) || !moves(bodies, body)) continue;
     const Vec6 bias = vessel_->bias(body);
-    sum += sign * (bias.head<3>() + bias.tail<3>().cross(c.p - bodies.p_GB[static_cast<std::size_t>(body)]));
+    sum += sign * (bias.head<3>() + bias.tail<3>().cross(c.p - bodies.p_GB[body]));
   }
   return C.transpose() * sum;
 }
@@ -313,7 +311,7 @@ void SustainedContacts::decide(Bodies& bodies, const Wrenches& loads, const std:
         t, to_string(solution.status), residual));
   const auto W = delassus_diagonal(problem);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vec3 r = solution.r.segment<3>(3 * static_cast<Eigen::Index>(i));
+    const Vec3 r = solution.r.segment<3>(row_of(i));
     constexpr double k_least_share = 1e-9;  // share of the largest acceleration
     if (r[0] * W[i](0, 0) > k_least_share * posed.scale + k_least_acceleration)
       list_.push_back(bearing(points[i], r, posed.contacts.C[i], posed.slip[i], friction_of(bodies, points[i])));
@@ -322,8 +320,7 @@ void SustainedContacts::decide(Bodies& bodies, const Wrenches& loads, const std:
 
 FrictionPair SustainedContacts::friction_of(const Bodies& bodies, const ContactPoint& point) const {
   if (frictionless_) return {};
-  return friction_.of(bodies.material[static_cast<std::size_t>(point.a)],
-                      bodies.material[static_cast<std::size_t>(point.b)]);
+  return friction_.of(bodies.material[point.a], bodies.material[point.b]);
 }
 
 SustainedForces SustainedContacts::forces(Bodies& bodies, const Wrenches& loads) {
@@ -353,15 +350,15 @@ SustainedForces SustainedContacts::forces(Bodies& bodies, const Wrenches& loads)
   const auto rates = free_accelerations(bodies, loads, vessel_);
   VecX needed(size), r(size);
   for (Eigen::Index j = 0; j < size; ++j) {
-    const Direction& row = rows[static_cast<std::size_t>(j)];
-    needed[j] = -(row.on_a.dot(rates[row.a]) + row.on_b.dot(rates[row.b]) + bias[static_cast<std::size_t>(j)]);
-    r[j] = start[static_cast<std::size_t>(j)];
+    const Direction& row = rows[j];
+    needed[j] = -(row.on_a.dot(rates[row.a]) + row.on_b.dot(rates[row.b]) + bias[j]);
+    r[j] = start[j];
   }
   // Of all possible distributions, take the one nearest to that of the law.
   const MatX W = delassus(bodies, rows, columns, vessel_);
   r += smallest_solution(W, needed - W * r);
   for (Eigen::Index j = 0; j < size; ++j) {
-    const auto& [i, k] = place[static_cast<std::size_t>(j)];
+    const auto& [i, k] = place[j];
     if (k == 0)
       out.force[i] = out.at[i].frame.transpose() * (r[j] * (out.at[i].frame.col(0) + friction[i]));
     else
@@ -377,7 +374,7 @@ ContactImpulses SustainedContacts::stop_creep(Bodies& bodies) const {
   std::vector<double> speeds;
   std::vector<Vec3> axes;
   for (const auto& contact : list_) {
-    const Mat3 frame = contact_frame(contact.point.n, bodies.R_GB[static_cast<std::size_t>(contact.a)], 0);
+    const Mat3 frame = contact_frame(contact.point.n, bodies.R_GB[contact.a], 0);
     for (Eigen::Index k = 0; k < (contact.grip == Grip::sticks ? 3 : 1); ++k) {
       rows.push_back(direction(bodies, contact.point, frame.col(k), vessel_));
       speeds.push_back(-frame.col(k).dot(relative_velocity(bodies, contact.point)));

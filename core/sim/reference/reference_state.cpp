@@ -97,7 +97,7 @@ void ReferenceState::unpack(double t, const VecX& y, Bodies& bodies) const {
 
 void ReferenceState::add_account(const VecX& y, ReferenceAccount& account) const {
   account.works.resize(static_cast<std::size_t>(works_), 0);
-  for (Eigen::Index k = 0; k < works_; ++k) account.works[static_cast<std::size_t>(k)] += y[account_ + k];
+  for (Eigen::Index k = 0; k < works_; ++k) account.works[k] += y[account_ + k];
   if (vessel_sums_ > 0) account.vessel.add(y.segment(account_ + works_, vessel_sums_));
   const auto sums = y.tail<k_sums>();
   account.friction += sums[k_friction];
@@ -128,14 +128,13 @@ void ReferenceState::derivative(const Bodies& bodies, const VecX& y, const Refer
     dy.segment(at_vessel_, vessel_->size()) = vessel_->state_rate(vessel_->accelerations(loads.total));
     const auto add = [&](int k, const Wrench& load) {
       sums.segment<3>(k_impulse) += load.force;
-      sums.segment<3>(k_angular) += bodies.p_GB[static_cast<std::size_t>(k)].cross(load.force) + load.torque;
+      sums.segment<3>(k_angular) += bodies.p_GB[k].cross(load.force) + load.torque;
     };
-    for (int k = vessel_->hull(); vessel_->has_known_loads() && vessel_->holds(k); ++k)
-      add(k, loads.total[static_cast<std::size_t>(k)]);
+    for (int k = vessel_->hull(); vessel_->has_known_loads() && vessel_->holds(k); ++k) add(k, loads.total[k]);
     if (loads.vessel.carriage) add(vessel_->hull(), loads.vessel.carriage->about_com);
   }
   if (vessel_sums_ > 0) dy.segment(account_ + works_, vessel_sums_) = loads.vessel.numbers();
-  for (Eigen::Index k = 0; k < works_; ++k) dy[account_ + k] = loads.powers[static_cast<std::size_t>(k)];
+  for (Eigen::Index k = 0; k < works_; ++k) dy[account_ + k] = loads.powers[k];
   sums[k_friction] = loads.friction_power;
   sums[k_scales] = loads.force_sum;
   sums[k_scales + 1] = loads.moment_sum;
@@ -152,7 +151,7 @@ VecX ReferenceState::absolute_tolerances(const Bodies& bodies, double relative) 
     at += k_per_body;
   }
   if (vessel_ != nullptr)
-    for (int k = vessel_->hull(); vessel_->holds(k); ++k) mass += bodies.mass[static_cast<std::size_t>(k)];
+    for (int k = vessel_->hull(); vessel_->holds(k); ++k) mass += bodies.mass[k];
   tolerance.tail(size() - account_).setConstant(relative * std::max(mass, 1e-300));
   constexpr double k_uncontrolled = 1e30;  // scales need no accuracy, and absolute values have kinks
   tolerance.tail<2>().setConstant(k_uncontrolled);

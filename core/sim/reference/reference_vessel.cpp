@@ -159,7 +159,7 @@ ArticulatedBlock ReferenceVessel::block(const VecX& speeds) const {
 ArticulatedBlock ReferenceVessel::velocity_block() const {
   ArticulatedBlock block = this->block(tree_.speeds());
   for (int k = 0; k < tree_.num_bodies(); ++k) {
-    ArticulatedBody& body = block.bodies[static_cast<std::size_t>(k)];
+    ArticulatedBody& body = block.bodies[k];
     body.prescribed = tree_.twist(k) - body.jacobian * tree_.speeds();
   }
   return block;

@@ -102,7 +102,7 @@ void refuse_passing(const World& world, const std::pair<int, int>& pair, double 
   const auto& name = world.parts.bodies.name;
   throw SimulationError(
       fmt::format("at {:g} s body '{}' would pass through body '{}' within one step; try a smaller <time step>", t,
-                  name[static_cast<std::size_t>(pair.second)], name[static_cast<std::size_t>(pair.first)]));
+                  name[pair.second], name[pair.first]));
 }
 
 }  // namespace nilas

@@ -21,9 +21,7 @@ PartNames names(const OfParts& x) {
   return {x.a, x.b, x.part_a, x.part_b};
 }
 
-double thinner(const World& world, const ContactPoint& c) {
-  return std::min(world.width[static_cast<std::size_t>(c.a)], world.width[static_cast<std::size_t>(c.b)]);
-}
+double thinner(const World& world, const ContactPoint& c) { return std::min(world.width[c.a], world.width[c.b]); }
 
 std::vector<ContactPoint> detect_within_reach(World& world, const Loads& loads, const Substep& substep) {
   const Bodies& bodies = world.parts.bodies;
@@ -78,9 +76,7 @@ bool will_bounce_when_met(const World& world, const ContactPoint& c, double h) {
   if (before >= -world.model.assembly.restitution_threshold) return false;
   constexpr double k_deepest_share = 0.5;
   if (-before * h > k_deepest_share * thinner(world, c)) return false;
-  return world.parts.friction
-             .of(bodies.material[static_cast<std::size_t>(c.a)], bodies.material[static_cast<std::size_t>(c.b)])
-             .restitution > 0;
+  return world.parts.friction.of(bodies.material[c.a], bodies.material[c.b]).restitution > 0;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "contact/position_correction.h"
+#include "contact/problem/row_of.h"
 #include "core/sim/step/advance.h"
 #include "core/sim/step/fast_bodies.h"
 
@@ -14,8 +15,7 @@ namespace {
 void add_couples(const AssembledContacts& contacts, const ContactSolution& solution, StepMotion& motion) {
   motion.couples.assign(motion.points.size(), Vec3::Zero());
   for (std::size_t c = motion.points.size(); c < contacts.C.size(); ++c)
-    motion.couples[static_cast<std::size_t>(contacts.problem.moments[c].contact)] =
-        contacts.C[c] * solution.r.segment<3>(3 * static_cast<Eigen::Index>(c));
+    motion.couples[contacts.problem.moments[c].contact] = contacts.C[c] * solution.r.segment<3>(row_of(c));
 }
 
 StepMotion velocity_step(const World& world, const Loads& loads, const Substep& substep, SolvedContacts& solved,
@@ -34,7 +34,7 @@ StepMotion velocity_step(const World& world, const Loads& loads, const Substep& 
   }
   motion.points = std::move(solved.found.points);
   for (std::size_t i = 0; i < motion.points.size(); ++i) {
-    const Vec3 r = solved.solution.r.segment<3>(3 * static_cast<Eigen::Index>(i));
+    const Vec3 r = solved.solution.r.segment<3>(row_of(i));
     motion.impulses.emplace_back(contacts.C[i] * r);
     motion.normal_impulses.emplace_back(contacts.C[i].col(0) * r[0]);
   }

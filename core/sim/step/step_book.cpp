@@ -110,8 +110,8 @@ void StepBook::keep(SolvedContacts& solved, const StepMotion& motion) {
   kept.impulses = motion.impulses;
   kept.couples = motion.couples;
   if (!parts.vessel) return;
-  kept.vessel_p = motion.p[static_cast<std::size_t>(parts.vessel_index)];
-  kept.vessel_R = motion.R[static_cast<std::size_t>(parts.vessel_index)];
+  kept.vessel_p = motion.p[parts.vessel_index];
+  kept.vessel_R = motion.R[parts.vessel_index];
 }
 
 StepRecord StepBook::close() {
@@ -171,7 +171,7 @@ void note_solution(World& world, const ContactSolution& solution, double t_end, 
 void warn_of_unnamed_pairs(World& world, const std::vector<ContactPoint>& points) {
   const Bodies& bodies = world.parts.bodies;
   for (const ContactPoint& c : points) {
-    const int a = bodies.material[static_cast<std::size_t>(c.a)], b = bodies.material[static_cast<std::size_t>(c.b)];
+    const int a = bodies.material[c.a], b = bodies.material[c.b];
     if (world.parts.friction.names(a, b)) continue;
     if (!world.unnamed_pairs.emplace(std::min(a, b), std::max(a, b)).second) continue;
     const auto [first, second] = std::minmax(bodies.material_name(c.a), bodies.material_name(c.b));

@@ -28,12 +28,12 @@ void add_structure_loads(const World& world, const StepMotion& motion, std::vect
     for (const auto& [body, other, sign] : {std::tuple(c.a, c.b, -1.0), std::tuple(c.b, c.a, 1.0)}) {
       const auto k = structure_of(body);
       if (k < 0 || motion.impulses[i].isZero(0)) continue;
-      Sums& sum = sums[static_cast<std::size_t>(k)];
+      Sums& sum = sums[k];
       sum.force.add(sign * motion.impulses[i]);
-      sum.torque.add((c.p - motion.p[static_cast<std::size_t>(body)]).cross(sign * motion.impulses[i]));
+      sum.torque.add((c.p - motion.p[body]).cross(sign * motion.impulses[i]));
       if (!motion.couples.empty()) sum.torque.add(sign * motion.couples[i]);
-      if (world.parts.bodies.kind[static_cast<std::size_t>(other)] != BodyKind::floe) continue;
-      records[static_cast<std::size_t>(k)].touches_ice = true;
+      if (world.parts.bodies.kind[other] != BodyKind::floe) continue;
+      records[k].touches_ice = true;
       sum.ice.add(sign * motion.impulses[i]);
     }
   }

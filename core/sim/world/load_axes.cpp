@@ -63,7 +63,7 @@ void describe_loads(const Scene& scene, WorldParts& parts) {
   const bool drifts = drift.norm() > k_at_rest;
   if (drifts) info.drift_course = -drift.normalized();
   if (scene.vessel) {
-    info.vessel_length = length_along_x(*parts.bodies.shape[static_cast<std::size_t>(parts.vessel_index)]);
+    info.vessel_length = length_along_x(*parts.bodies.shape[parts.vessel_index]);
     if (scene.vessel->fixed && drifts) info.course = CourseKind::drift;
     if (const auto& carriage = scene.vessel->carriage; carriage && (carriage->speed != 0 || !carriage->path.empty())) {
       info.course = CourseKind::carriage;

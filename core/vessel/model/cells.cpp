@@ -23,7 +23,7 @@ std::array<LoadCell, 6> default_cells(double arm) {
 Mat6 cell_wrenches(const std::array<LoadCell, 6>& cells) {
   Mat6 A;
   for (int i = 0; i < 6; ++i) {
-    const LoadCell& cell = cells[static_cast<std::size_t>(i)];
+    const LoadCell& cell = cells[i];
     A.col(i) << cell.point.cross(cell.axis), cell.axis;
   }
   return A;

@@ -66,7 +66,7 @@ Vec6 given_by_rods(const JointedTree& tree, double time, const VecX& tensions, c
   Vec6 given = Vec6::Zero();
   const std::vector<Wrench> loads = tree.rod_loads(tensions);
   for (int b = 0; b < tree.num_bodies(); ++b) {
-    const Wrench& load = loads[static_cast<std::size_t>(b)];
+    const Wrench& load = loads[b];
     given.head<3>() += time * load.force;
     given.tail<3>() += time * (load.torque + (tree.pose(b).p - point).cross(load.force));
   }

@@ -107,12 +107,12 @@ void RestSearch::add_parts(const VesselModel& model) {
   for (std::size_t k = 0; k < model.parts.size(); ++k) {
     const PartModel& part = model.parts[k];
     const int body = static_cast<int>(k) + 1;
-    left_out_[k + 1] = part.joint == JointKind::free || left_out_[static_cast<std::size_t>(part.to + 1)];
+    left_out_[k + 1] = part.joint == JointKind::free || left_out_[part.to + 1];
     const auto [first, count] = tree_.speeds_of(body);
     if (part.rate != 0 && !left_out_[k + 1] && !started_) started_ = body;
     const double weight = part.mass * rest_.weight / hull_mass_, lever = lever_of(part);
     for (int i = first; i < first + count; ++i) {
-      Along& along = speeds_[static_cast<std::size_t>(i)];
+      Along& along = speeds_[i];
       along.body = body;
       along.left_out = left_out_[k + 1];
       along.held = along.settles = part.stiffness > 0 && !along.left_out;
@@ -143,12 +143,12 @@ MatX RestSearch::restored(const std::vector<int>& loose) {
   MatX stiffness(n, n);
   for (Eigen::Index j = 0; j < n; ++j) {
     VecX along = VecX::Zero(tree_.num_speeds());
-    const int moved = loose[static_cast<std::size_t>(j)];
-    along[moved] = k_probe * speeds_[static_cast<std::size_t>(moved)].move;
+    const int moved = loose[j];
+    along[moved] = k_probe * speeds_[moved].move;
     const VecX ahead = force_at(along), behind = force_at(-along);
     for (Eigen::Index i = 0; i < n; ++i) {
-      const int felt = loose[static_cast<std::size_t>(i)];
-      stiffness(i, j) = (behind[felt] - ahead[felt]) / (2 * k_probe) / speeds_[static_cast<std::size_t>(felt)].force;
+      const int felt = loose[i];
+      stiffness(i, j) = (behind[felt] - ahead[felt]) / (2 * k_probe) / speeds_[felt].force;
     }
   }
   const Eigen::SelfAdjointEigenSolver<MatX> eigen(0.5 * (stiffness + stiffness.transpose()));
@@ -159,7 +159,7 @@ MatX RestSearch::restored(const std::vector<int>& loose) {
 void RestSearch::choose_directions() {
   std::vector<int> settling, loose;
   for (int i = 0; i < tree_.num_speeds(); ++i) {
-    const Along& along = speeds_[static_cast<std::size_t>(i)];
+    const Along& along = speeds_[i];
     if (along.settles)
       settling.push_back(i);
     else if (along.body > 0 && !along.left_out && along.force > 0)
@@ -168,7 +168,7 @@ void RestSearch::choose_directions() {
   const auto n = static_cast<Eigen::Index>(settling.size());
   const MatX back = loose.empty() ? MatX(0, 0) : restored(loose);
   directions_ = MatX::Zero(tree_.num_speeds(), n + back.cols());
-  for (Eigen::Index j = 0; j < n; ++j) directions_(settling[static_cast<std::size_t>(j)], j) = 1;
+  for (Eigen::Index j = 0; j < n; ++j) directions_(settling[j], j) = 1;
   if (back.cols() > 0) directions_(loose, Eigen::seqN(n, back.cols())) = back;
 }
 
@@ -176,7 +176,7 @@ void RestSearch::choose_directions() {
 VecX RestSearch::balance(const VecX& start, NonlinearSolution& found) {
   VecX force(tree_.num_speeds()), move(tree_.num_speeds());
   for (int i = 0; i < tree_.num_speeds(); ++i) {
-    const Along& along = speeds_[static_cast<std::size_t>(i)];
+    const Along& along = speeds_[i];
     force[i] = along.force > 0 ? along.force : 1;  // a coordinate without scale does not take part
     move[i] = along.move;
   }
@@ -193,12 +193,12 @@ std::optional<int> RestSearch::who_moves(const VecX& along) {
   if (started_) return started_;
   const VecX force = force_at(along);
   for (int i = 0; i < tree_.num_speeds(); ++i) {
-    const Along& one = speeds_[static_cast<std::size_t>(i)];
+    const Along& one = speeds_[i];
     if (!one.left_out && !one.held && std::abs(force[i]) > k_unbalanced * one.force) return one.body;
   }
   constexpr double k_probe = 1e-5;
   for (int i = 0; i < tree_.num_speeds(); ++i) {
-    const Along& one = speeds_[static_cast<std::size_t>(i)];
+    const Along& one = speeds_[i];
     if (one.body == 0 || !one.held) continue;
     VecX ahead = along;
     ahead[i] += k_probe * one.move;

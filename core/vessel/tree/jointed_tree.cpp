@@ -47,7 +47,7 @@ struct JointedTree::Implementation {
     system.realize(state, stage);
     return state;
   }
-  const Body& body(int k) const { return bodies[static_cast<std::size_t>(k)]; }
+  const Body& body(int k) const { return bodies[k]; }
   SimTK::Vector_<SimTK::SpatialVec> spatial(const std::vector<Wrench>& loads) const;
   SimTK::Vector all_accelerations(const VecX& accelerations, const CarriageMotion::State& carriage_acceleration) const;
   SimTK::Vector residual(const SimTK::Vector& accelerations, const SimTK::Vector_<SimTK::SpatialVec>& loads) const;
@@ -123,13 +123,13 @@ JointedTree::JointedTree(const VesselModel& model) : implementation_(std::make_u
     const PartModel& part = model.parts[k];
     NILAS_DEMAND(part.to >= -1 && part.to < static_cast<int>(k));
     demand_body(part.mass, part.inertia_B, "part " + std::to_string(k + 1) + " of the vessel");
-    Implementation::Body& parent = tree.bodies[static_cast<std::size_t>(part.to + 1)];
+    Implementation::Body& parent = tree.bodies[part.to + 1];
     const SimTK::MobilizedBody body = add_part(parent.mobilized, parent.in_V, part);
     tree.bodies.push_back({body, part.mass, part.inertia_B, part.in_V, part.to + 1, part, 0, 0});
   }
   for (const RodModel& rod : model.rods) {
     NILAS_DEMAND(rod.on >= -1 && rod.on < static_cast<int>(model.parts.size()));
-    Implementation::Body& body = tree.bodies[static_cast<std::size_t>(rod.on + 1)];
+    Implementation::Body& body = tree.bodies[rod.on + 1];
     const Vec3 at_B = body.in_V.q.conjugate() * (rod.at_V - body.in_V.p);
     tree.rods.add(tree.matter, body.mobilized, rod.on + 1, at_B, rod.to_G);
   }
@@ -157,7 +157,7 @@ JointedTree::JointedTree(const VesselModel& model) : implementation_(std::make_u
   const Quat& attitude = hull_in_G.q;
   const std::array<double, 7> start{attitude.w(),    attitude.x(),    attitude.y(),   attitude.z(),
                                     hull_in_G.p.x(), hull_in_G.p.y(), hull_in_G.p.z()};
-  for (int i = 0; i < 7; ++i) q[at + i] = start[static_cast<std::size_t>(i)];
+  for (int i = 0; i < 7; ++i) q[at + i] = start[i];
   for (int i = 0; i < 3; ++i) {
     tree.state.updU()[from + i] = model.w[i];
     tree.state.updU()[from + 3 + i] = model.v[i];
@@ -369,11 +369,11 @@ Vec3 JointedTree::joint_point(int body) const {
 std::vector<Wrench> JointedTree::net_loads(const std::vector<Wrench>& joints) const {
   std::vector<Wrench> net(joints.size());
   for (int b = 0; b < num_bodies(); ++b) {
-    const Wrench& load = joints[static_cast<std::size_t>(b)];
+    const Wrench& load = joints[b];
     const Vec3 point = joint_point(b);
     const auto add = [&](int body, double sign) {
       const Vec3 force = sign * load.force;
-      net[static_cast<std::size_t>(body)] += {force, sign * load.torque + (point - pose(body).p).cross(force)};
+      net[body] += {force, sign * load.torque + (point - pose(body).p).cross(force)};
     };
     add(b, 1);
     if (parent(b) >= 0) add(parent(b), -1);

@@ -120,7 +120,7 @@ JointedVessel::JointedVessel(const VesselModel& model, double t0)
   }
   if (has_rods()) {
     if (const auto fault = rod_fault(model, t0))
-      throw InputError("rod '" + model.rods[static_cast<std::size_t>(fault->rod)].name + "': " + fault->message);
+      throw InputError("rod '" + model.rods[fault->rod].name + "': " + fault->message);
     start_on_rods(model, tree_);
   }
   rods_ = model.rods;
@@ -153,7 +153,7 @@ VesselRest JointedVessel::settle(const RestModel& rest, bool start_there) {
     read_states();
     loads_ = before;
   }
-  for (int b = 0; b < tree_.num_bodies(); ++b) after_[static_cast<std::size_t>(b)] = tree_.twist(b);
+  for (int b = 0; b < tree_.num_bodies(); ++b) after_[b] = tree_.twist(b);
   if (!found.moving) return {carried, {}};
   if (*found.moving == 0) return {};
   return {{}, static_cast<std::size_t>(*found.moving - 1)};
@@ -207,7 +207,7 @@ void JointedVessel::add_rods(double share, const VecX& tensions) {
 void JointedVessel::demand_rods(double t) const {
   if (!has_rods()) return;
   if (const auto failed = failed_rod(tree_, rods_))
-    throw SimulationError("at " + std::to_string(t) + " s rod '" + rods_[static_cast<std::size_t>(*failed)].name +
+    throw SimulationError("at " + std::to_string(t) + " s rod '" + rods_[*failed].name +
                           "' is at a dead point: what it holds can move along it no more");
 }
 
@@ -400,7 +400,7 @@ void JointedVessel::finish_step(const Wrench& contact) {
   now_ = next_;
   tree_.set_carriage(now_);
   tree_.set_speeds(u);
-  for (int b = 0; b < tree_.num_bodies(); ++b) after_[static_cast<std::size_t>(b)] = tree_.twist(b);
+  for (int b = 0; b < tree_.num_bodies(); ++b) after_[b] = tree_.twist(b);
 
   // The motion after it.
   const double start = time_ + (1 - theta_) * h_, end = time_ + h_;

@@ -37,7 +37,7 @@ std::optional<RodFault> length_fault(const VesselModel& model, const JointedTree
   for (int k = 0; k < tree.num_rods(); ++k) {
     const double distance = tree.rod_distance(k);
     if (!(distance > k_shortest)) return RodFault{k, "both its ends are at one point; allowed: a length > 0 m"};
-    const double length = model.rods[static_cast<std::size_t>(k)].length.value_or(distance);
+    const double length = model.rods[k].length.value_or(distance);
     if (std::abs(length - distance) > k_length_tolerance)
       return RodFault{k,
                       fmt::format("its length is {:g} m, but its ends are placed {:.6g} m apart; allowed: within {:g} "
@@ -53,7 +53,7 @@ std::optional<RodFault> start_fault(const VesselModel& model, const JointedTree&
   if (model.carriage) return std::nullopt;
   const VecX rates = tree.rod_rates();
   for (int k = 0; k < tree.num_rods(); ++k) {
-    const RodModel& rod = model.rods[static_cast<std::size_t>(k)];
+    const RodModel& rod = model.rods[k];
     const Vec6 twist = tree.twist(rod.on + 1);
     const double fastest =
         twist.head<3>().norm() + twist.tail<3>().norm() * (rod.to_G - tree.pose(rod.on + 1).p).norm();
@@ -140,7 +140,7 @@ std::optional<int> idle_rod(const JointedTree& tree, const std::vector<RodModel>
   MatX factor = MatX::Zero(compliance.rows(), compliance.cols());
   for (int i = 0; i < compliance.rows(); ++i) {
     const double whole = compliance(i, i);
-    if (!(whole * tree.mass(rods[static_cast<std::size_t>(i)].on + 1) > k_idle)) return i;
+    if (!(whole * tree.mass(rods[i].on + 1) > k_idle)) return i;
     for (int j = 0; j <= i; ++j) {
       const double rest = compliance(i, j) - factor.row(i).head(j).dot(factor.row(j).head(j));
       if (j == i && !(rest > k_idle * whole)) return i;
@@ -151,8 +151,7 @@ std::optional<int> idle_rod(const JointedTree& tree, const std::vector<RodModel>
 }
 
 void start_on_rods(const VesselModel& model, JointedTree& tree) {
-  for (int k = 0; k < tree.num_rods(); ++k)
-    tree.set_rod_length(k, model.rods[static_cast<std::size_t>(k)].length.value_or(tree.rod_distance(k)));
+  for (int k = 0; k < tree.num_rods(); ++k) tree.set_rod_length(k, model.rods[k].length.value_or(tree.rod_distance(k)));
   return_to_lengths(tree);
   return_to_rates(tree);
 }

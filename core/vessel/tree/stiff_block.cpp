@@ -87,14 +87,14 @@ std::vector<std::vector<int>> coupled_sets(const MatX& mass, const MatX& stiffne
   std::vector<std::vector<int>> sets;
   std::vector<bool> taken(static_cast<std::size_t>(n), false);
   for (int first = 0; first < n; ++first) {
-    if (taken[static_cast<std::size_t>(first)]) continue;
+    if (taken[first]) continue;
     std::vector<int> set{first};
-    taken[static_cast<std::size_t>(first)] = true;
+    taken[first] = true;
     for (std::size_t k = 0; k < set.size(); ++k)
       for (int j = first + 1; j < n; ++j)
-        if (!taken[static_cast<std::size_t>(j)] && (couples(mass, set[k], j) || couples(stiffness, set[k], j))) {
+        if (!taken[j] && (couples(mass, set[k], j) || couples(stiffness, set[k], j))) {
           set.push_back(j);
-          taken[static_cast<std::size_t>(j)] = true;
+          taken[j] = true;
         }
     std::sort(set.begin(), set.end());
     sets.push_back(std::move(set));

@@ -15,17 +15,17 @@ void TreeRods::add(SimTK::SimbodyMatterSubsystem& matter, SimTK::MobilizedBody& 
 }
 
 double TreeRods::distance(int rod, const SimTK::State& state) const {
-  const Rod& one = rods_[static_cast<std::size_t>(rod)];
+  const Rod& one = rods_[rod];
   return (from_simbody(one.mobilized.findStationLocationInGround(state, to_simbody(one.at_B))) - one.to_G).norm();
 }
 
 void TreeRods::set_length(int rod, double length, SimTK::State& state) const {
-  rods_[static_cast<std::size_t>(rod)].constraint.setRodLength(state, length);
+  rods_[rod].constraint.setRodLength(state, length);
 }
 
 VecX TreeRods::errors(const SimTK::State& state) const {
   VecX errors(size());
-  for (int k = 0; k < size(); ++k) errors[k] = rods_[static_cast<std::size_t>(k)].constraint.getPositionError(state);
+  for (int k = 0; k < size(); ++k) errors[k] = rods_[k].constraint.getPositionError(state);
   return errors;
 }
 
@@ -41,7 +41,7 @@ MatX TreeRods::jacobian(const SimTK::SimbodyMatterSubsystem& matter, const SimTK
 
 VecX TreeRods::rates(const SimTK::State& state) const {
   VecX rates(size());
-  for (int k = 0; k < size(); ++k) rates[k] = rods_[static_cast<std::size_t>(k)].constraint.getVelocityError(state);
+  for (int k = 0; k < size(); ++k) rates[k] = rods_[k].constraint.getVelocityError(state);
   return rates;
 }
 
@@ -58,11 +58,11 @@ std::vector<Wrench> TreeRods::loads(const VecX& tensions, std::size_t bodies, co
   NILAS_DEMAND(tensions.size() == size());
   std::vector<Wrench> loads(bodies);
   for (int k = 0; k < size(); ++k) {
-    const Rod& rod = rods_[static_cast<std::size_t>(k)];
+    const Rod& rod = rods_[k];
     const Vec3 at_G = from_simbody(rod.mobilized.findStationLocationInGround(state, to_simbody(rod.at_B)));
     const Vec3 origin = from_simbody(rod.mobilized.getBodyOriginLocation(state));
     const Vec3 force = tensions[k] * (rod.to_G - at_G).normalized();
-    loads[static_cast<std::size_t>(rod.body)] += {force, (at_G - origin).cross(force)};
+    loads[rod.body] += {force, (at_G - origin).cross(force)};
   }
   return loads;
 }

@@ -27,9 +27,8 @@ bool class_table(int batches, int threads, NarrowPhase narrow, const char* only)
   for (const pairs::PairClass& c : pairs::all_classes()) {
     if (only != nullptr && std::string_view(c.name) != only) continue;
     std::vector<std::array<pairs::Tally, 2>> of_batch(static_cast<std::size_t>(batches));
-    parallel_for(batches, threads, [&](std::ptrdiff_t k) {
-      of_batch[static_cast<std::size_t>(k)] = pairs::tally_batch(c, static_cast<int>(k), narrow);
-    });
+    parallel_for(batches, threads,
+                 [&](std::ptrdiff_t k) { of_batch[k] = pairs::tally_batch(c, static_cast<int>(k), narrow); });
     std::array<pairs::Tally, 2> sums;
     for (const auto& tallies : of_batch)
       for (const std::size_t k : {0u, 1u}) sums[k] += tallies[k];

@@ -47,7 +47,7 @@ double compute_only(double ms, int threads) {
   parallel_for(k_pieces, threads, [&](std::ptrdiff_t i) {
     double x = 1.0 + 1e-3 * static_cast<double>(i);
     for (long k = 0; k < rounds; ++k) x = 1.0 / (1.0 + x);
-    results[static_cast<std::size_t>(i)] = x;
+    results[i] = x;
   });
   double sum = 0;
   for (const double x : results) sum += x;

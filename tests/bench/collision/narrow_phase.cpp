@@ -41,9 +41,7 @@ struct Judgement {
            const std::vector<double>& width) {
     constexpr double k_right_depth = 1e-6, k_margin = 1e-2;
     const double k_wrong_normal = std::cos(8 * k_deg);
-    const auto thin = [&](const ContactPoint& c) {
-      return std::min(width[static_cast<std::size_t>(c.a)], width[static_cast<std::size_t>(c.b)]);
-    };
+    const auto thin = [&](const ContactPoint& c) { return std::min(width[c.a], width[c.b]); };
     const auto names = [](const ContactPoint& c) { return std::tuple(c.a, c.b, c.part_a, c.part_b); };
     std::size_t k = 0;
     for (const ContactPoint& truth : exact) {

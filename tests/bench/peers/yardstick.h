@@ -22,7 +22,7 @@ inline nilas::Vec3 vec(const double* x) { return {x[0], x[1], x[2]}; }
 inline nilas::MatX rows_of(const std::vector<BodyState>& before, int k, const nilas::Vec3& p, const nilas::Mat3& C,
                            double sign) {
   if (k < 0) return nilas::MatX(3, 0);
-  const nilas::Vec3 arm = p - vec(before[static_cast<std::size_t>(k)].p);
+  const nilas::Vec3 arm = p - vec(before[k].p);
   nilas::MatX J(3, 6);
   for (int i = 0; i < 3; ++i) {
     const nilas::Vec3 axis = C.col(i), moment = arm.cross(axis);

@@ -177,12 +177,12 @@ TEST(Detector, BodiesThatGoTakeNoMemoryOfOthers) {
   for (const std::size_t b : {0u, 17u, 18u, 63u, 119u}) gone[b] = 1;
   some.remove(gone);
   const int added = add_body(some, floes[17].shape, some.p_GB[30] + Vec3(0.3, 0.2, 0));
-  const std::int64_t new_id = some.id[static_cast<std::size_t>(added)];
+  const std::int64_t new_id = some.id[added];
   for (int step = 0; step < 3; ++step) {
     const auto stays = [&](const Bodies& bodies, const ContactPoint& c) {
       const auto is_old = [&](int b) {
-        const std::int64_t id = bodies.id[static_cast<std::size_t>(b)];
-        return id != new_id && gone[static_cast<std::size_t>(id - 1)] == 0;
+        const std::int64_t id = bodies.id[b];
+        return id != new_id && gone[id - 1] == 0;
       };
       return is_old(c.a) && is_old(c.b);
     };
@@ -193,11 +193,11 @@ TEST(Detector, BodiesThatGoTakeNoMemoryOfOthers) {
     expect_same_bits(expected, found);
     drift(all, step);
     for (int b = 0; b < some.size(); ++b)
-      if (some.id[static_cast<std::size_t>(b)] != new_id) {
-        const std::size_t k = all.index_of(some.id[static_cast<std::size_t>(b)]);
-        some.p_GB[static_cast<std::size_t>(b)] = all.p_GB[k];
-        some.q_GB[static_cast<std::size_t>(b)] = all.q_GB[k];
-        some.R_GB[static_cast<std::size_t>(b)] = all.R_GB[k];
+      if (some.id[b] != new_id) {
+        const std::size_t k = all.index_of(some.id[b]);
+        some.p_GB[b] = all.p_GB[k];
+        some.q_GB[b] = all.q_GB[k];
+        some.R_GB[b] = all.R_GB[k];
       }
   }
 }

@@ -66,9 +66,7 @@ TEST_P(SweptPlates, CertainHitsAreFoundInTime) {
     for (const oracle::Solid* solid : {&a, &b}) {
       double outside = -1;
       for (std::size_t f = 0; f < solid->faces.size(); ++f)
-        outside = std::max(
-            outside,
-            solid->normals[f].dot(found.on_a - solid->vertices[static_cast<std::size_t>(solid->faces[f].front())]));
+        outside = std::max(outside, solid->normals[f].dot(found.on_a - solid->vertices[solid->faces[f].front()]));
       EXPECT_NEAR(outside, 0, resolution);
     }
   }

@@ -47,8 +47,8 @@ TEST(Friction, PairsByNumberAreThoseByName) {
   const FrictionPairs pairs = table.resolve(materials);
   for (int a = 0; a < 3; ++a)
     for (int b = 0; b < 3; ++b) {
-      const std::string& first = materials[static_cast<std::size_t>(a)];
-      const std::string& second = materials[static_cast<std::size_t>(b)];
+      const std::string& first = materials[a];
+      const std::string& second = materials[b];
       EXPECT_EQ(pairs.of(a, b).mu_static, table.find(first, second).mu_static);
       EXPECT_EQ(pairs.of(a, b).restitution, table.find(first, second).restitution);
       EXPECT_EQ(pairs.names(a, b), table.names(first, second));

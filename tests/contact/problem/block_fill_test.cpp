@@ -17,12 +17,12 @@ Pattern band(int n, int reach, std::uint64_t seed) {
   RandomStream random(seed, "band");
   Pattern rows(static_cast<std::size_t>(n));
   for (int i = 0; i < n; ++i) {
-    rows[static_cast<std::size_t>(i)].insert(i);
+    rows[i].insert(i);
     for (int k = 0; k < 3; ++k) {
       const int j = i + 1 + static_cast<int>(random.uniform(0, reach));
       if (j >= n) continue;
-      rows[static_cast<std::size_t>(i)].insert(j);
-      if (k > 0) rows[static_cast<std::size_t>(j)].insert(i);
+      rows[i].insert(j);
+      if (k > 0) rows[j].insert(i);
     }
   }
   return rows;
@@ -42,11 +42,11 @@ Pattern eliminated(const Pattern& rows, const BlockFill& fill) {
   Pattern upper(rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i)
     for (const int j : rows[i]) {
-      const int a = fill.place[i], b = fill.place[static_cast<std::size_t>(j)];
-      if (a != b) upper[static_cast<std::size_t>(std::min(a, b))].insert(std::max(a, b));
+      const int a = fill.place[i], b = fill.place[j];
+      if (a != b) upper[std::min(a, b)].insert(std::max(a, b));
     }
   for (const auto& row : upper)
-    for (const int j : row) upper[static_cast<std::size_t>(j)].insert(std::next(row.find(j)), row.end());
+    for (const int j : row) upper[j].insert(std::next(row.find(j)), row.end());
   return upper;
 }
 
@@ -58,15 +58,15 @@ TEST(BlockFill, IsWhatEliminationFills) {
     const Pattern truth = eliminated(rows, fill);
     ASSERT_EQ(fill.size(), n);
     for (int k = 0; k < n; ++k) {
-      EXPECT_EQ(fill.place[static_cast<std::size_t>(fill.source[static_cast<std::size_t>(k)])], k);
+      EXPECT_EQ(fill.place[fill.source[k]], k);
       const auto upper = fill.upper[k], lower = fill.lower[k];
-      const auto& row = truth[static_cast<std::size_t>(k)];
+      const auto& row = truth[k];
       if (k < fill.tail) {
         EXPECT_TRUE(std::equal(upper.begin(), upper.end(), row.begin(), row.end())) << n << " row " << k;
       }
       std::vector<int> left;
       for (int j = 0; j < std::min(k, fill.tail); ++j)
-        if (truth[static_cast<std::size_t>(j)].contains(k)) left.push_back(j);
+        if (truth[j].contains(k)) left.push_back(j);
       EXPECT_TRUE(std::equal(lower.begin(), lower.end(), left.begin(), left.end())) << n << " row " << k;
     }
     with_both_parts += fill.tail > 0 && fill.tail < n ? 1 : 0;

@@ -30,7 +30,7 @@ TEST(Islands, AChainIsOneIslandWhateverTheOrder) {
   }
   const auto islands = find_islands(graph(101, pairs));
   ASSERT_EQ(islands.size(), 1u);
-  for (int k = 0; k < 100; ++k) EXPECT_EQ(islands[0][static_cast<std::size_t>(k)], k);
+  for (int k = 0; k < 100; ++k) EXPECT_EQ(islands[0][k], k);
 }
 
 /// A problem in which every entry differs from its default and from all others.

@@ -44,7 +44,7 @@ ContactProblem mixed_problem() {
 MatX dense_mass(const ContactProblem& problem) {
   MatX m = MatX::Zero(problem.num_velocities(), problem.num_velocities());
   for (int k = 0; k < problem.num_blocks(); ++k) {
-    const int first = problem.block_offset[static_cast<std::size_t>(k)];
+    const int first = problem.block_offset[k];
     m.block(first, first, problem.block_size(k), problem.block_size(k)) = problem.mass(k);
   }
   return m;
@@ -54,10 +54,10 @@ MatX dense_mass(const ContactProblem& problem) {
 MatX dense_rows(const ContactProblem& problem) {
   MatX rows = MatX::Zero(3 * problem.num_contacts(), problem.num_velocities());
   for (int c = 0; c < problem.num_contacts(); ++c) {
-    const auto& pair = problem.pairs[static_cast<std::size_t>(c)];
+    const auto& pair = problem.pairs[c];
     const auto add = [&](int block, const ContactProblem::ConstJacobian& jacobian) {
       if (block < 0) return;
-      rows.block(3 * c, problem.block_offset[static_cast<std::size_t>(block)], 3, jacobian.cols()) += jacobian;
+      rows.block(3 * c, problem.block_offset[block], 3, jacobian.cols()) += jacobian;
     };
     add(pair.a, problem.jacobian_a(c));
     add(pair.b, problem.jacobian_b(c));
@@ -101,7 +101,7 @@ TEST(Problem, OperatorsAgreeWithDenseAlgebra) {
   const MatX w = rows * mass.ldlt().solve(rows.transpose());
   const auto blocks = delassus_diagonal(problem);
   for (int c = 0; c < problem.num_contacts(); ++c)
-    EXPECT_LT((blocks[static_cast<std::size_t>(c)] - w.block<3, 3>(3 * c, 3 * c)).cwiseAbs().maxCoeff(), 1e-12) << c;
+    EXPECT_LT((blocks[c] - w.block<3, 3>(3 * c, 3 * c)).cwiseAbs().maxCoeff(), 1e-12) << c;
 }
 
 TEST(Problem, RigidBodyBlocksInvertLikeAnyOther) {

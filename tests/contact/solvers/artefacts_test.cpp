@@ -148,7 +148,7 @@ class Rope {
   Rope(const std::vector<Bend>& bends, double speed) : bends_(bends) {
     double link = 0;
     for (int k = 0; k < num_nodes(); ++k) {
-      const Bend& bend = bends[static_cast<std::size_t>(k)];
+      const Bend& bend = bends[k];
       const double node = link + bend.angle / 2;
       problem_.add_block(k_mass * Mat3::Identity());
       problem_.f.tail<3>() = k_mass * node_speed(bend, speed) * along(node);
@@ -158,7 +158,7 @@ class Rope {
     problem_.f.head<3>() -= k_step * k_tension * along(0);
     link = 0;
     for (int k = 0; k + 1 < num_nodes(); ++k) {
-      link += bends[static_cast<std::size_t>(k)].angle;
+      link += bends[k].angle;
       touch(k, k + 1, -along(link), 0);
     }
     end_ = along(link + bends.back().angle);
@@ -228,7 +228,7 @@ TEST_P(CoulombArtefacts, RopeHauledAroundADrumGainsTheCapstansTension) {
     const ContactSolution s = solve(rope.problem());
     double tension = Rope::k_tension;
     for (int k = 0; k < rope.num_nodes(); ++k) {
-      tension *= bends[static_cast<std::size_t>(k)].ratio();
+      tension *= bends[k].ratio();
       EXPECT_NEAR(s.r[3 * (rope.num_nodes() + k)] / (k_step * tension), 1, 1e-9) << k << " of " << rope.num_nodes();
     }
     const double gained = s.r[s.r.size() - 3] / (k_step * Rope::k_tension);
@@ -249,7 +249,7 @@ TEST_P(CoulombArtefacts, RopeHoldsBelowTheCapstansTensionAndSlipsAbove) {
       const double speed = margin < 0 ? 0 : rope.slip_speed(tension);
       ASSERT_TRUE(margin < 0 || speed > 1e4 * k_same);
       for (int k = 0; k < rope.num_nodes(); ++k)
-        EXPECT_NEAR(s.v.segment<3>(3 * k).norm(), Rope::node_speed(bends[static_cast<std::size_t>(k)], speed), k_same)
+        EXPECT_NEAR(s.v.segment<3>(3 * k).norm(), Rope::node_speed(bends[k], speed), k_same)
             << k << " of " << rope.num_nodes() << ", margin " << margin;
     }
 }
@@ -288,12 +288,10 @@ ContactProblem build(const Pile& pile, double mu_between, double mu_on_floor) {
     test::add_body(problem, bodies.back());
   };
   const auto touch = [&](int a, int b, const Vec3& n, double mu) {
-    const Vec3 point = bodies[static_cast<std::size_t>(b)].p - k_radius * n;
+    const Vec3 point = bodies[b].p - k_radius * n;
     test::add_contact(problem, bodies, a, b, point, test::frame_of(n, 0.3), mu);  // slip lies along neither tangent
   };
-  const auto direction = [&](int a, int b) -> Vec3 {
-    return (bodies[static_cast<std::size_t>(b)].p - bodies[static_cast<std::size_t>(a)].p).normalized();
-  };
+  const auto direction = [&](int a, int b) -> Vec3 { return (bodies[b].p - bodies[a].p).normalized(); };
   const int top = pile.supports;
   for (int k = 0; k < top; ++k) add(2 * k_radius * std::sin(pile.lean) * pile.outward(k) + k_radius * Vec3::UnitZ());
   add((k_radius + 2 * k_radius * std::cos(pile.lean)) * Vec3::UnitZ());

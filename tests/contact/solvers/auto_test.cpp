@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <numeric>
 
+#include "contact/problem/row_of.h"
 #include "contact/solvers/nsgs.h"
 #include "tests/contact/fclib/recorded_problems.h"
 #include "tests/support/bad_problems.h"
@@ -132,9 +133,9 @@ LocalProblem shuffled(const LocalProblem& problem) {
     const auto to = static_cast<std::size_t>(place[a]);
     for (int k = problem.row_start[a]; k < problem.row_start[a + 1]; ++k) {
       const auto i = static_cast<std::size_t>(k);
-      rows[to].emplace_back(place[static_cast<std::size_t>(problem.column[i])], problem.block[i]);
+      rows[to].emplace_back(place[problem.column[i]], problem.block[i]);
     }
-    out.q.segment<3>(3 * place[a]) = problem.q.segment<3>(3 * static_cast<Eigen::Index>(a));
+    out.q.segment<3>(3 * place[a]) = problem.q.segment<3>(row_of(a));
     out.mu[to] = problem.mu[a];
     out.mu_static[to] = problem.mu_static[a];
     out.key[to] = problem.key[a];
@@ -163,8 +164,7 @@ LocalProblem turned_and_scaled(const LocalProblem& problem, double factor) {
   };
   for (int a = 0; a < problem.num_contacts(); ++a) {
     out.q.segment<3>(3 * a) = turn(a) * problem.q.segment<3>(3 * a);
-    for (int k = problem.row_start[static_cast<std::size_t>(a)]; k < problem.row_start[static_cast<std::size_t>(a) + 1];
-         ++k) {
+    for (int k = problem.row_start[a]; k < problem.row_start[static_cast<std::size_t>(a) + 1]; ++k) {
       const auto i = static_cast<std::size_t>(k);
       out.block[i] = turn(a) * problem.block[i] * turn(problem.column[i]).transpose() / factor;
     }

@@ -26,8 +26,7 @@ TEST(Continuation, ReachesFullFriction) {
 double friction_share(const LocalProblem& problem, const VecX& r) {
   double share = 0;
   for (int c = 0; c < problem.num_contacts(); ++c)
-    if (r[3 * c] > 1e-9)
-      share = std::max(share, r.segment<2>(3 * c + 1).norm() / (problem.mu[static_cast<std::size_t>(c)] * r[3 * c]));
+    if (r[3 * c] > 1e-9) share = std::max(share, r.segment<2>(3 * c + 1).norm() / (problem.mu[c] * r[3 * c]));
   return share;
 }
 

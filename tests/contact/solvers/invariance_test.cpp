@@ -144,7 +144,7 @@ TEST_P(Invariance, LimitsAndComplianceAreKept) {
     problem.compliance = {0, 0.1, 0.3, 0.2};
     problem.mu[2] = problem.mu_static[2] = 0;
     const ContactSolution solution = solve(problem);
-    for (int c = 0; c < 3; ++c) EXPECT_LE(solution.r[3 * c], problem.force_limit[static_cast<std::size_t>(c)] + 1e-9);
+    for (int c = 0; c < 3; ++c) EXPECT_LE(solution.r[3 * c], problem.force_limit[c] + 1e-9);
     expect_same_motion(problem, test::with_mass_scale(problem, 1e4));
   }
 }
@@ -282,10 +282,10 @@ TEST_P(Invariance, ManyIslandsShareTheWallTime) {
     const int first = copy * one.num_blocks();
     many.f.segment(6 * first, one.f.size()) = one.f;
     for (int c = 0; c < one.num_contacts(); ++c) {
-      const auto& pair = one.pairs[static_cast<std::size_t>(c)];
+      const auto& pair = one.pairs[c];
       many.add_contact(pair.a < 0 ? -1 : first + pair.a, one.jacobian_a(c), pair.b < 0 ? -1 : first + pair.b,
                        one.jacobian_b(c), static_cast<std::uint64_t>(many.pairs.size()) + 1);
-      many.mu.back() = many.mu_static.back() = one.mu[static_cast<std::size_t>(c)];
+      many.mu.back() = many.mu_static.back() = one.mu[c];
     }
   }
   constexpr double k_budget = 0.02, k_enough = 1;  // [s]; without a shared clock some would take 200 budgets

@@ -81,7 +81,7 @@ TEST(Newton, ColumnWithMassRatioAMillion) {
   ASSERT_EQ(solution.status, SolveStatus::converged);
   double above = 0;
   for (int k = 7; k >= 0; --k) {
-    above += masses[static_cast<std::size_t>(k)];
+    above += masses[k];
     EXPECT_NEAR(solution.r[3 * k] / (0.01 * 9.81 * above), 1, 1e-8) << k;
   }
 }

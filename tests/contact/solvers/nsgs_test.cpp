@@ -27,7 +27,7 @@ double rate_of(const Problem& problem, int sweeps) {
   const ContactSolution s = NsgsSolver({.shared = shared}).solve(problem, {});
   EXPECT_EQ(s.history.size(), static_cast<std::size_t>(sweeps));
   const int span = sweeps / 4;
-  return std::pow(s.history.back() / s.history[static_cast<std::size_t>(sweeps - 1 - span)], 1.0 / span);
+  return std::pow(s.history.back() / s.history[sweeps - 1 - span], 1.0 / span);
 }
 
 TEST(Nsgs, EqualColumnContractsAsTheTextbookSays) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "contact/problem/row_of.h"
 #include "contact/registry.h"
 #include "contact/solvers/shared/colouring.h"
 #include "tests/support/problem_changes.h"
@@ -26,9 +27,7 @@ std::vector<int> shuffled(int count, std::uint64_t seed) {
   std::vector<int> order(static_cast<std::size_t>(count));
   std::iota(order.begin(), order.end(), 0);
   RandomStream random(seed, "shuffle");
-  for (int k = count - 1; k > 0; --k)
-    std::swap(order[static_cast<std::size_t>(k)],
-              order[static_cast<std::size_t>(random.bits() % static_cast<std::uint64_t>(k + 1))]);
+  for (int k = count - 1; k > 0; --k) std::swap(order[k], order[random.bits() % static_cast<std::uint64_t>(k + 1)]);
   return order;
 }
 
@@ -41,17 +40,15 @@ ContactProblem with_block_order(const ContactProblem& problem, const std::vector
   std::vector<int> place(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) {
     const int old = order[k];
-    place[static_cast<std::size_t>(old)] = static_cast<int>(k);
+    place[old] = static_cast<int>(k);
     out.add_block(problem.mass(old));
-    out.f.tail(problem.block_size(old)) =
-        problem.f.segment(problem.block_offset[static_cast<std::size_t>(old)], problem.block_size(old));
+    out.f.tail(problem.block_size(old)) = problem.f.segment(problem.block_offset[old], problem.block_size(old));
   }
   ContactProblem moved = problem;
   for (auto& pair : moved.pairs)
     for (int* k : {&pair.a, &pair.b})
-      if (*k >= 0) *k = place[static_cast<std::size_t>(*k)];
-  for (int c = 0; c < problem.num_contacts(); ++c)
-    test::copy_contact(moved, c, problem.key[static_cast<std::size_t>(c)], c % 3 == 0, out);
+      if (*k >= 0) *k = place[*k];
+  for (int c = 0; c < problem.num_contacts(); ++c) test::copy_contact(moved, c, problem.key[c], c % 3 == 0, out);
   return out;
 }
 
@@ -65,8 +62,7 @@ ContactProblem mirrored(const ContactProblem& problem) {
     for (int i = 0; i < 6; ++i) {
       out.f[6 * k + i] *= k_signs[i];
       for (int j = 0; j < 6; ++j)
-        out.mass_data[out.mass_offset[static_cast<std::size_t>(k)] + static_cast<std::size_t>(6 * j + i)] *=
-            k_signs[i] * k_signs[j];
+        out.mass_data[out.mass_offset[k] + static_cast<std::size_t>(6 * j + i)] *= k_signs[i] * k_signs[j];
     }
   for (int c = 0; c < problem.num_contacts(); ++c) {
     for (const auto& rows : {out.jacobian_a(c), out.jacobian_b(c)}) {
@@ -109,7 +105,7 @@ TEST_P(OrderFree, PermutedContactsGiveTheSameBits) {
       EXPECT_EQ(one.v, two.v);
       EXPECT_EQ(one.iterations, two.iterations);
       for (std::size_t k = 0; k < order.size(); ++k)
-        EXPECT_EQ(Vec3(one.r.segment<3>(3 * order[k])), Vec3(two.r.segment<3>(3 * static_cast<Eigen::Index>(k))));
+        EXPECT_EQ(Vec3(one.r.segment<3>(3 * order[k])), Vec3(two.r.segment<3>(row_of(k))));
     }
   }
 }
@@ -187,21 +183,19 @@ TEST(Colouring, RunsOfOneColourShareNoBlock) {
   std::vector<int> contacts(static_cast<std::size_t>(problem.num_contacts())), runs, colours;
   std::iota(contacts.begin(), contacts.end(), 0);
   // One body touches many: its contacts are solved one after the other.
-  for (int c = 0; c < 200; c += 2) problem.pairs[static_cast<std::size_t>(c)].b = 0;
+  for (int c = 0; c < 200; c += 2) problem.pairs[c].b = 0;
   colour(problem, contacts, 10, runs, colours);
   std::vector<int> sorted = contacts;
   std::sort(sorted.begin(), sorted.end());
   for (std::size_t c = 0; c < sorted.size(); ++c) EXPECT_EQ(sorted[c], static_cast<int>(c));
   ASSERT_GE(colours.size(), 3u);
   EXPECT_LT(runs.back() - 10, problem.num_contacts()) << "the crowded body's contacts are left out";
-  const auto pair_at = [&](int place) {
-    return problem.pairs[static_cast<std::size_t>(contacts[static_cast<std::size_t>(place - 10)])];
-  };
+  const auto pair_at = [&](int place) { return problem.pairs[contacts[place - 10]]; };
   for (std::size_t k = 0; k + 1 < colours.size(); ++k) {
     std::vector<int> seen;
     for (int run = colours[k]; run < colours[k + 1]; ++run) {
-      const auto first = pair_at(runs[static_cast<std::size_t>(run)]);
-      for (int place = runs[static_cast<std::size_t>(run)]; place < runs[static_cast<std::size_t>(run) + 1]; ++place) {
+      const auto first = pair_at(runs[run]);
+      for (int place = runs[run]; place < runs[static_cast<std::size_t>(run) + 1]; ++place) {
         EXPECT_EQ(pair_at(place).a, first.a);
         EXPECT_EQ(pair_at(place).b, first.b);
       }

@@ -19,7 +19,7 @@ double measured_rate(const std::vector<double>& masses, int sweeps) {
   const ContactSolution s = solver.solve(problem, {});
   EXPECT_EQ(s.history.size(), static_cast<std::size_t>(sweeps));
   const int span = sweeps / 4;
-  const double early = s.history[static_cast<std::size_t>(sweeps - 1 - span)], late = s.history.back();
+  const double early = s.history[sweeps - 1 - span], late = s.history.back();
   return std::pow(late / early, 1.0 / span);
 }
 
@@ -50,7 +50,7 @@ TEST(PgsConvergence, ColumnCarriesItsWeight) {
   double above = 10;
   for (int c = 0; c < 4; ++c) {
     EXPECT_NEAR(s.r[3 * c], above * k_gravity * k_step, 1e-11);
-    above -= masses[static_cast<std::size_t>(c)];
+    above -= masses[c];
   }
 }
 
@@ -100,7 +100,7 @@ TEST(PgsConvergence, StopsSoonAfterTheToleranceHolds) {
   const ContactSolution s = PgsSolver({.shared = shared}).solve(problem, {});
   ASSERT_EQ(s.history.size(), static_cast<std::size_t>(s.iterations));
   int first = 0;
-  while (s.history[static_cast<std::size_t>(first)] > shared.tolerance) ++first;
+  while (s.history[first] > shared.tolerance) ++first;
   EXPECT_LE(s.iterations, first + 1 + s.iterations / 10);
 }
 

@@ -76,10 +76,10 @@ TEST(PgsInvariance, AFarCopyGivesTheSameBits) {
   two.f.tail(one.f.size()) = one.f;
   const auto shifted = [&](int k) { return k < 0 ? -1 : k + one.num_blocks(); };
   for (int c = 0; c < one.num_contacts(); ++c) {
-    const auto& pair = one.pairs[static_cast<std::size_t>(c)];
+    const auto& pair = one.pairs[c];
     two.add_contact(shifted(pair.a), one.jacobian_a(c), shifted(pair.b), one.jacobian_b(c),
                     500 + static_cast<std::uint64_t>(c));
-    two.mu.back() = two.mu_static.back() = one.mu[static_cast<std::size_t>(c)];
+    two.mu.back() = two.mu_static.back() = one.mu[c];
   }
   const ContactSolution a = solve(one), b = solve(two);
   EXPECT_EQ(a.r, b.r.head(a.r.size()));
@@ -152,7 +152,7 @@ TEST(PgsInvariance, SweepsAreSequentialOnSingleRows) {
     MatX mass = MatX::Zero(problem.num_velocities(), problem.num_velocities());
     for (int k = 0; k < problem.num_blocks(); ++k) mass.block<6, 6>(6 * k, 6 * k) = problem.mass(k);
     for (int c = 0; c < problem.num_contacts(); ++c) {
-      const auto& pair = problem.pairs[static_cast<std::size_t>(c)];
+      const auto& pair = problem.pairs[c];
       if (pair.a >= 0) jacobian.block<3, 6>(3 * c, 6 * pair.a) = problem.jacobian_a(c);
       if (pair.b >= 0) jacobian.block<3, 6>(3 * c, 6 * pair.b) = problem.jacobian_b(c);
     }
@@ -164,7 +164,7 @@ TEST(PgsInvariance, SweepsAreSequentialOnSingleRows) {
       for (int c = 0; c < problem.num_contacts(); ++c) {
         const int n = 3 * c;
         r[n] = std::max(0.0, step(n, w(n, n)));
-        const double bound = problem.mu[static_cast<std::size_t>(c)] * r[n];
+        const double bound = problem.mu[c] * r[n];
         if (law == Law::pyramid) {
           for (int i = n + 1; i < n + 3; ++i) r[i] = std::clamp(step(i, w(i, i)), -bound, bound);
         } else {

@@ -12,9 +12,8 @@ namespace {
 TEST(ParallelFor, EveryItemOnceAndTheSameBitsForAnyThreadCount) {
   const auto run = [](int threads) {
     std::vector<double> result(1001, 0);
-    parallel_for(static_cast<std::ptrdiff_t>(result.size()), threads, [&](std::ptrdiff_t i) {
-      result[static_cast<std::size_t>(i)] += std::sin(0.1 * static_cast<double>(i)) + 2;
-    });
+    parallel_for(static_cast<std::ptrdiff_t>(result.size()), threads,
+                 [&](std::ptrdiff_t i) { result[i] += std::sin(0.1 * static_cast<double>(i)) + 2; });
     return result;
   };
   const auto one = run(1);
@@ -25,8 +24,7 @@ TEST(ParallelFor, EveryItemOnceAndTheSameBitsForAnyThreadCount) {
 TEST(ParallelPieces, EveryPieceOnce) {
   for (const int threads : {1, 2, 3, 8}) {
     std::vector<int> calls(37, 0);
-    parallel_pieces(static_cast<std::ptrdiff_t>(calls.size()), threads,
-                    [&](std::ptrdiff_t i) { ++calls[static_cast<std::size_t>(i)]; });
+    parallel_pieces(static_cast<std::ptrdiff_t>(calls.size()), threads, [&](std::ptrdiff_t i) { ++calls[i]; });
     EXPECT_EQ(calls, std::vector<int>(37, 1));
   }
 }
@@ -42,7 +40,7 @@ TEST(ParallelFor, WhatAnItemThrowsReachesTheCaller) {
     std::vector<int> calls(100, 0);
     const auto run = [&] {
       parallel_for(static_cast<std::ptrdiff_t>(calls.size()), threads, [&](std::ptrdiff_t i) {
-        ++calls[static_cast<std::size_t>(i)];
+        ++calls[i];
         if (i % 40 == 7) throw std::runtime_error("no item");
       });
     };

@@ -58,9 +58,7 @@ inline TriangleMesh subdivided(const TriangleMesh& mesh) {
   std::map<std::pair<int, int>, int> middles;
   const auto middle = [&](int a, int b) {
     const auto [found, fresh] = middles.try_emplace(std::minmax(a, b), static_cast<int>(fine.vertices.size()));
-    if (fresh)
-      fine.vertices.push_back(
-          0.5 * (mesh.vertices[static_cast<std::size_t>(a)] + mesh.vertices[static_cast<std::size_t>(b)]));
+    if (fresh) fine.vertices.push_back(0.5 * (mesh.vertices[a] + mesh.vertices[b]));
     return found->second;
   };
   for (const auto& [a, b, c] : mesh.triangles) {

@@ -31,8 +31,7 @@ TEST(MeshDefects, AMissingTriangleLeavesThreeOpenEdges) {
   // the example is the middle of one of the three
   double nearest = 1;
   for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3 &a = mesh.vertices[static_cast<std::size_t>(gone[k])],
-               &b = mesh.vertices[static_cast<std::size_t>(gone[(k + 1) % 3])];
+    const Vec3 &a = mesh.vertices[gone[k]], &b = mesh.vertices[gone[(k + 1) % 3]];
     nearest = std::min(nearest, (0.5 * (a + b) - defects.example).norm());
   }
   EXPECT_EQ(nearest, 0);
@@ -64,9 +63,7 @@ TEST(MeshDefects, AnEdgeOfFourTrianglesIsNotManifold) {
   mesh.vertices.push_back(other.vertices[2]);
   mesh.vertices.push_back(other.vertices[3]);
   const std::array<int, 4> renamed{0, 1, 4, 5};
-  for (const auto& [a, b, c] : other.triangles)
-    mesh.triangles.push_back({renamed[static_cast<std::size_t>(a)], renamed[static_cast<std::size_t>(b)],
-                              renamed[static_cast<std::size_t>(c)]});
+  for (const auto& [a, b, c] : other.triangles) mesh.triangles.push_back({renamed[a], renamed[b], renamed[c]});
   const MeshDefects defects = find_defects(mesh);
   EXPECT_EQ(defects.open_edges, 0);
   EXPECT_EQ(defects.non_manifold_edges, 1);

@@ -9,15 +9,13 @@
 namespace nilas {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 /// Sum over faces of offset times area / 3.
 double volume(const ConvexPolytope& p) {
   double sum = 0;
   for (std::size_t f = 0; f < p.faces.size(); ++f) {
     Vec3 twice_area = Vec3::Zero();
     for (std::size_t i = 0; i < p.faces[f].size(); ++i)
-      twice_area += p.vertices[at(p.faces[f][i])].cross(p.vertices[at(p.faces[f][(i + 1) % p.faces[f].size()])]);
+      twice_area += p.vertices[p.faces[f][i]].cross(p.vertices[p.faces[f][(i + 1) % p.faces[f].size()]]);
     sum += p.offsets[f] * p.normals[f].dot(twice_area) / 6;
   }
   return sum;
@@ -34,8 +32,8 @@ void expect_consistent(const ConvexPolytope& p, double tolerance) {
   for (std::size_t f = 0; f < p.faces.size(); ++f) {
     EXPECT_NEAR(p.normals[f].norm(), 1, 1e-14);
     for (const int v : p.faces[f]) {
-      EXPECT_NEAR(p.normals[f].dot(p.vertices[at(v)]), p.offsets[f], tolerance);
-      EXPECT_EQ(std::count(p.vertex_faces[at(v)].begin(), p.vertex_faces[at(v)].end(), static_cast<int>(f)), 1);
+      EXPECT_NEAR(p.normals[f].dot(p.vertices[v]), p.offsets[f], tolerance);
+      EXPECT_EQ(std::count(p.vertex_faces[v].begin(), p.vertex_faces[v].end(), static_cast<int>(f)), 1);
     }
     EXPECT_LT(p.normals[f].dot(p.centre), p.offsets[f]);
     double highest = -1e300;
@@ -144,9 +142,9 @@ TEST(MakePolytope, SliversJoinTheirNeighbours) {
   const std::size_t whole = mesh.triangles.size();
   for (std::size_t t = 0; t < whole; ++t) {
     const auto [a, b, c] = mesh.triangles[t];
-    const Vec3 middle = 0.5 * (mesh.vertices[at(a)] + mesh.vertices[at(b)]);
+    const Vec3 middle = 0.5 * (mesh.vertices[a] + mesh.vertices[b]);
     const int fresh = static_cast<int>(mesh.vertices.size());
-    mesh.vertices.push_back(middle + 1e-9 * (mesh.vertices[at(c)] - middle));
+    mesh.vertices.push_back(middle + 1e-9 * (mesh.vertices[c] - middle));
     mesh.triangles[t] = {a, fresh, c};
     mesh.triangles.push_back({fresh, b, c});
     mesh.triangles.push_back({a, b, fresh});

@@ -56,7 +56,7 @@ TEST(PrismShape, StraightVerticesMakeNeitherSliversNorFaces) {
     ASSERT_EQ(shape.parts.size(), 1u);
     EXPECT_EQ(shape.parts[0].faces.size(), 6u);
     for (const auto& t : shape.surface.triangles) {
-      const auto corner = [&](std::size_t k) -> Vec3 { return shape.surface.vertices[static_cast<std::size_t>(t[k])]; };
+      const auto corner = [&](std::size_t k) -> Vec3 { return shape.surface.vertices[t[k]]; };
       EXPECT_GT((corner(1) - corner(0)).cross(corner(2) - corner(0)).norm(), 0.01);
     }
   }

@@ -58,7 +58,7 @@ std::string text_of(const TriangleMesh& mesh) {
   out << "solid a solid of facet and vertex\n";
   for (const auto& t : mesh.triangles) {
     out << "  facet normal nan 0 0\n    outer loop\n";
-    for (const int v : t) out << "      vertex " << mesh.vertices[static_cast<std::size_t>(v)].transpose() << "\r\n";
+    for (const int v : t) out << "      vertex " << mesh.vertices[v].transpose() << "\r\n";
     out << "    endloop\n  endfacet\n";
   }
   out << "endsolid a solid of facet and vertex\n";
@@ -70,9 +70,7 @@ void expect_same(const TriangleMesh& a, const TriangleMesh& b) {
   ASSERT_EQ(a.triangles.size(), b.triangles.size());
   EXPECT_EQ(a.vertices.size(), b.vertices.size());
   for (std::size_t t = 0; t < a.triangles.size(); ++t)
-    for (std::size_t k = 0; k < 3; ++k)
-      EXPECT_EQ(a.vertices[static_cast<std::size_t>(a.triangles[t][k])],
-                b.vertices[static_cast<std::size_t>(b.triangles[t][k])]);
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(a.vertices[a.triangles[t][k]], b.vertices[b.triangles[t][k]]);
 }
 
 TEST_F(Stl, BinaryRoundTripGivesTheRoundedMesh) {

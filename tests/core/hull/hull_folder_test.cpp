@@ -47,7 +47,7 @@ bool names(const std::string& text, const std::string& part) { return text.find(
 std::vector<Vec3> corners(const TriangleMesh& mesh) {
   std::vector<Vec3> all;
   for (const auto& t : mesh.triangles)
-    for (const int v : t) all.push_back(mesh.vertices[static_cast<std::size_t>(v)]);
+    for (const int v : t) all.push_back(mesh.vertices[v]);
   return all;
 }
 
@@ -185,8 +185,7 @@ TEST_F(HullFolder, UnsoundMeshesAreNamedWithTheirDefects) {
   Hull needle = example();
   auto& [a, b, c] = needle.fluid.triangles.front();
   const int corner = static_cast<int>(needle.fluid.vertices.size());
-  const Vec3 middle =
-      0.5 * (needle.fluid.vertices[static_cast<std::size_t>(a)] + needle.fluid.vertices[static_cast<std::size_t>(b)]);
+  const Vec3 middle = 0.5 * (needle.fluid.vertices[a] + needle.fluid.vertices[b]);
   needle.fluid.vertices.push_back(middle);
   needle.fluid.triangles.push_back({a, corner, b});
   needle.fluid.triangles.push_back({a, b, corner});

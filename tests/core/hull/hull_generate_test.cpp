@@ -12,7 +12,7 @@ namespace nilas {
 namespace {
 
 Vec3 normal_of(const TriangleMesh& mesh, const std::array<int, 3>& t) {
-  const auto vertex = [&](int k) { return mesh.vertices[static_cast<std::size_t>(t[static_cast<std::size_t>(k)])]; };
+  const auto vertex = [&](int k) { return mesh.vertices[t[k]]; };
   return (vertex(1) - vertex(0)).cross(vertex(2) - vertex(0)).normalized();
 }
 
@@ -42,7 +42,7 @@ double furthest_outside(const TriangleMesh& mesh) {
   const double length = longest_side(mesh), rounding = std::ldexp(length, -24);
   double furthest = 0;
   for (const auto& t : mesh.triangles) {
-    const auto at = [&](std::size_t k) -> const Vec3& { return mesh.vertices[static_cast<std::size_t>(t[k])]; };
+    const auto at = [&](std::size_t k) -> const Vec3& { return mesh.vertices[t[k]]; };
     const Vec3 n = normal_of(mesh, t);
     const double area2 = (at(1) - at(0)).cross(at(2) - at(0)).norm();
     const double longest = std::max({(at(1) - at(0)).norm(), (at(2) - at(1)).norm(), (at(0) - at(2)).norm()});
@@ -81,8 +81,7 @@ double stem_at(const TriangleMesh& mesh, double z) {
   double furthest = -1e300;
   for (const auto& t : mesh.triangles)
     for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3 &a = mesh.vertices[static_cast<std::size_t>(t[k])],
-                 &b = mesh.vertices[static_cast<std::size_t>(t[(k + 1) % 3])];
+      const Vec3 &a = mesh.vertices[t[k]], &b = mesh.vertices[t[(k + 1) % 3]];
       if ((a.z() - z) * (b.z() - z) > 0 || a.z() == b.z()) continue;
       furthest = std::max(furthest, a.x() + (b.x() - a.x()) * (z - a.z()) / (b.z() - a.z()));
     }
@@ -127,8 +126,7 @@ TEST(HullGenerate, MainDimensionsAreAsAsked) {
   }
   for (const auto& t : mesh.triangles)
     for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3 &a = mesh.vertices[static_cast<std::size_t>(t[k])],
-                 &b = mesh.vertices[static_cast<std::size_t>(t[(k + 1) % 3])];
+      const Vec3 &a = mesh.vertices[t[k]], &b = mesh.vertices[t[(k + 1) % 3]];
       if ((a.z() - 0.3) * (b.z() - 0.3) > 0 || a.z() == b.z()) continue;
       beam_at_draught = std::max(beam_at_draught, 2 * (a.y() + (b.y() - a.y()) * (0.3 - a.z()) / (b.z() - a.z())));
     }
@@ -153,7 +151,7 @@ TEST(HullGenerate, StemAndEntranceAnglesAreAsAsked) {
       for (const auto& t : mesh.triangles) {
         const Vec3 n = normal_of(mesh, t);
         for (const int v : t) {
-          const Vec3& p = mesh.vertices[static_cast<std::size_t>(v)];
+          const Vec3& p = mesh.vertices[v];
           // the port face at the stem near the waterline: its horizontal line runs at atan(n_x / n_y) from the centre
           // plane
           const bool at_stem = p.y() == 0 && std::abs(p.x() - stem_at(mesh, p.z())) < 1e-5;

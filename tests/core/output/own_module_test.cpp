@@ -26,7 +26,7 @@ class Push : public ForceModule {
   void add_forces(const Bodies& bodies, double /*t*/, Wrenches& out) override {
     if (left_ < 0.5 * k_step) return;
     for (int b = 0; b < bodies.size(); ++b)
-      if (bodies.is_free(b)) out[static_cast<std::size_t>(b)].force += Vec3(k_push, 0, 0);
+      if (bodies.is_free(b)) out[b].force += Vec3(k_push, 0, 0);
   }
   void note_motion(const Bodies& /*bodies*/, const StepMotion& /*motion*/) override { left_ -= k_step; }
   std::vector<std::string> columns() const override { return {"push_left_s"}; }

@@ -246,8 +246,7 @@ TEST_P(GoingOn, GivesTheSameBits) {
         rest = build();
         rest->restore(StateReader(again));
       }
-      ASSERT_EQ(Bits(rest->step()), expected[static_cast<std::size_t>(k)])
-          << "saved after " << first << ", step " << k + 1;
+      ASSERT_EQ(Bits(rest->step()), expected[k]) << "saved after " << first << ", step " << k + 1;
     }
   }
 }

@@ -25,7 +25,7 @@ inline std::string stl(const std::vector<Vec3>& vertices, const std::vector<std:
   std::ostringstream out;
   out.precision(17);
   out << "solid hull\n";
-  const auto vertex = [&](int v) { out << "vertex " << vertices[static_cast<std::size_t>(v)].transpose() << "\n"; };
+  const auto vertex = [&](int v) { out << "vertex " << vertices[v].transpose() << "\n"; };
   for (const auto& face : faces)
     for (std::size_t k = 2; k < face.size(); ++k) {
       out << "facet normal 0 0 0\nouter loop\n";

@@ -59,7 +59,7 @@ TEST(IceFields, ALevelSheetLeavesTheHullAndItsTrackFree) {
   const int sheet = parts.bodies.size() - 1;
   EXPECT_FALSE(parts.bodies.is_free(sheet));
   // hull and margin: 1.1 m broad, open from the bow at x = 4 to the edge behind the stern, at x = 12
-  const double area = polygon_moments(parts.bodies.shape[static_cast<std::size_t>(sheet)]->outline).area;
+  const double area = polygon_moments(parts.bodies.shape[sheet]->outline).area;
   EXPECT_NEAR(area, 96 - (0.05 + 8 - 0.5) * 1.1, 0.1);
 }
 
@@ -85,8 +85,7 @@ TEST(IceFields, OutlinesOfALibraryAreDrawn) {
       world_of(R"(<ice><field region="0 0 16 10" concentration="0.4"><size distribution="as-library"/>
       <shape library="floes.json"/></field></ice>)");
   EXPECT_EQ(parts.info.floes, 16);
-  for (int b = 0; b < parts.bodies.size(); ++b)
-    EXPECT_EQ(parts.bodies.shape[static_cast<std::size_t>(b)]->outline.size(), 6u);
+  for (int b = 0; b < parts.bodies.size(); ++b) EXPECT_EQ(parts.bodies.shape[b]->outline.size(), 6u);
 }
 
 /// No length is forbidden: edges of a nanometre, and a floe that is no larger.

@@ -186,7 +186,7 @@ TEST(Swept, NothingLeavesABoxOfThinPlates) {
     for (int step = 0; step < 200; ++step) {
       rig.step();
       for (int k = 6; k < 6 + k_plates; ++k)
-        ASSERT_LT(rig.bodies().p_GB[static_cast<std::size_t>(k)].cwiseAbs().maxCoeff(), 1.04) << "step " << step;
+        ASSERT_LT(rig.bodies().p_GB[k].cwiseAbs().maxCoeff(), 1.04) << "step " << step;
     }
   }
 }

@@ -17,7 +17,7 @@ std::vector<HullFace> faces_of(const ConvexPolytope& polytope, int part = 0) {
   std::vector<HullFace> faces;
   for (const auto& face : polytope.faces) {
     std::vector<Vec3> loop;
-    for (const int v : face) loop.push_back(polytope.vertices[static_cast<std::size_t>(v)]);
+    for (const int v : face) loop.push_back(polytope.vertices[v]);
     faces.push_back(make_hull_face(part, std::move(loop)));
   }
   return faces;

@@ -8,6 +8,7 @@
 #include "contact/assemble.h"
 #include "contact/law/contact_frame.h"
 #include "contact/measure/measure.h"
+#include "contact/problem/row_of.h"
 #include "contact/registry.h"
 #include "core/base/error.h"
 #include "tests/core/sim/crushing_rig.h"
@@ -65,12 +66,11 @@ ContactPoint touch(int a, int b, const Vec3& p, const Vec3& n = Vec3::UnitX()) {
 /// Impulses on the points' bodies b, in G.
 std::vector<Vec3> guessed(const BrokenContacts& broken, const Bodies& bodies, const std::vector<ContactPoint>& points) {
   std::vector<Mat3> C;
-  for (const ContactPoint& c : points) C.push_back(contact_frame(c.n, bodies.R_GB[static_cast<std::size_t>(c.a)], 0.3));
-  VecX guess = VecX::Zero(3 * static_cast<Eigen::Index>(points.size()));
+  for (const ContactPoint& c : points) C.push_back(contact_frame(c.n, bodies.R_GB[c.a], 0.3));
+  VecX guess = VecX::Zero(row_of(points.size()));
   broken.add_to(bodies, points, C, guess);
   std::vector<Vec3> all;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    all.emplace_back(C[i] * guess.segment<3>(3 * static_cast<Eigen::Index>(i)));
+  for (std::size_t i = 0; i < points.size(); ++i) all.emplace_back(C[i] * guess.segment<3>(row_of(i)));
   return all;
 }
 
@@ -124,7 +124,7 @@ TEST(BrokenContacts, AreSharedByPointsThatAreEquallyNear) {
   const Vec3 half = 0.5 * (impulses[0] + impulses[1] + impulses[2]);
   expect_near(guess[0], half);
   expect_near(guess[1], half);
-  for (int k = 0; k < 2; ++k) expect_near(image(of_image[static_cast<std::size_t>(k)]), half, 1e-15);
+  for (int k = 0; k < 2; ++k) expect_near(image(of_image[k]), half, 1e-15);
 }
 
 TEST(BrokenContacts, OutOfReachOrPullingAreLeftOut) {
@@ -251,7 +251,7 @@ TEST(BrokenContacts, BalanceAStaticLoad) {
   Wrenches loads(5);
   loads[1].force.z() = -weight;
   const AssembledContacts contacts = assemble(bodies, loads, points, friction.resolve(bodies.materials), settings, {});
-  const VecX nothing = VecX::Zero(3 * static_cast<Eigen::Index>(points.size()));
+  const VecX nothing = VecX::Zero(row_of(points.size()));
   VecX guess = nothing;
   broken.add_to(bodies, points, contacts.C, guess);
   EXPECT_GT(measure(contacts.problem, nothing).law_map_m_s, 0.1);

@@ -159,11 +159,11 @@ template <class Function, class Visit>
 void visit_tops(const Function& f, int samples, const Visit& visit) {
   std::vector<double> at(static_cast<std::size_t>(samples));
   const double step = 2 * k_pi / samples;
-  for (int k = 0; k < samples; ++k) at[static_cast<std::size_t>(k)] = f(k * step);
+  for (int k = 0; k < samples; ++k) at[k] = f(k * step);
   for (int k = 0; k < samples; ++k) {
-    const double before = at[static_cast<std::size_t>((k + samples - 1) % samples)];
-    const double after = at[static_cast<std::size_t>((k + 1) % samples)];
-    if (at[static_cast<std::size_t>(k)] >= std::max(before, after)) visit(top(f, (k - 1) * step, (k + 1) * step));
+    const double before = at[(k + samples - 1) % samples];
+    const double after = at[(k + 1) % samples];
+    if (at[k] >= std::max(before, after)) visit(top(f, (k - 1) * step, (k + 1) * step));
   }
 }
 
@@ -205,7 +205,7 @@ void visit_doubly_round_axes(const Solid& a, const Solid& b, const Visit& visit)
   std::partial_sort(found.begin(), found.begin() + k_starts, found.end(),
                     [](const auto& p, const auto& q) { return p.first > q.first; });
   for (int k = 0; k < k_starts; ++k) {
-    auto [s, n] = found[static_cast<std::size_t>(k)];
+    auto [s, n] = found[k];
     for (double step = 0.06; step > 1e-9;) {
       const Vec3 u = n.unitOrthogonal(), v = n.cross(u);
       bool better = false;

@@ -34,7 +34,7 @@ PairedDifference difference(const Findings& found, const Merit& merit, const std
     if (std::isnan(value)) continue;
     realisations.push_back(r);
     values.push_back(value);
-    limits_of_these.push_back(limits[static_cast<std::size_t>(r)]);
+    limits_of_these.push_back(limits[r]);
   }
   return paired_difference(realisations, values, limits_of_these, k_rounding_share * found.measure.scale, one_for_all);
 }

@@ -39,8 +39,7 @@ const RunRow* judge_of(const RunTable& rows, int realisation) {
 
 const LoadStatistics& load_statistics_of(const RunRow& row, const std::string& channel) {
   const auto place = std::find(k_course_channels.begin(), k_course_channels.end(), channel);
-  if (place != k_course_channels.end() && row.loads)
-    return (*row.loads)[static_cast<std::size_t>(place - k_course_channels.begin())];
+  if (place != k_course_channels.end() && row.loads) return (*row.loads)[place - k_course_channels.begin()];
   const LoadStatistics* own = row.result.summary.load(channel);
   return own == nullptr ? k_no_statistics : *own;
 }

@@ -26,7 +26,7 @@ std::vector<std::string> by_reason(const std::vector<Omission>& omissions) {
       reasons.push_back(omission.why);
       lists.push_back(omission.why + ": " + omission.what);
     } else {
-      lists[static_cast<std::size_t>(known - reasons.begin())] += "; " + omission.what;
+      lists[known - reasons.begin()] += "; " + omission.what;
     }
   }
   return lists;

@@ -52,7 +52,7 @@ void judge(const ChildResult& ended, const std::filesystem::path& log, RunResult
 double RunResult::ms_per_step() const {
   double ms = 0;
   for (int p = 0; p < k_num_phases; ++p)
-    if (static_cast<Phase>(p) != Phase::output) ms += summary.phase_ms[static_cast<std::size_t>(p)];
+    if (static_cast<Phase>(p) != Phase::output) ms += summary.phase_ms[p];
   // the phases are timed by the wall clock: what the run waited for is taken out in proportion
   return cpu_s > 0 && cpu_s < wall_s ? ms * cpu_s / wall_s : ms;
 }

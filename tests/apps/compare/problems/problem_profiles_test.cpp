@@ -100,8 +100,8 @@ TEST(StudyPlan, TheMiddleToleranceComesFirst) {
 std::vector<StudyFile> files(int count) {
   std::vector<StudyFile> all(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k) {
-    all[static_cast<std::size_t>(k)].problem.name = std::to_string(k);
-    all[static_cast<std::size_t>(k)].problem.contacts = 10 + k;
+    all[k].problem.name = std::to_string(k);
+    all[k].problem.contacts = 10 + k;
   }
   return all;
 }

@@ -48,7 +48,7 @@ std::vector<Mat3> random_definite(int count, double spread, RandomStream& random
 MatX block_diagonal(const std::vector<Mat3>& blocks) {
   const auto n = static_cast<Eigen::Index>(blocks.size());
   MatX all = MatX::Zero(3 * n, 3 * n);
-  for (Eigen::Index k = 0; k < n; ++k) all.block<3, 3>(3 * k, 3 * k) = blocks[static_cast<std::size_t>(k)];
+  for (Eigen::Index k = 0; k < n; ++k) all.block<3, 3>(3 * k, 3 * k) = blocks[k];
   return all;
 }
 

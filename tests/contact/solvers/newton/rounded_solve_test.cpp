@@ -29,7 +29,7 @@ Rows coupled(int n, double weight) {
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) {
       out.column.push_back(j);
-      out.block.emplace_back(factor[static_cast<std::size_t>(i)] * factor[static_cast<std::size_t>(j)].transpose());
+      out.block.emplace_back(factor[i] * factor[j].transpose());
       if (i == j) out.block.back() += weight * Mat3::Identity();
     }
     out.row_start.push_back(static_cast<int>(out.column.size()));
@@ -44,8 +44,7 @@ Rows permuted(const Rows& rows, const std::vector<int>& order) {
   const Vec3 signs(1, -1, 1);
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) {
-      const auto from =
-          static_cast<std::size_t>(order[static_cast<std::size_t>(i)] * n + order[static_cast<std::size_t>(j)]);
+      const auto from = static_cast<std::size_t>(order[i] * n + order[j]);
       out.column.push_back(j);
       out.block.emplace_back(signs.asDiagonal() * rows.block[from] * signs.asDiagonal());
     }
@@ -77,17 +76,14 @@ TEST(RoundedSolve, ForgetsTheOrderOfEliminationAndTheMirror) {
     ASSERT_TRUE(good) << weight;
     for (int k = 0; k < 20; ++k) {
       std::rotate(order.begin(), order.begin() + 1 + k % 3, order.end());
-      std::swap(order[0], order[static_cast<std::size_t>(1 + k % (n - 1))]);
+      std::swap(order[0], order[1 + k % (n - 1)]);
       VecX c(3 * n);
       const Vec3 signs(1, -1, 1);
-      for (int i = 0; i < n; ++i)
-        c.segment<3>(3 * i) = signs.cwiseProduct(b.segment<3>(3 * order[static_cast<std::size_t>(i)]));
+      for (int i = 0; i < n; ++i) c.segment<3>(3 * i) = signs.cwiseProduct(b.segment<3>(3 * order[i]));
       const VecX two = solved(permuted(rows, order), c, good);
       ASSERT_TRUE(good) << weight;
       for (int i = 0; i < n; ++i)
-        EXPECT_EQ(Vec3(signs.cwiseProduct(two.segment<3>(3 * i))),
-                  Vec3(one.segment<3>(3 * order[static_cast<std::size_t>(i)])))
-            << weight;
+        EXPECT_EQ(Vec3(signs.cwiseProduct(two.segment<3>(3 * i))), Vec3(one.segment<3>(3 * order[i]))) << weight;
     }
   }
 }
@@ -97,7 +93,7 @@ TEST(RoundedSolve, IsTheSolutionToElevenDigits) {
   const Rows rows = coupled(n, 0.1);
   MatX dense(3 * n, 3 * n);
   for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) dense.block<3, 3>(3 * i, 3 * j) = rows.block[static_cast<std::size_t>(i * n + j)];
+    for (int j = 0; j < n; ++j) dense.block<3, 3>(3 * i, 3 * j) = rows.block[i * n + j];
   const VecX b = VecX::LinSpaced(3 * n, -1, 2);
   bool good = false;
   const VecX x = solved(rows, b, good);

@@ -57,7 +57,7 @@ TEST(Mend, SmallHolesAreFilledLargeOnesRefusedWithTheirPlace) {
   TriangleMesh ship = ship_mesh(40, 8);
   const double volume = signed_volume(ship);
   const auto below_deck = [&](const auto& t) {
-    return std::all_of(t.begin(), t.end(), [&](int v) { return ship.vertices[static_cast<std::size_t>(v)].z() < 0.5; });
+    return std::all_of(t.begin(), t.end(), [&](int v) { return ship.vertices[v].z() < 0.5; });
   };
   for (int hole = 0; hole < 2; ++hole)
     ship.triangles.erase(std::find_if(ship.triangles.begin() + 101 + 200 * hole, ship.triangles.end(), below_deck));
@@ -66,7 +66,7 @@ TEST(Mend, SmallHolesAreFilledLargeOnesRefusedWithTheirPlace) {
   EXPECT_TRUE(did(mended, "holes filled"));
   TriangleMesh open = box_mesh({0, 0, 0}, {4, 1, 1});
   std::erase_if(open.triangles, [&](const auto& t) {
-    return std::all_of(t.begin(), t.end(), [&](int v) { return open.vertices[static_cast<std::size_t>(v)].z() == 1; });
+    return std::all_of(t.begin(), t.end(), [&](int v) { return open.vertices[v].z() == 1; });
   });
   const MendedMesh left = mend(soup_of({open}), settings(4));
   ASSERT_EQ(left.open.size(), 1u);
@@ -80,7 +80,7 @@ TEST(Mend, TJunctionsAndCracksAreClosed) {
   // a cube whose top is cut finer than its sides, and stands a little off them
   TriangleMesh cube = box_mesh({0, 0, 0}, {1, 1, 1});
   std::erase_if(cube.triangles, [&](const auto& t) {
-    return std::all_of(t.begin(), t.end(), [&](int v) { return cube.vertices[static_cast<std::size_t>(v)].z() == 1; });
+    return std::all_of(t.begin(), t.end(), [&](int v) { return cube.vertices[v].z() == 1; });
   });
   PolygonSoup soup = soup_of({cube});
   constexpr int k_cells = 4;
@@ -210,9 +210,7 @@ TEST(Mend, AnInnerWallIsCalledSo) {
   PolygonSoup soup = soup_of({box_mesh({0, 0, 0}, {2, 1, 1}), box_mesh({2, 0, 0}, {4, 1, 1})});
   int walls = 0;  // one of the two ends that meet stays
   std::erase_if(soup.polygons, [&](const auto& loop) {
-    return std::all_of(loop.begin(), loop.end(),
-                       [&](int v) { return soup.points[static_cast<std::size_t>(v)].x() == 2; }) &&
-           ++walls > 2;
+    return std::all_of(loop.begin(), loop.end(), [&](int v) { return soup.points[v].x() == 2; }) && ++walls > 2;
   });
   ASSERT_EQ(walls, 4);
   const MendedMesh mended = mend(soup, settings(4));

@@ -51,7 +51,7 @@ std::string stl_text(const PolygonSoup& soup) {
   for (const auto& t : soup.polygons) {
     text += "facet normal 0 0 0\nouter loop\n";
     for (const int v : t) {
-      const Vec3& p = soup.points[static_cast<std::size_t>(v)];
+      const Vec3& p = soup.points[v];
       text += fmt::format("vertex {:.9g} {:.9g} {:.9g}\n", p.x(), p.y(), p.z());
     }
     text += "endloop\nendfacet\n";
@@ -96,7 +96,7 @@ std::string stl_binary(const PolygonSoup& soup) {
   for (const auto& t : soup.polygons) {
     for (int k = 0; k < 3; ++k) append(bytes, 0.0f);
     for (const int v : t)
-      for (const double x : soup.points[static_cast<std::size_t>(v)]) append(bytes, static_cast<float>(x));
+      for (const double x : soup.points[v]) append(bytes, static_cast<float>(x));
     append(bytes, std::uint16_t{0});
   }
   return bytes;

@@ -10,7 +10,7 @@ namespace {
 /// An impact of 3 N s at 1 s on a load of 2 N that lasts 4 s, in steps of h.
 std::vector<double> impact(double h) {
   std::vector<double> series(static_cast<std::size_t>(std::lround(4 / h)), 2);
-  series[static_cast<std::size_t>(std::lround(1 / h))] += 3 / h;
+  series[std::lround(1 / h)] += 3 / h;
   return series;
 }
 

@@ -140,7 +140,7 @@ TEST(VesselCsv, RoundingKeepsNewtonsLaw) {
     record.vessel->state.v = v;
     const auto values = cells(written(info, record).at(1));
     Vec3 x;
-    for (int k = 0; k < 3; ++k) x[k] = std::stod(values[static_cast<std::size_t>(first + k)]);
+    for (int k = 0; k < 3; ++k) x[k] = std::stod(values[first + k]);
     return x;
   };
   const Vec3 found = mass * (read(after, 19) - read(before, 19)) / h - read(after, 7) - Vec3(0, 0, -9.81 * mass);

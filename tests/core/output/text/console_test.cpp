@@ -54,7 +54,7 @@ TEST(Console, WithoutATerminalPrintsALineEveryFivePercent) {
   }
   const auto printed = split(out.str());
   ASSERT_EQ(printed.size(), 20u);
-  for (int k = 0; k < 20; ++k) EXPECT_EQ(std::stoi(printed[static_cast<std::size_t>(k)]), 5 * (k + 1));
+  for (int k = 0; k < 20; ++k) EXPECT_EQ(std::stoi(printed[k]), 5 * (k + 1));
   EXPECT_EQ(out.str().find('\x1b'), std::string::npos);
 }
 

@@ -16,10 +16,10 @@ double closed_volume(const PolygonSurface& surface) {
   int begin = 0;
   for (const int end : surface.ends) {
     for (int k = begin; k < end; ++k) {
-      const auto corner = [&](int i) { return surface.corners[static_cast<std::size_t>(i)]; };
+      const auto corner = [&](int i) { return surface.corners[i]; };
       const int a = corner(k), b = corner(k + 1 < end ? k + 1 : begin);
       ++edges[{a, b}];
-      const auto point = [&](int i) { return surface.points[static_cast<std::size_t>(i)]; };
+      const auto point = [&](int i) { return surface.points[i]; };
       volume += point(corner(begin)).dot(point(a).cross(point(b))) / 6;
     }
     begin = end;

@@ -138,7 +138,7 @@ std::string said(const VesselModel& model) {
   const auto fault = rod_fault(model, 0);
   if (!fault) return {};
   EXPECT_THROW(VesselSystem(model, 0), InputError);
-  return model.rods[static_cast<std::size_t>(fault->rod)].name + ": " + fault->message;
+  return model.rods[fault->rod].name + ": " + fault->message;
 }
 
 bool holds(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }

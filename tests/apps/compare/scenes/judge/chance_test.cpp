@@ -49,7 +49,7 @@ TEST(PooledVariance, IsThatOfTwoRunsWhateverTheReferenceDrew) {
     std::vector<std::vector<double>> settings(k_settings, std::vector<double>(k_realisations));
     for (int r = 0; r < k_realisations; ++r) {
       const double reference = normal(random);
-      for (auto& differences : settings) differences[static_cast<std::size_t>(r)] = normal(random) - reference;
+      for (auto& differences : settings) differences[r] = normal(random) - reference;
     }
     sum += pooled_variance({}, settings).value / k_draws;
   }
