@@ -6,6 +6,7 @@
 
 #include "contact/detect/broad/contact_key.h"
 #include "contact/law/contact_frame.h"
+#include "contact/problem/row_of.h"
 #include "core/base/error.h"
 
 namespace nilas {
@@ -33,7 +34,7 @@ class Assembly {
     add_blocks(points);
     reserve_contacts(points.size());
     for (const auto& point : points) add_contact(point, friction);
-    if (settings_.law != Law::frictionless)
+    if (settings_.law != Law::frictionless && friction.any_moments())
       for (std::size_t c = 0; c < points.size(); ++c) add_moment(static_cast<int>(c), points[c], friction);
     return std::move(out_);
   }
@@ -84,7 +85,7 @@ void Assembly::add_blocks(const std::vector<ContactPoint>& points) {
   for (const auto& point : points)
     for (const int body : {point.a, point.b}) {
       NILAS_DEMAND(body >= 0 && body < bodies_.size());
-      touched[static_cast<std::size_t>(body)] = 1;
+      touched[body] = 1;
     }
   std::vector<int> free_bodies;
   std::vector<const ArticulatedBlock*> moved;
@@ -99,13 +100,12 @@ void Assembly::add_blocks(const std::vector<ContactPoint>& points) {
     NILAS_DEMAND(block != nullptr);
     if (block->f.size() > 0 && std::find(moved.begin(), moved.end(), block) == moved.end()) moved.push_back(block);
   }
-  for (const int body : free_bodies) out_.block_of_body[static_cast<std::size_t>(body)] = place_block(k_free_size);
+  for (const int body : free_bodies) out_.block_of_body[body] = place_block(k_free_size);
   out_.first_articulated_block = out_.problem.num_blocks();
   for (const auto* block : moved) {
     const int place = place_block(static_cast<int>(block->f.size()));
     for (const auto& one : block->bodies)
-      if (bodies_.motion[static_cast<std::size_t>(one.body)] != Motion::fixed)
-        out_.block_of_body[static_cast<std::size_t>(one.body)] = place;
+      if (bodies_.motion[one.body] != Motion::fixed) out_.block_of_body[one.body] = place;
   }
 
   out_.problem.mass_data.assign(out_.problem.mass_offset.back(), 0.0);
@@ -138,7 +138,7 @@ void Assembly::fill_articulated_block(const ArticulatedBlock& articulated, std::
 
 void Assembly::reserve_contacts(std::size_t count) {
   ContactProblem& problem = out_.problem;
-  problem.w.resize(3 * static_cast<Eigen::Index>(count));
+  problem.w.resize(row_of(count));
   problem.pairs.reserve(count);
   problem.jacobian_offset.reserve(count + 1);
   problem.jacobian_data.reserve(2 * sizeof(TwistRows) / sizeof(double) * count);
@@ -154,14 +154,14 @@ void Assembly::reserve_contacts(std::size_t count) {
 /// The rows of sign * u = C^T (v + w x r), where r leads from the centre of mass to p.
 TwistRows Assembly::twist_rows(int body, const Mat3& C, const Vec3& p, double sign) const {
   TwistRows rows;
-  const Vec3 r = p - bodies_.p_GB[static_cast<std::size_t>(body)];
+  const Vec3 r = p - bodies_.p_GB[body];
   for (int k = 0; k < 3; ++k) rows.row(k) << sign * C.col(k).transpose(), sign * r.cross(C.col(k)).transpose();
   return rows;
 }
 
 /// Appends the rows of one side of a contact at p. Returns what the body's prescribed motion adds to u.
 Vec3 Assembly::add_side(int body, const Mat3& C, const Vec3& p, double sign) {
-  if (bodies_.motion[static_cast<std::size_t>(body)] == Motion::fixed) return Vec3::Zero();
+  if (bodies_.motion[body] == Motion::fixed) return Vec3::Zero();
   const TwistRows rows = twist_rows(body, C, p, sign);
   std::vector<double>& data = out_.problem.jacobian_data;
   if (bodies_.is_free(body)) {
@@ -178,8 +178,8 @@ Vec3 Assembly::add_side(int body, const Mat3& C, const Vec3& p, double sign) {
 
 /// Whether both bodies have the same block.
 bool Assembly::are_joined(const ContactPoint& point) const {
-  const int a = out_.block_of_body[static_cast<std::size_t>(point.a)];
-  return a >= 0 && a == out_.block_of_body[static_cast<std::size_t>(point.b)];
+  const int a = out_.block_of_body[point.a];
+  return a >= 0 && a == out_.block_of_body[point.b];
 }
 
 /// Appends the rows of a contact between two bodies of one system. Returns what their prescribed motion adds to u.
@@ -213,8 +213,7 @@ double Assembly::speed_asked(const ContactPoint& point) const {
 }
 
 const FrictionPair& Assembly::friction_of(const ContactPoint& point, const FrictionPairs& friction) const {
-  return friction.of(bodies_.material[static_cast<std::size_t>(point.a)],
-                     bodies_.material[static_cast<std::size_t>(point.b)]);
+  return friction.of(bodies_.material[point.a], bodies_.material[point.b]);
 }
 
 void Assembly::add_contact(const ContactPoint& point, const FrictionPairs& friction) {
@@ -234,7 +233,7 @@ void Assembly::add_contact(const ContactPoint& point, const FrictionPairs& frict
   else
     w[0] -= asked = speed_asked(point);
   out_.speed_asked.push_back(asked);
-  problem.w.segment<3>(3 * static_cast<Eigen::Index>(problem.pairs.size())) = w;
+  problem.w.segment<3>(row_of(problem.pairs.size())) = w;
   problem.pairs.push_back({joined ? -1 : out_.block_of_body[a], out_.block_of_body[b]});
   problem.jacobian_offset.push_back(problem.jacobian_data.size());
   problem.force_limit.push_back(point.force_limit * settings_.h);
@@ -260,7 +259,7 @@ MatX Assembly::moment_rows(int body, const Mat3& C, double sign, Vec3& w) const 
 void Assembly::add_moment(int c, const ContactPoint& point, const FrictionPairs& friction) {
   const FrictionPair& pair = friction_of(point, friction);
   if (pair.rolling == 0 && pair.spinning == 0) return;
-  const Mat3 C = out_.C[static_cast<std::size_t>(c)] * Vec3(pair.spinning, pair.rolling, pair.rolling).asDiagonal();
+  const Mat3 C = out_.C[c] * Vec3(pair.spinning, pair.rolling, pair.rolling).asDiagonal();
   Vec3 w = Vec3::Zero();
   MatX rows_a = moment_rows(point.a, C, -1, w), rows_b = moment_rows(point.b, C, 1, w);
   if (are_joined(point)) {

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/problem/row_of.h"
+
 namespace nilas {
 
 static double slip_of(const ContactSolution& solution, std::size_t c) {
-  const auto first = 3 * static_cast<Eigen::Index>(c);
+  const auto first = row_of(c);
   return std::hypot(solution.u[first + 1], solution.u[first + 2]);
 }
 
@@ -21,7 +23,7 @@ static SlippingContacts slipping_contacts(const StaticFriction& friction, const 
 
 StaticFrictionSolution solve_with_static_friction(const StaticFriction& friction, const ContactSolver& solver,
                                                   const VecX& guess, const SlippingContacts& slipped,
-                                                  ContactProblem& problem) {
+                                                  ContactProblem& problem, const PreparedProblem& prepared) {
   const std::vector<double> kinetic = problem.mu;
   for (std::size_t c = 0; c < kinetic.size(); ++c)
     if (!std::binary_search(slipped.begin(), slipped.end(), problem.key[c])) problem.mu[c] = problem.mu_static[c];
@@ -31,7 +33,7 @@ StaticFrictionSolution solve_with_static_friction(const StaticFriction& friction
   bool settled = false;
   while (out.rounds < StaticFriction::k_most_rounds && !settled) {
     ++out.rounds;
-    out.solution = solver.solve(problem, start);
+    out.solution = solver.solve(prepared, start);
     iterations += out.solution.iterations;
     if (out.solution.status == SolveStatus::numerical_error) break;
     start = out.solution.r;
@@ -46,6 +48,12 @@ StaticFrictionSolution solve_with_static_friction(const StaticFriction& friction
   if (!settled) out.solution.status = worse(out.solution.status, SolveStatus::stalled);
   out.slipping = slipping_contacts(friction, problem, out.solution);
   return out;
+}
+
+StaticFrictionSolution solve_with_static_friction(const StaticFriction& friction, const ContactSolver& solver,
+                                                  const VecX& guess, const SlippingContacts& slipped,
+                                                  ContactProblem& problem) {
+  return solve_with_static_friction(friction, solver, guess, slipped, problem, PreparedProblem(problem));
 }
 
 }  // namespace nilas

@@ -29,7 +29,12 @@ struct StaticFrictionSolution {
 
 /// Solves the problem with the kinetic coefficient at the contacts that slipped in the last step. Leaves in
 /// `problem.mu` the coefficient that each contact had, so that `measure` judges the solution by that problem. After
-/// k_most_rounds the last solution stands, and its status is no better than stalled.
+/// k_most_rounds the last solution stands, and its status is no better than stalled. `prepared` is of this `problem`
+/// and serves all rounds.
+StaticFrictionSolution solve_with_static_friction(const StaticFriction& friction, const ContactSolver& solver,
+                                                  const VecX& guess, const SlippingContacts& slipped,
+                                                  ContactProblem& problem, const PreparedProblem& prepared);
+/// Prepares the problem first.
 StaticFrictionSolution solve_with_static_friction(const StaticFriction& friction, const ContactSolver& solver,
                                                   const VecX& guess, const SlippingContacts& slipped,
                                                   ContactProblem& problem);

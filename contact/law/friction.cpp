@@ -57,6 +57,8 @@ FrictionPairs FrictionTable::resolve(const std::vector<std::string>& materials) 
     for (const std::string& b : materials) {
       resolved.pairs_.push_back(find(a, b));
       resolved.named_.push_back(names(a, b) ? 1 : 0);
+      const FrictionPair& pair = resolved.pairs_.back();
+      resolved.any_moments_ = resolved.any_moments_ || pair.rolling > 0 || pair.spinning > 0;
     }
   return resolved;
 }

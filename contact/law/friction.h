@@ -22,6 +22,8 @@ class FrictionPairs {
   const FrictionPair& of(int material_a, int material_b) const { return pairs_[place(material_a, material_b)]; }
   /// False for a pair that the scene does not name: it is frictionless.
   bool names(int material_a, int material_b) const { return named_[place(material_a, material_b)] != 0; }
+  /// True where some pair has rolling or spinning friction.
+  bool any_moments() const { return any_moments_; }
 
  private:
   friend class FrictionTable;
@@ -30,6 +32,7 @@ class FrictionPairs {
   int materials_ = 0;
   std::vector<FrictionPair> pairs_;  ///< materials x materials
   std::vector<char> named_;
+  bool any_moments_ = false;
 };
 
 /// The pairs that a scene names. The order of the two materials never matters.

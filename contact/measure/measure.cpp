@@ -7,6 +7,7 @@
 #include "contact/law/moment_cone.h"
 #include "contact/problem/local_problem.h"
 #include "contact/problem/operators.h"
+#include "contact/problem/row_of.h"
 #include "core/base/error.h"
 
 namespace nilas {
@@ -88,7 +89,7 @@ static double momentum_residual(const ContactProblem& problem, const VecX& v, Ve
   double sum = 0;
   for (int k = 0; k < problem.num_blocks(); ++k) {
     const auto mass = problem.mass(k);
-    const int first = problem.block_offset[static_cast<std::size_t>(k)];
+    const int first = problem.block_offset[k];
     auto block = excess.segment(first, mass.rows());
     block += mass.lazyProduct(v.segment(first, mass.rows()));
     sum += (block.array().square() / mass.diagonal().array()).sum();
@@ -102,10 +103,9 @@ Residuals measure(const PreparedProblem& prepared, const VecX& r, const VecX& v)
   VecX excess = -problem.f;
   Residuals out;
   for (int c = 0; c < problem.num_contacts(); ++c) {
-    const Vec3 r_c = r.segment<3>(3 * static_cast<Eigen::Index>(c));
-    const ContactScale scale = contact_scale(problem, c, prepared.inverse_mass_scales()[static_cast<std::size_t>(c)]);
-    const Vec3 u = compliant_velocity(problem.compliance[static_cast<std::size_t>(c)], r_c,
-                                      contact_velocity(problem, c, v.data()));
+    const Vec3 r_c = r.segment<3>(row_of(c));
+    const ContactScale scale = contact_scale(problem, c, prepared.inverse_mass_scales()[c]);
+    const Vec3 u = compliant_velocity(problem.compliance[c], r_c, contact_velocity(problem, c, v.data()));
     add_impulse(problem, c, -r_c, excess.data());
     if (problem.is_moment(c)) continue;  // judged with its contact
     const int m = problem.moment_of(c);
@@ -113,7 +113,7 @@ Residuals measure(const PreparedProblem& prepared, const VecX& r, const VecX& v)
       measure_contact(maps_of(problem.law, problem.facets, scale, r_c, u), scale, r_c, u, out);
       continue;
     }
-    const ForceAndMoment r_all{r_c, r.segment<3>(3 * static_cast<Eigen::Index>(m))};
+    const ForceAndMoment r_all{r_c, r.segment<3>(row_of(m))};
     const ForceAndMoment u_all{u, contact_velocity(problem, m, v.data())};
     measure_contact(
         {law_map(problem.law, scale, r_all, u_all), natural_map(scale, r_all, u_all), ccp_map(scale, r_all, u_all)},
@@ -133,13 +133,11 @@ Residuals measure(const ContactProblem& problem, const VecX& r, const VecX& v) {
   return measure(PreparedProblem(problem), r, v);
 }
 
-Residuals measure(const ContactProblem& problem, const VecX& r, const VecX& v, std::vector<double>& d) {
-  const PreparedProblem prepared(problem);
+Residuals measure(const PreparedProblem& prepared, const VecX& r, const VecX& v, std::vector<double>& d) {
+  const ContactProblem& problem = prepared.problem();
   d.clear();
   for (int c = 0; c < problem.num_contacts(); ++c)
-    d.push_back(problem.is_moment(c)
-                    ? 0
-                    : contact_scale(problem, c, prepared.inverse_mass_scales()[static_cast<std::size_t>(c)]).d);
+    d.push_back(problem.is_moment(c) ? 0 : contact_scale(problem, c, prepared.inverse_mass_scales()[c]).d);
   return measure(prepared, r, v);
 }
 
@@ -147,10 +145,10 @@ Residuals measure(const LocalProblem& problem, const VecX& r) {
   const VecX velocity = contact_velocities(problem, r);
   Residuals out;
   for (int c = 0; c < problem.num_contacts(); ++c) {
-    const auto first = 3 * static_cast<Eigen::Index>(c);
+    const auto first = row_of(c);
     const ContactScale scale = contact_scale(problem, c);
     const Vec3 r_c = r.segment<3>(first);
-    const Vec3 u = compliant_velocity(problem.compliance[static_cast<std::size_t>(c)], r_c, velocity.segment<3>(first));
+    const Vec3 u = compliant_velocity(problem.compliance[c], r_c, velocity.segment<3>(first));
     measure_contact(maps_of(problem.law, problem.facets, scale, r_c, u), scale, r_c, u, out);
   }
   if (problem.num_contacts() > 0) out.natural_map_rms_m_s = std::sqrt(out.natural_map_rms_m_s / problem.num_contacts());

@@ -27,10 +27,11 @@ Residuals measure(const PreparedProblem& prepared, const VecX& r, const VecX& v)
 /// The same with v = M^-1 (f + H r).
 Residuals measure(const PreparedProblem& prepared, const VecX& r);
 
+/// Returns also d_a of every contact for further judgements (contact/measure/impulse_residual.h); 0 for a moment.
+Residuals measure(const PreparedProblem& prepared, const VecX& r, const VecX& v, std::vector<double>& d);
+
 /// Prepares the problem first.
 Residuals measure(const ContactProblem& problem, const VecX& r, const VecX& v);
-/// Returns also d_a of every contact for further judgements (contact/measure/impulse_residual.h); 0 for a moment.
-Residuals measure(const ContactProblem& problem, const VecX& r, const VecX& v, std::vector<double>& d);
 /// The same with v = M^-1 (f + H r).
 Residuals measure(const ContactProblem& problem, const VecX& r);
 

@@ -9,7 +9,8 @@ namespace nilas {
 
 class PreparedProblem {
  public:
-  /// `problem` must outlive this and stay as it is. Throws ContractError where its lists differ in length.
+  /// `problem` must outlive this and stay as it is, apart from its coefficients of friction. Throws ContractError where
+  /// its lists differ in length.
   explicit PreparedProblem(const ContactProblem& problem);
 
   const ContactProblem& problem() const { return problem_; }

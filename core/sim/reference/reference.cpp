@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "contact/problem/row_of.h"
 #include "contact/registry.h"
 #include "core/base/error.h"
 #include "core/numerics/event_ode.h"
@@ -108,16 +109,16 @@ bool ReferenceIntegrator::moves(int body) const {
 /// Adds the force or impulse `on_b` of a contact to the loads on the vessel and its parts.
 void ReferenceIntegrator::add_to_vessel(const ContactPoint& c, const Vec3& on_b, ReferenceVesselLoads& sum) const {
   const auto about = [&](int body, const Vec3& force) -> Wrench {
-    return {force, (c.p - parts_.bodies.p_GB[static_cast<std::size_t>(body)]).cross(force)};
+    return {force, (c.p - parts_.bodies.p_GB[body]).cross(force)};
   };
   for (const auto& [body, sign] : {std::pair(c.a, -1.0), std::pair(c.b, 1.0)})
     if (parts_.is_of_vessel(body) && body != parts_.vessel_index)
-      sum.on_parts[static_cast<std::size_t>(body - parts_.vessel_index - 1)] += about(body, sign * on_b);
+      sum.on_parts[body - parts_.vessel_index - 1] += about(body, sign * on_b);
   const bool is_b = parts_.is_of_vessel(c.b);
   if (parts_.is_of_vessel(c.a) == is_b) return;
   const Vec3 force = (is_b ? 1 : -1) * on_b;
   sum.contact += about(parts_.vessel_index, force);
-  if (parts_.bodies.kind[static_cast<std::size_t>(is_b ? c.a : c.b)] == BodyKind::floe) sum.ice += force;
+  if (parts_.bodies.kind[is_b ? c.a : c.b] == BodyKind::floe) sum.ice += force;
 }
 
 double ReferenceIntegrator::approach(const ContactPoint& point) const {
@@ -144,7 +145,7 @@ ReferenceLoads ReferenceIntegrator::loads(double t) {
     const auto b = static_cast<std::size_t>(k);
     if (parts_.is_of_vessel(k))
       for (const Wrenches& module : module_loads_) {
-        const Vec3 arm = bodies.p_GB[b] - bodies.p_GB[static_cast<std::size_t>(parts_.vessel_index)];
+        const Vec3 arm = bodies.p_GB[b] - bodies.p_GB[parts_.vessel_index];
         out.vessel.hydro += {module[b].force, module[b].torque + arm.cross(module[b].force)};
       }
     if (!moves(k)) continue;
@@ -229,10 +230,11 @@ void ReferenceIntegrator::impact(double t, std::vector<ContactPoint> points, Ref
   if (vessel_) vessel.push_back(vessel_->velocity_block());
   AssembledContacts contacts =
       assemble(bodies, Wrenches(bodies.id.size()), points, parts_.friction, impact_settings_, vessel);
-  StaticFrictionSolution solved = model_.solve(contacts.problem, {}, slipped_);
+  const PreparedProblem prepared(contacts.problem);
+  StaticFrictionSolution solved = model_.solve(contacts.problem, prepared, {}, slipped_);
   slipped_ = std::move(solved.slipping);
   const ContactSolution& solution = solved.solution;
-  const Residuals residuals = measure(contacts.problem, solution.r, solution.v);
+  const Residuals residuals = measure(prepared, solution.r, solution.v);
   if (residuals.law_map_m_s >= step.residuals.law_map_m_s) step.residuals = residuals;
   step.iterations += solution.iterations;
   if (worse(step.status, solution.status) != step.status) step.message = solution.message;
@@ -242,7 +244,7 @@ void ReferenceIntegrator::impact(double t, std::vector<ContactPoint> points, Ref
   for (std::size_t b = 0; b < bodies.id.size(); ++b) {
     const int block = contacts.block_of_body[b];
     if (block < 0) continue;
-    const int first = contacts.problem.block_offset[static_cast<std::size_t>(block)];
+    const int first = contacts.problem.block_offset[block];
     if (vessel_ && vessel_->holds(static_cast<int>(b))) {
       vessel_->set_speeds(solution.v.segment(first, vessel_->speeds().size()), bodies);
       continue;
@@ -252,7 +254,7 @@ void ReferenceIntegrator::impact(double t, std::vector<ContactPoint> points, Ref
   }
   ContactImpulses impulses{std::move(points), {}};
   for (std::size_t i = 0; i < impulses.points.size(); ++i)
-    impulses.impulses.emplace_back(contacts.C[i] * solution.r.segment<3>(3 * static_cast<Eigen::Index>(i)));
+    impulses.impulses.emplace_back(contacts.C[i] * solution.r.segment<3>(row_of(i)));
   book(impulses, before, step.account);
   step.impact = {};
   step.impact.problem = std::move(contacts.problem);

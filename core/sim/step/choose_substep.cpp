@@ -37,7 +37,8 @@ Velocities velocities_until_impact(World& world, const Loads& loads, const Subst
   if (found.points.empty()) return velocities;
   AssembledContacts contacts = assemble(bodies, loads.total, found.points, world.parts.friction,
                                         world.model.assembly_over(substep.h), vessel_as_it_moves(world, velocities));
-  const ContactSolution solution = world.model.solve(contacts.problem, VecX(), world.slipping).solution;
+  const PreparedProblem prepared(contacts.problem);
+  const ContactSolution solution = world.model.solve(contacts.problem, prepared, VecX(), world.slipping).solution;
   return new_velocities(world, contacts, solution, loads, substep.h);
 }
 

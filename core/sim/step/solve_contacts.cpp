@@ -24,8 +24,7 @@ constexpr int k_most_misses = 8, k_most_misses_whole = 40;
 std::vector<Mat3> orthonormal_frames(const AssembledContacts& contacts) {
   std::vector<Mat3> frames = contacts.C;
   for (std::size_t c = 0; c < frames.size(); ++c)
-    if (contacts.problem.is_moment(static_cast<int>(c)))
-      frames[c] = contacts.C[static_cast<std::size_t>(contacts.problem.moments[c].contact)];
+    if (contacts.problem.is_moment(static_cast<int>(c))) frames[c] = contacts.C[contacts.problem.moments[c].contact];
   return frames;
 }
 
@@ -43,12 +42,14 @@ VecX first_guess(World& world, const SolvedContacts& solved, const std::vector<M
 void solve(World& world, SolvedContacts& solved) {
   ContactProblem& problem = solved.contacts.problem;
   const std::vector<Mat3> frames = orthonormal_frames(solved.contacts);
-  StaticFrictionSolution found = world.model.solve(problem, first_guess(world, solved, frames), solved.slipping);
+  const PreparedProblem prepared(problem);
+  StaticFrictionSolution found =
+      world.model.solve(problem, prepared, first_guess(world, solved, frames), solved.slipping);
   solved.solution = std::move(found.solution);
   solved.slipping = std::move(found.slipping);
   world.warm.keep(problem.key, frames, solved.solution.r);
   for (const auto& module : world.parts.modules) module->end_guess();
-  solved.residuals = measure(problem, solved.solution.r, solved.solution.v, solved.d);
+  solved.residuals = measure(prepared, solved.solution.r, solved.solution.v, solved.d);
 }
 
 /// Velocities of the free bodies and of the vessel after the impulses.
@@ -62,8 +63,7 @@ Velocities solved_velocities(const World& world, const Loads& loads, const Subst
       Vec6 twist = body.prescribed;
       const auto b = static_cast<std::size_t>(body.body);
       if (const int k = contacts.block_of_body[b]; k >= 0) {
-        twist += body.jacobian * solved.solution.v.segment(contacts.problem.block_offset[static_cast<std::size_t>(k)],
-                                                           body.jacobian.cols());
+        twist += body.jacobian * solved.solution.v.segment(contacts.problem.block_offset[k], body.jacobian.cols());
       } else if (block.f.size() > 0) {
         if (without_contact.size() == 0) without_contact = block.mass.ldlt().solve(block.f);
         twist += body.jacobian * without_contact;
@@ -128,7 +128,7 @@ Velocities new_velocities(const World& world, const AssembledContacts& contacts,
   for (std::size_t b = 0; b < world.size(); ++b) {
     const int block = contacts.block_of_body[b];
     if (block < 0 || !world.parts.bodies.is_free(static_cast<int>(b))) continue;
-    const int first = contacts.problem.block_offset[static_cast<std::size_t>(block)];
+    const int first = contacts.problem.block_offset[block];
     after.v[b] = solution.v.segment<3>(first);
     after.w[b] = solution.v.segment<3>(first + 3);
   }

@@ -9,10 +9,10 @@
 
 namespace nilas {
 
-StaticFrictionSolution ContactModel::solve(ContactProblem& problem, const VecX& guess,
+StaticFrictionSolution ContactModel::solve(ContactProblem& problem, const PreparedProblem& prepared, const VecX& guess,
                                            const SlippingContacts& slipped) const {
-  if (static_friction) return solve_with_static_friction(*static_friction, *solver, guess, slipped, problem);
-  return {solver->solve(problem, guess), {}, 1};
+  if (static_friction) return solve_with_static_friction(*static_friction, *solver, guess, slipped, problem, prepared);
+  return {solver->solve(prepared, guess), {}, 1};
 }
 
 AssemblySettings ContactModel::assembly_over(double h) const {

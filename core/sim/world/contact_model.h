@@ -35,7 +35,9 @@ struct ContactModel {
   AssemblySettings assembly_over(double h) const;
   CorrectionSettings correction_over(double h) const;
   /// Solves with the contacts that slipped in the last step. Writes the coefficient of each contact to `problem.mu`.
-  StaticFrictionSolution solve(ContactProblem& problem, const VecX& guess, const SlippingContacts& slipped) const;
+  /// `prepared` is of this `problem`.
+  StaticFrictionSolution solve(ContactProblem& problem, const PreparedProblem& prepared, const VecX& guess,
+                               const SlippingContacts& slipped) const;
 };
 
 /// Whether some pair of materials has more static than kinetic friction, under a law with friction.

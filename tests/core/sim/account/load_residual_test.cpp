@@ -22,7 +22,7 @@ SolvedProblem pressed(double off, Law law, StepMotion& motion) {
   problem.f << 0.5, 0, 0;
   solved.solution.r = Vec3(0.5 + off, 0, 0);
   solved.solution.v = velocities(problem, solved.solution.r);
-  measure(problem, solved.solution.r, solved.solution.v, solved.d);
+  measure(PreparedProblem(problem), solved.solution.r, solved.solution.v, solved.d);
   motion.p = {Vec3(-1, 1, 0), Vec3::Zero()};
   ContactPoint c;
   c.a = 0;
@@ -67,14 +67,14 @@ TEST(LoadResidual, OfFloesBehindCountsWhereTheSolverStoppedShort) {
   solved.solution.r[0] = between;
   solved.solution.r[6] = elsewhere;
   solved.solution.v = velocities(problem, solved.solution.r);
-  measure(problem, solved.solution.r, solved.solution.v, solved.d);
+  measure(PreparedProblem(problem), solved.solution.r, solved.solution.v, solved.d);
   motion.p.assign(5, Vec3::Zero());
   motion.points.resize(3);
   constexpr int k_vessel = 4;
   for (const auto& [c, a, b] : {std::tuple(0, 0, 1), std::tuple(1, 1, k_vessel), std::tuple(2, 2, 3)}) {
-    motion.points[static_cast<std::size_t>(c)].a = a;
-    motion.points[static_cast<std::size_t>(c)].b = b;
-    motion.points[static_cast<std::size_t>(c)].p = Vec3(0, 2, 0);
+    motion.points[c].a = a;
+    motion.points[c].b = b;
+    motion.points[c].p = Vec3(0, 2, 0);
   }
   const std::vector<Mat3> C(3, Mat3::Identity());
   solved.solution.status = SolveStatus::converged;
