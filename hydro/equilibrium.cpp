@@ -38,9 +38,9 @@ Displacement displacement(MeshWater& mesh, const Mat3& R, double z, const Water&
 }
 
 /// A body of any shape about its centre of mass, with the water integrals of the buoyancy module.
-class Afloat {
+class FloatingShape {
  public:
-  explicit Afloat(const Shape& shape) : shape_(shape), geometry_(prepare_geometry(shape)) {}
+  explicit FloatingShape(const Shape& shape) : shape_(shape), geometry_(prepare_geometry(shape)) {}
 
   Submerged submerged(const Mat3& R, double z, double level) {
     const Vec3 p(0, 0, z);
@@ -60,7 +60,8 @@ class Afloat {
     for (const Vec3& x : shape_.surface.vertices) z = std::min(z, R.row(2).dot(x));
     return z;
   }
-  /// The height at which the Newton iteration begins: heave balance at this attitude, for a sphere half under water [m].
+  /// The height at which the Newton iteration begins: heave balance at this attitude, for a sphere half under water
+  /// [m].
   double start_height(const Mat3& R, double mass, const Water& water) const {
     if (shape_.kind != ShapeKind::sphere) return floating_height(shape_.surface, R, mass, water);
     const double most = water.density * 4 / 3 * k_pi * std::pow(shape_.radius, 3);
@@ -81,8 +82,8 @@ Mat3 tilted(const Vec2& tilt, const Quat& start) {
   return Eigen::AngleAxisd(angle, axis).toRotationMatrix() * start.toRotationMatrix();
 }
 
-/// Fills in the metacentric heights: BM along and across the heading, plus the height of the centre of buoyancy over the
-/// centre of mass.
+/// Fills in the metacentric heights: BM along and across the heading, plus the height of the centre of buoyancy over
+/// the centre of mass.
 void add_metacentres(const Waterplane& cut, double buoyancy_height, const Mat3& R, FloatingEquilibrium& found) {
   const double heading = std::atan2(R(1, 0), R(0, 0)), c = std::cos(heading), s = std::sin(heading);
   const double across = s * s * cut.xx + c * c * cut.yy - 2 * s * c * cut.xy;
@@ -102,8 +103,9 @@ double floating_height(const TriangleMesh& mesh, const Mat3& R, double mass, con
   const double sunk = water.level - top, height = top - bottom;
   const double most = displacement(prepared, R, sunk, water).mass;
   if (mass > most * (1 + k_balance)) refuse_to_sink(mass, most);
-  // Newton's method needs bounds here, and KINSOL has none. Of 1400 random masses and attitudes KINSOL missed 27: a step
-  // led out of the water, where the displacement has no slope. The unknown is the rise from where all is under water.
+  // Newton's method needs bounds here, and KINSOL has none. Of 1400 random masses and attitudes KINSOL missed 27: a
+  // step led out of the water, where the displacement has no slope. The unknown is the rise from where all is under
+  // water.
   const auto excess = [&](double rise) {
     const Displacement now = displacement(prepared, R, sunk + rise, water);
     if (std::abs(now.mass - mass) <= k_balance * mass) return std::pair(0.0, now.slope);
@@ -117,7 +119,7 @@ double floating_height(const TriangleMesh& mesh, const Mat3& R, double mass, con
 FloatingEquilibrium floating_equilibrium(const Shape& shape, double mass, const Quat& start, const Water& water) {
   if (!(mass > 0)) throw InputError("a floating body needs a positive mass, not " + std::to_string(mass) + " kg");
   if (shape.kind == ShapeKind::plane) throw InputError("a half space does not float");
-  Afloat body(shape);
+  FloatingShape body(shape);
   const double size = shape.bounding_radius;
   const double z_start = body.start_height(start.toRotationMatrix(), mass, water);
   const bool round = shape.kind == ShapeKind::sphere;  // rests at any attitude

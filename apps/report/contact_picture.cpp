@@ -67,8 +67,7 @@ double panel_height(const ContactPictureInput& input) {
   constexpr double k_lowest = 120, k_highest = 420;
   double height = k_lowest;
   for (const View& view : input.views) {
-    const auto &across = input.frame.axes[static_cast<std::size_t>(view.across)],
-               &up = input.frame.axes[static_cast<std::size_t>(view.up)];
+    const auto &across = input.frame.axes[view.across], &up = input.frame.axes[view.up];
     height = std::max(height, k_panel_width * up.width() / across.width());
   }
   return std::min(height, k_highest);
@@ -110,8 +109,7 @@ Json data_of(const ContactPictureInput& input, double unit) {
 /// Ranges, tics and labels of a panel's axes.
 Json axes_of(const ContactPictureInput& input, std::size_t v, bool lowest, double height) {
   const View& view = input.views[v];
-  const Range &across = input.frame.axes[static_cast<std::size_t>(view.across)],
-              &up = input.frame.axes[static_cast<std::size_t>(view.up)];
+  const AxisExtent &across = input.frame.axes[view.across], &up = input.frame.axes[view.up];
   const double pixels_per_metre = std::min(k_panel_width / across.width(), height / up.width());
   const double spare = 0.5 * (k_panel_width / pixels_per_metre - across.width());  // room that the panel has left
   constexpr double k_room_across = 45, k_room_up = 18;                             // of a number [px]

@@ -11,29 +11,29 @@ namespace {
 
 constexpr double k_margin = 0.12, k_margin_along = 0.03;  // of what is shown
 
-std::array<Range, 3> extents(const std::vector<TriangleMesh>& meshes) {
-  std::array<Range, 3> axes;
+std::array<AxisExtent, 3> extents(const std::vector<TriangleMesh>& meshes) {
+  std::array<AxisExtent, 3> axes;
   for (const TriangleMesh& mesh : meshes)
     for (const Vec3& p : mesh.vertices)
       for (std::size_t k = 0; k < axes.size(); ++k) axes[k].add(p[static_cast<Eigen::Index>(k)]);
   return axes;
 }
 
-Range touched(const std::vector<ContactWindow>& windows, int axis) {
-  Range range;
+AxisExtent touched(const std::vector<ContactWindow>& windows, int axis) {
+  AxisExtent range;
   for (const auto& window : windows)
     for (const auto& mark : window.marks) range.add(mark.p[axis]);
   return range;
 }
 
-void widen(Range& range, double margin) {
+void widen(AxisExtent& range, double margin) {
   range.low -= margin;
   range.high += margin;
 }
 
 }  // namespace
 
-void Range::add(double x) {
+void AxisExtent::add(double x) {
   low = std::min(low, x);
   high = std::max(high, x);
 }
@@ -59,8 +59,8 @@ std::array<View, 3> structure_views(const Vec2& course) {
 PictureFrame hull_frame(const TriangleMesh& hull, const std::vector<ContactWindow>& windows) {
   constexpr double k_least_share = 0.4;
   PictureFrame frame{.axes = extents({hull}), .left_out = ""};
-  Range& x = frame.axes[0];
-  const Range whole = x, ice = touched(windows, 0);
+  AxisExtent& x = frame.axes[0];
+  const AxisExtent whole = x, ice = touched(windows, 0);
   const double margin = k_margin_along * whole.width();
   if (ice.low <= ice.high)
     x.low = std::max(x.low, std::min(ice.low - margin, whole.high - k_least_share * whole.width()));
@@ -77,9 +77,9 @@ PictureFrame structure_frame(const std::vector<TriangleMesh>& structures, const 
                              double water_level) {
   PictureFrame frame{.axes = extents(structures), .left_out = ""};
   const double plan = std::max(frame.axes[0].width(), frame.axes[1].width());
-  Range& z = frame.axes[2];
-  const Range whole = z;
-  Range shown = touched(windows, 2);
+  AxisExtent& z = frame.axes[2];
+  const AxisExtent whole = z;
+  AxisExtent shown = touched(windows, 2);
   shown.add(water_level);
   widen(shown, plan);
   z = {std::max(z.low, shown.low), std::min(z.high, shown.high)};
@@ -89,7 +89,7 @@ PictureFrame structure_frame(const std::vector<TriangleMesh>& structures, const 
         "The structures reach from z = {:.4g} m to {:.4g} m; at these times nothing touched them beyond "
         "what is shown.",
         whole.low, whole.high);
-  for (Range& axis : frame.axes) widen(axis, k_margin * axis.width());
+  for (AxisExtent& axis : frame.axes) widen(axis, k_margin * axis.width());
   return frame;
 }
 

@@ -24,7 +24,7 @@ std::array<View, 3> hull_views();
 /// The elevation that faces what comes along -`course` (horizontal, in G), the plan, and the other elevation.
 std::array<View, 3> structure_views(const Vec2& course);
 
-struct Range {
+struct AxisExtent {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   double width() const { return high - low; }
   void add(double x);
@@ -32,8 +32,8 @@ struct Range {
 
 /// What of the drawing's frame is shown.
 struct PictureFrame {
-  std::array<Range, 3> axes;  ///< x, y, z [m]
-  std::string left_out;       ///< what lies beyond, as a sentence; empty where all is shown
+  std::array<AxisExtent, 3> axes;  ///< x, y, z [m]
+  std::string left_out;            ///< what lies beyond, as a sentence; empty where all is shown
 };
 
 /// Of a hull the part that was touched, two fifths of its length at least, and all ahead of it.

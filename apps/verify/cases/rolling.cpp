@@ -215,13 +215,13 @@ std::vector<Quantity> lubricated(const Setting& s) {
 }
 
 std::vector<Quantity> oblique_bounce(const Setting& s) {
-  constexpr double k_met = 1e-13;  // so deep it is [m]
+  constexpr double k_depth = 1e-13;  // so deep it is [m]
   const double e = s["e"], mu = s["mu"], down = s["approach"];
   std::vector<Quantity> found;
   for (const double share : {0.5, 2.0}) {
     const double along = share * 3.5 * mu * (1 + e) * down;
     // so high that it touches where the step's impulses act
-    const double height = k_radius + (1 - s.theta()) * s.h() * down - k_met;
+    const double height = k_radius + (1 - s.theta()) * s.h() * down - k_depth;
     Trial run = s.trial(of("ball", "position", Vec3(0, 0, height)) + of("ball", "velocity", Vec3(along, 0, -down)) +
                         friction(mu) + restitution(e) + gravity(Vec3::Zero()));
     run.step();

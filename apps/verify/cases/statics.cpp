@@ -50,7 +50,7 @@ double rate_of_sweeps(const Setting& s, const Overrides& changes, int sweeps) {
   for (const int more : {0, 1}) {
     Trial run = s.trial(
         changes + Overrides{{"contact/@tolerance", "0"}, {"contact/@max_iterations", std::to_string(sweeps + more)}});
-    residual[static_cast<std::size_t>(more)] = run.step().residuals.law_map_m_s;
+    residual[more] = run.step().residuals.law_map_m_s;
   }
   return residual[1] / residual[0];
 }
@@ -78,7 +78,7 @@ std::vector<Quantity> heavy_on_light(const Setting& s) {
 }
 
 std::vector<Quantity> three_legs(const Setting& s) {
-  constexpr double k_arm = 0.5, k_height = 0.1, k_mass = 2;
+  constexpr double k_arm = 0.5, k_height = 0.1, k_body_mass = 2;
   const double along = s["share"] * k_gravity;
   Trial run = s.trial(gravity({along, 0, -k_gravity}) + friction(0.5));
   run.step();
@@ -89,7 +89,7 @@ std::vector<Quantity> three_legs(const Setting& s) {
     for (const auto& touch : run.touches())
       if ((touch.point - corner).norm() < 0.01 * k_arm) load += touch.force.z();
     found.push_back({fmt::format("force at {:g} deg [N]", angle), load,
-                     k_mass * (k_gravity / 3 + 2.0 / 3 * along * k_height / k_arm * std::cos(angle * k_deg))});
+                     k_body_mass * (k_gravity / 3 + 2.0 / 3 * along * k_height / k_arm * std::cos(angle * k_deg))});
   }
   return found;
 }
@@ -220,7 +220,7 @@ std::vector<Quantity> painleve(const Setting& s) {
 }
 
 std::vector<Quantity> several_times(const Setting& s) {
-  constexpr double k_mass = 2;
+  constexpr double k_block_mass = 2;
   const auto with = [&](const std::string& scene) {
     Trial run = s.trial_of(scene, friction(s["mu"]) + of("block", "velocity", "2 1 0"));
     run.run(20);
@@ -228,7 +228,7 @@ std::vector<Quantity> several_times(const Setting& s) {
   };
   const Trial once = with("block.xml"), twice = with("two-floors.xml");
   return {{"difference of velocities [m/s]", (once.body("block").v - twice.body("block").v).norm(), 0, 1},
-          {"sum of normal forces [N]", twice.contact_force_on("block").z(), k_mass * k_gravity},
+          {"sum of normal forces [N]", twice.contact_force_on("block").z(), k_block_mass * k_gravity},
           {"contacts over those of one floor",
            static_cast<double>(twice.last().contacts) / static_cast<double>(once.last().contacts), 2}};
 }

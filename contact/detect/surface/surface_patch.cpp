@@ -112,9 +112,9 @@ void show_polytope(const PatchView& view, const Projection& projection, double t
 /// Horizontal part of a direction as a unit vector; the x axis when there is none.
 Vec3 across_axis(const Vec3& direction) {
   const Vec3 across(direction.x(), direction.y(), 0);
-  constexpr double k_upright = 1e-9;  // below it the lowest point of the rim is rounding
+  constexpr double k_least_lean = 1e-9;  // below it the lowest point of the rim is rounding
   const double length = across.norm();
-  return length > k_upright ? Vec3(across / length) : Vec3::UnitX();
+  return length > k_least_lean ? Vec3(across / length) : Vec3::UnitX();
 }
 
 void show_cylinder(const PatchView& view, const Projection& projection, SurfacePatch& patch) {

@@ -15,8 +15,8 @@ namespace {
 /// Probability of a value below x or, if `including`, of one up to x.
 double probability(const Quantiles& quantiles, double x, bool including) {
   double low = 0, high = 1;
-  constexpr int k_halvings = 45;
-  for (int k = 0; k < k_halvings; ++k) {
+  constexpr int k_bisections = 45;
+  for (int k = 0; k < k_bisections; ++k) {
     const double u = 0.5 * (low + high), value = quantiles(u);
     (including ? value <= x : value < x) ? low = u : high = u;
   }

@@ -1,14 +1,13 @@
 #include "core/output/loads/ice_load_json.h"
 
 #include "core/output/loads/ice_load_text.h"
+#include "core/output/loads/or_null.h"
 
 namespace nilas {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json or_null(const std::optional<double>& x) { return x ? Json(*x) : Json(nullptr); }
 
 /// One component. `unit`: N or Nm, the end of the keys.
 Json component_json(const ComponentLoad& load, const std::string& unit) {

@@ -10,13 +10,6 @@ namespace nilas {
 
 namespace {
 
-constexpr std::size_t k_label_width = 22;
-
-/// A line with a label and text, wrapped behind the label.
-std::string line(const std::string& label, const std::string& text) {
-  return fmt::format("{:<22}{}\n", label, wrapped(text, k_label_width));
-}
-
 /// A number without exponent, with this number of significant digits.
 std::string plain(double x, int digits) {
   if (x == 0 || !std::isfinite(x)) return fmt::format("{:g}", x);
@@ -41,20 +34,21 @@ std::string window_text(const IceLoad& load) {
 
 std::string peak_lines(const IceLoad& load) {
   const Peak &along = load.along.peak, &across = load.across.peak;
-  std::string text = line(
+  std::string text = account_line(
       "  filtered peak", fmt::format("{} along at {:.5g} s, {} across: means over {:.2g} s", force_text(along.filtered),
                                      along.filtered_time, force_text(across.filtered), load.filter));
-  text +=
-      line("  raw peak",
-           fmt::format("{} in one step, at {:g} s; the impact around it lasts {:.2g} s and has an impulse of {:.3g} "
-                       "N s. {}",
-                       force_text(along.raw), along.raw_time, along.event_to - along.event_from, along.event_impulse,
-                       raw_peak_depends_on(load)));
+  text += account_line(
+      "  raw peak",
+      fmt::format("{} in one step, at {:g} s; the impact around it lasts {:.2g} s and has an impulse of {:.3g} "
+                  "N s. {}",
+                  force_text(along.raw), along.raw_time, along.event_to - along.event_from, along.event_impulse,
+                  raw_peak_depends_on(load)));
   if (load.impacts_dominate())
-    text += line("  advice", fmt::format("1 % of the steps carry {:.0f} % of the load: single rigid impacts. Let the "
-                                         "ice crush (<fracture><crushing>, breakable ice) to limit them to the "
-                                         "strength of ice.",
-                                         100 * load.in_largest));
+    text += account_line("  advice",
+                         fmt::format("1 % of the steps carry {:.0f} % of the load: single rigid impacts. Let the "
+                                     "ice crush (<fracture><crushing>, breakable ice) to limit them to the "
+                                     "strength of ice.",
+                                     100 * load.in_largest));
   return text;
 }
 
@@ -74,16 +68,17 @@ std::string error_text(const LoadError& error) {
 }
 
 std::string tow_lines(const TowForce& tow) {
-  constexpr double k_rounding = 1e-6;
-  const auto is_some = [&](double newton) { return std::abs(newton) > k_rounding * std::abs(tow.mean); };
+  constexpr double k_negligible = 1e-6;
+  const auto is_some = [&](double newton) { return std::abs(newton) > k_negligible * std::abs(tow.mean); };
   const auto part = [&](double newton) { return force_text(is_some(newton) ? newton : 0); };
-  std::string text =
-      line("tow force", fmt::format("{} forward: ice {}, water {}, inertia{} {}{}", force_text(tow.mean), part(tow.ice),
-                                    part(tow.water), tow.on_rods ? " and rods" : "", part(tow.inertia),
-                                    is_some(tow.others) ? ", other contacts " + part(tow.others) : ""));
+  std::string text = account_line(
+      "tow force", fmt::format("{} forward: ice {}, water {}, inertia{} {}{}", force_text(tow.mean), part(tow.ice),
+                               part(tow.water), tow.on_rods ? " and rods" : "", part(tow.inertia),
+                               is_some(tow.others) ? ", other contacts " + part(tow.others) : ""));
   if (tow.open_water)
-    text += line("  less open water", fmt::format("{} after deduction of {} in open water ({})", force_text(tow.net()),
-                                                  force_text(*tow.open_water), tow.open_water_source));
+    text += account_line("  less open water",
+                         fmt::format("{} after deduction of {} in open water ({})", force_text(tow.net()),
+                                     force_text(*tow.open_water), tow.open_water_source));
   return text;
 }
 
@@ -114,19 +109,19 @@ std::string raw_peak_depends_on(const IceLoad& load) {
 std::string ice_load_lines(const IceLoad& load, const LoadError& error) {
   std::string text;
   if (!load.touched) {
-    text = line("ice load", "none: no ice pressed on the hull in the window");
-    text += line("  window", window_text(load));
+    text = account_line("ice load", "none: no ice pressed on the hull in the window");
+    text += account_line("  window", window_text(load));
   } else {
-    text = line("ice load",
-                fmt::format("{} astern, {} to port{}",
-                            with_error(load.along.statistics.mean, load.along.half_width, error.solver_at_least),
-                            with_error(load.across.statistics.mean, load.across.half_width, error.solver_at_least),
-                            error.from_twins ? "; means over the run and its perturbed runs" : ""));
-    text += line("  window", window_text(load));
-    text += line("  deviation", fmt::format("{} along, {} across", force_text(load.along.statistics.std),
-                                            force_text(load.across.statistics.std)));
+    text = account_line(
+        "ice load", fmt::format("{} astern, {} to port{}",
+                                with_error(load.along.statistics.mean, load.along.half_width, error.solver_at_least),
+                                with_error(load.across.statistics.mean, load.across.half_width, error.solver_at_least),
+                                error.from_twins ? "; means over the run and its perturbed runs" : ""));
+    text += account_line("  window", window_text(load));
+    text += account_line("  deviation", fmt::format("{} along, {} across", force_text(load.along.statistics.std),
+                                                    force_text(load.across.statistics.std)));
     text += peak_lines(load);
-    text += line("  sources of the +-", error_text(error));
+    text += account_line("  sources of the +-", error_text(error));
   }
   if (load.tow) text += tow_lines(*load.tow);
   return text;
@@ -134,13 +129,14 @@ std::string ice_load_lines(const IceLoad& load, const LoadError& error) {
 
 std::string structure_lines(const StructureLoad& structure) {
   const std::string label = fmt::format("load on '{}'", structure.name);
-  if (!structure.ice.touched) return line(label, "none: no ice pressed on it");
-  return line(label, fmt::format("{} along, {} across the drift, from {:g} s to {:g} s",
-                                 with_error(structure.ice.along.statistics.mean, structure.ice.along.half_width),
-                                 with_error(structure.ice.across.statistics.mean, structure.ice.across.half_width),
-                                 structure.ice.window.from, structure.ice.window.to)) +
-         line("  deviation", fmt::format("{} along, {} across", force_text(structure.ice.along.statistics.std),
-                                         force_text(structure.ice.across.statistics.std))) +
+  if (!structure.ice.touched) return account_line(label, "none: no ice pressed on it");
+  return account_line(label,
+                      fmt::format("{} along, {} across the drift, from {:g} s to {:g} s",
+                                  with_error(structure.ice.along.statistics.mean, structure.ice.along.half_width),
+                                  with_error(structure.ice.across.statistics.mean, structure.ice.across.half_width),
+                                  structure.ice.window.from, structure.ice.window.to)) +
+         account_line("  deviation", fmt::format("{} along, {} across", force_text(structure.ice.along.statistics.std),
+                                                 force_text(structure.ice.across.statistics.std))) +
          peak_lines(structure.ice);
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/base/statistics.h"
 #include "core/output/loads/mean_error.h"
+#include "core/output/loads/or_null.h"
 
 namespace nilas {
 
@@ -10,8 +11,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double k_confidence = 0.95, k_perturbation = 1e-12;  // -, [m]
-
-Json or_null(const std::optional<double>& x) { return x ? Json(*x) : Json(nullptr); }
 
 Json channel_json(const ChannelError& error) {
   return {{"mean", error.mean},

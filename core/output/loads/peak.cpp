@@ -32,8 +32,8 @@ void find_filtered(const std::vector<double>& series, double t0, double h, Peak&
   const double duration = static_cast<double>(series.size()) * h;
   const double width = peak.filter;
   const auto offer = [&](double end) {
-    constexpr double k_rounding = 1e-9;
-    if (end < width * (1 - k_rounding) || end > duration * (1 + k_rounding)) return;
+    constexpr double k_slack = 1e-9;
+    if (end < width * (1 - k_slack) || end > duration * (1 + k_slack)) return;
     const double mean = (impulse.at(end) - impulse.at(end - width)) / width;
     if (std::abs(mean) <= std::abs(peak.filtered)) return;
     peak.filtered = mean;
@@ -68,7 +68,7 @@ Peak peak_of(const std::vector<double>& series, double t0, double h, double filt
   const auto top =
       std::max_element(series.begin(), series.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }) -
       series.begin();
-  peak.raw = series[static_cast<std::size_t>(top)];
+  peak.raw = series[top];
   if (peak.raw == 0) return peak;
   peak.raw_time = t0 + static_cast<double>(top + 1) * h;
   find_filtered(series, t0, h, peak);

@@ -12,7 +12,6 @@ namespace nilas {
 
 namespace {
 
-constexpr std::size_t k_label_width = 22;
 constexpr double k_negligible = 1e-6, k_standard_gravity = 9.80665;
 
 /// Keeps the largest value and its time; a NaN counts as largest.
@@ -107,9 +106,7 @@ void ReactionBalance::restore(const StateReader& in) {
 
 std::string reaction_lines(const ReactionBalance& balance) {
   std::string text;
-  const auto line = [&](const char* label, const std::string& told) {
-    text += fmt::format("{:<22}{}\n", label, wrapped(told, k_label_width));
-  };
+  const auto line = [&](const char* label, const std::string& told) { text += account_line(label, told); };
   double worst = 0;
   std::string of;
   for (const JointBalance& joint : balance.joints()) {

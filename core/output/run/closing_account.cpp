@@ -12,7 +12,6 @@ namespace nilas {
 namespace {
 
 constexpr double k_percent = 100, k_ms_per_s = 1000;
-constexpr std::size_t k_label_width = 22;
 
 std::string phase_line(const std::string& name, double ms, long steps, double total_ms) {
   return fmt::format("  {:<14}{:>12.4f}{:>9.1f}\n", name, steps > 0 ? ms / static_cast<double>(steps) : 0,
@@ -117,8 +116,7 @@ std::string closing_account(const RunStatistics& statistics, double wall_s, cons
   if (ice && ice->extruded_mass > 0)
     text += fmt::format("{:<22}{:.3g} kg of the crushed ice\n", "cut out", ice->extruded_mass);
   text += shortfall_lines(statistics.shortfalls(), statistics.detection(), statistics.steps());
-  if (const std::string slower = statistics.slowdown(); !slower.empty())
-    text += fmt::format("{:<22}{}\n", "slower", wrapped(slower, k_label_width));
+  if (const std::string slower = statistics.slowdown(); !slower.empty()) text += account_line("slower", slower);
   return text + fmt::format("{:<22}{}\n", "outputs", outputs.string());
 }
 

@@ -41,6 +41,11 @@ std::string wrapped(const std::string& text, std::size_t indent) {
   return out;
 }
 
+std::string account_line(const std::string& label, const std::string& text) {
+  constexpr std::size_t k_label_width = 22;
+  return fmt::format("{:<{}}{}\n", label, k_label_width, wrapped(text, k_label_width));
+}
+
 double steady_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }

@@ -21,6 +21,8 @@ constexpr int k_console_columns = 80;
 /// `text`, wrapped at blanks to 80 columns. All lines but the first are indented; the first is printed from that column
 /// on.
 std::string wrapped(const std::string& text, std::size_t indent);
+/// A line of a run's closing account: the label, and the text wrapped in a column of its own.
+std::string account_line(const std::string& label, const std::string& text);
 
 /// Wall-clock seconds from any origin.
 using WallClock = std::function<double()>;

@@ -167,4 +167,8 @@ std::string array_bytes(std::string_view text) {
   return expand_block(std::string_view(block).substr(0, numbers[3]), numbers[1]);
 }
 
+void append(const Vec3& x, std::vector<float>& out) {
+  for (const double component : x) out.push_back(static_cast<float>(component));
+}
+
 }  // namespace nilas

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/math.h"
+
 namespace nilas {
 
 /// Compresses to an LZ4 block (format 1.6) that stores consecutive repeats of a value of `width` bytes as one match,
@@ -33,5 +35,8 @@ template <class Number>
 void add_data_array(const ArrayType& type, const std::vector<Number>& x, std::string& text) {
   add_data_array(type, std::as_bytes(std::span(x)), sizeof(Number) * type.components, text);
 }
+
+/// Appends the three components of x.
+void append(const Vec3& x, std::vector<float>& out);
 
 }  // namespace nilas

@@ -7,14 +7,6 @@
 
 namespace nilas {
 
-namespace {
-
-void append(const Vec3& x, std::vector<float>& out) {
-  for (const double component : x) out.push_back(static_cast<float>(component));
-}
-
-}  // namespace
-
 std::string contact_forces_document(const std::vector<ContactRow>& rows, double h) {
   std::vector<float> points, force, normal, gap;
   std::vector<std::int64_t> body, other;

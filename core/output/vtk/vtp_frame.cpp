@@ -21,10 +21,6 @@ std::uint8_t kind_number(BodyKind kind) {
   return 2;
 }
 
-void append(const Vec3& x, std::vector<float>& out) {
-  for (const double component : x) out.push_back(static_cast<float>(component));
-}
-
 }  // namespace
 
 void VtpFrame::clear(bool with_damage) {

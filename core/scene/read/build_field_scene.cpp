@@ -46,7 +46,7 @@ static PolygonScene build_polygon(const SceneElement& element) {
 }
 
 /// The shape of floes; a library replaces the kind.
-static FloeShapeScene build_shape(const SceneElement& element) {
+static FloeShapeScene build_floe_shape(const SceneElement& element) {
   if (const auto library = text_of(element, "library")) return LibraryScene{*library};
   const auto assign_aspect = [&](auto shape) {
     assign(shape.aspect, element, "aspect");
@@ -82,7 +82,7 @@ static PackedFieldScene build_packed(const SceneElement& element) {
   assign(field.overlap_tolerance, element, "overlap_tolerance");
   assign(field.shear_deg, element, "shear_deg");
   if (const auto* size = child_of(element, "size")) field.size = build_size(*size);
-  if (const auto* shape = child_of(element, "shape")) field.shape = build_shape(*shape);
+  if (const auto* shape = child_of(element, "shape")) field.shape = build_floe_shape(*shape);
   return field;
 }
 

@@ -117,7 +117,7 @@ static FractureScene build_fracture(const SceneElement& element) {
   return fracture;
 }
 
-static SolidShape build_shape(const SceneElement& element) {
+static SolidShape build_solid_shape(const SceneElement& element) {
   switch (choice_of<SolidShapeKind>(element, "shape").value_or(SolidScene{}.kind())) {
     case SolidShapeKind::box: {
       BoxScene box;
@@ -150,7 +150,7 @@ static SolidShape build_shape(const SceneElement& element) {
 void assign_solid(SolidScene& solid, const SceneElement& element) {
   solid.line = element.place.line;
   assign(solid.name, element, "name");
-  solid.shape = build_shape(element);
+  solid.shape = build_solid_shape(element);
   assign(solid.material, element, "material");
   assign(solid.mass, element, "mass");
   assign(solid.density, element, "density");
