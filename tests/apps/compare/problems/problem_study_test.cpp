@@ -61,7 +61,8 @@ TEST(ProblemStudy, JudgesByTheYardstickAndListsFailuresByCause) {
   EXPECT_EQ(find(rows, "particle", "enumerate").sliding, 1);
   EXPECT_EQ(find(rows, "broken", "").outcome, RunOutcome::unreadable);
   const std::string page = read_text(folder.path() / "out/compare.html");
-  for (const char* word : {"newton solved all 4 problems", "stalled", "broken", "<svg", "How the solvers were compared"})
+  for (const char* word :
+       {"newton solved all 4 problems", "stalled", "broken", "<svg", "How the solvers were compared"})
     EXPECT_TRUE(mentions(page, word)) << word;
   const auto json = nlohmann::json::parse(read_text(folder.path() / "out/compare.json"));
   EXPECT_EQ(json["status"], "done");
