@@ -1,4 +1,4 @@
-/// The command-line program: picks the subcommand and maps errors to exit codes.
+/// The command-line program: it picks the subcommand and maps errors to exit codes.
 #include <malloc.h>
 #include <unistd.h>
 
@@ -42,14 +42,15 @@ int run_action(const nilas::Action& action) {
   }
 }
 
-/// Ends the program where there is nothing to finish; `run` puts its own in place once it has steps to end.
+/// The signal handler that ends the program at once. `run` and `compare` replace it when they have outputs to finish.
 void leave(int) {
   constexpr char text[] = "The program was interrupted before it had finished.\n";
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text, sizeof text - 1);
   ::_exit(nilas::exit_interrupted);
 }
 
-/// Reads the words of the command line. Returns an exit code where they ask for nothing that can be run.
+/// Reads the words of the command line. Returns an exit code if there is no action to run: after a fault, which is
+/// printed, or after --help and --version.
 std::optional<int> read_words(CLI::App& app, const std::vector<std::string>& words) {
   const auto refuse = [](const std::string& fault) {
     std::cerr << nilas::wrapped("error: " + fault, 0) << "\n";
@@ -61,11 +62,11 @@ std::optional<int> read_words(CLI::App& app, const std::vector<std::string>& wor
   }
   if (const std::string fault = nilas::unknown_command(app, words); !fault.empty()) return refuse(fault);
   try {
-    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // it takes the last word first
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 takes the last word first
   } catch (const CLI::Success& e) {
     return app.exit(e);
   } catch (const CLI::ParseError& e) {
-    // what is missing is often what was misspelt
+    // an option that is missing is often one that was misspelt
     if (const std::string fault = nilas::unknown_word(app); !fault.empty()) return refuse(fault);
     app.exit(e);
     return nilas::exit_bad_input;

@@ -1,9 +1,9 @@
 #pragma once
-/// Where the axes of drawings carry numbers.
+/// The steps between the numbers on the axes of drawings.
 
 namespace nilas {
 
-/// Smallest of the steps 1, 2 and 5 times a power of ten that parts `length` into at most `at_most` intervals. Throws
+/// The smallest step of 1, 2 or 5 times a power of ten that divides `length` into at most `at_most` intervals. Throws
 /// ContractError unless both are positive.
 double tick_step(double length, int at_most);
 

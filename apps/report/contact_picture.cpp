@@ -37,7 +37,7 @@ std::string outlines(const View& view, const std::vector<std::vector<Vec3>>& flo
   return text;
 }
 
-/// A mark that faces sideways, as one on the centre plane of a hull, belongs to both sides.
+/// Whether a view shows a mark. A mark that faces sideways, such as one on a hull's centre plane, shows on both sides.
 bool shows(const View& view, const ContactMark& mark) {
   constexpr double k_sideways = -1e-6;
   return view.is_plan() || mark.side.dot(view.from) >= k_sideways;
@@ -50,7 +50,7 @@ std::string marks(const View& view, const ContactWindow& window, double unit) {
   return text;
 }
 
-/// Strongest contact of all rows; 1 N where there is none.
+/// The force of the strongest contact of all rows [N]; 1 N without contacts.
 double strongest(const ContactPictureInput& input) {
   double force = 0;
   for (const auto& row : input.rows)
@@ -62,7 +62,7 @@ constexpr int k_width = 1440, k_head = 96, k_foot = 160, k_above_row = 96;  // [
 constexpr double k_left = 0.055, k_right = 0.985, k_gap = 0.055;            // of the width
 constexpr double k_panel_width = k_width * (k_right - k_left - 2 * k_gap) / 3;
 
-/// So that the longest axis across fills its panel, within limits.
+/// The height of a panel [px] at which the views fill their panels across, within limits.
 double panel_height(const ContactPictureInput& input) {
   constexpr double k_lowest = 120, k_highest = 420;
   double height = k_lowest;
@@ -73,19 +73,19 @@ double panel_height(const ContactPictureInput& input) {
   return std::min(height, k_highest);
 }
 
-/// Numbers along an axis that is `pixels` long, `room` for each, and not too many.
+/// The step between the numbers of an axis that is `pixels` long. Each has `room` [px], and there are not too many.
 double step_of_ticks(double length, double pixels, double room) {
   constexpr double k_most = 8;
   return tick_step(length, static_cast<int>(std::clamp(pixels / room, 2.0, k_most)));
 }
 
-/// Names of the data of a view or a row.
+/// The names of the data blocks of view v and row w.
 std::string bodies_name(std::size_t v) { return fmt::format("bodies_{}", v); }
 std::string marks_name(std::size_t v, std::size_t w) { return fmt::format("marks_{}_{}", v, w); }
 std::string water_name(std::size_t v, std::size_t w) { return fmt::format("water_{}_{}", v, w); }
 std::string floes_name(std::size_t w) { return fmt::format("floes_{}", w); }
 
-/// Lines that all rows share, and the marks of each.
+/// The data blocks: the lines that all rows share, and the marks, waterlines and floes of each.
 Json data_of(const ContactPictureInput& input, double unit) {
   Json data = Json::array();
   for (std::size_t v = 0; v < input.views.size(); ++v) {
@@ -106,7 +106,7 @@ Json data_of(const ContactPictureInput& input, double unit) {
   return data;
 }
 
-/// Ranges, tics and labels of a panel's axes.
+/// The ranges, tics and labels of a panel's axes.
 Json axes_of(const ContactPictureInput& input, std::size_t v, bool lowest, double height) {
   const View& view = input.views[v];
   const AxisExtent &across = input.frame.axes[view.across], &up = input.frame.axes[view.up];

@@ -11,9 +11,9 @@ namespace nilas {
 
 namespace {
 
-/// Rows of complete steps.
+/// The contact rows of the steps that were written completely.
 struct ContactColumns {
-  std::vector<double> time, x, y, z, z_G, nx, ny, nz, fx, fy, fz;  ///< x, y, z in the frame of the drawing
+  std::vector<double> time, x, y, z, z_G, nx, ny, nz, fx, fy, fz;  ///< x, y, z in the frame of the drawing [m]
   std::vector<std::int64_t> body;
   long steps = 0;
 };
@@ -21,7 +21,7 @@ struct ContactColumns {
 ContactColumns read_contacts(const std::filesystem::path& path, bool of_vessel) {
   const Hdf5Reader file(path);
   if (!file.has(of_vessel ? "contacts/hull_x_m" : "contacts/x_m") || !file.has("steps"))
-    throw InputError(path.string() + ": holds no contacts of " + (of_vessel ? "a hull" : "bodies"));
+    throw InputError(path.string() + ": the file holds no contacts of " + (of_vessel ? "a hull" : "bodies"));
   const auto index = whole_blocks(file.wide_integers("steps"));
   const std::size_t rows = index.empty() ? 0 : static_cast<std::size_t>(index.back());
   const auto numbers = [&](const std::string& name) { return file.first_numbers("contacts/" + name, rows); };
@@ -66,7 +66,7 @@ ContactWindow window_of(const ContactColumns& c, const DrawnBodies& drawn, const
     window.mean_force += force;
     if (force.isZero(0)) continue;
     const Vec3 p(c.x[i], c.y[i], c.z[i]), outward(-c.nx[i], -c.ny[i], -c.nz[i]);
-    // a hull turns, and has its centre plane in y = 0
+    // normals are stored in G and a hull turns, so its side follows from the place: the centre plane is y = 0
     window.marks.push_back({p, drawn.is_vessel ? p : outward, force});
   }
   if (rows > 0) window.floating_level /= static_cast<double>(rows);

@@ -11,17 +11,17 @@ namespace nilas {
 
 /// A contact that carried a force in one step.
 struct ContactMark {
-  Vec3 p = Vec3::Zero();      ///< in the frame of the drawing [m]
-  Vec3 side = Vec3::Zero();   ///< points to where it can be seen from, in that frame
-  Vec3 force = Vec3::Zero();  ///< on the body, in G [N]
+  Vec3 p = Vec3::Zero();      ///< place in the frame of the drawing [m]
+  Vec3 side = Vec3::Zero();   ///< direction from which it can be seen, in that frame
+  Vec3 force = Vec3::Zero();  ///< force on the body, in G [N]
 };
 
 struct ContactWindow {
-  double t = 0, half_width = 0;    ///< [s]
-  long steps = 0;                  ///< in it
-  std::vector<ContactMark> marks;  ///< weakest first
-  Vec3 mean_force = Vec3::Zero();  ///< on the bodies over its steps, in G [N]
-  double floating_level = 0;       ///< of a vessel: mean height of V's origin in G; 0 without contacts [m]
+  double t = 0, half_width = 0;    ///< middle and half the length of the window [s]
+  long steps = 0;                  ///< number of steps in the window
+  std::vector<ContactMark> marks;  ///< sorted by force, the weakest first
+  Vec3 mean_force = Vec3::Zero();  ///< force on the bodies, averaged over the steps, in G [N]
+  double floating_level = 0;       ///< mean height in G of the origin of a vessel's frame V [m]; 0 without contacts
 };
 
 /// The bodies whose contacts are drawn: a vessel in its frame V, or structures in G.
@@ -30,8 +30,8 @@ struct DrawnBodies {
   bool is_vessel = false;
 };
 
-/// One window per time, of the contacts of these bodies. Throws FileError, and InputError where the file holds none of
-/// such bodies or a window no step.
+/// Reads the contacts of these bodies, one window per time [s]. Throws FileError. Throws InputError if the file holds
+/// no contacts of such bodies, or if no step lies in a window.
 std::vector<ContactWindow> contact_windows(const std::filesystem::path& file, const DrawnBodies& drawn,
                                            const TimeScene& run, const std::vector<double>& times, double half_width);
 

@@ -15,7 +15,7 @@ namespace nilas {
 
 namespace {
 
-/// Bodies to draw, by index; the vessel alone or structures.
+/// The bodies to draw, by index: either the vessel alone or structures.
 struct Choice {
   std::vector<std::size_t> bodies;
   bool is_vessel = false;
@@ -29,8 +29,8 @@ Choice choose(const std::string& run, const Simulation& simulation, const std::s
   for (const std::int64_t id : loaded.structures) candidates.push_back(bodies.index_of(id));
   if (candidates.empty())
     throw InputError(run +
-                     ": the scene has neither a vessel nor a body with fixed=\"true\", so there is nothing on "
-                     "which contacts are drawn");
+                     ": there is nothing to draw contacts on, because the scene has neither a vessel nor a body with "
+                     "fixed=\"true\"");
   Choice choice;
   std::string names;
   for (const std::size_t b : candidates) {
@@ -45,7 +45,7 @@ Choice choose(const std::string& run, const Simulation& simulation, const std::s
   return choice;
 }
 
-/// Of a hull in V, whose body has the centre of mass as origin; of a structure in G.
+/// The surface of a body: a hull's in V, although its body has the centre of mass as origin, a structure's in G.
 TriangleMesh mesh_of(const Simulation& simulation, std::size_t b, bool is_vessel) {
   const Bodies& bodies = simulation.bodies();
   TriangleMesh mesh = bodies.shape[b]->surface;
@@ -54,14 +54,14 @@ TriangleMesh mesh_of(const Simulation& simulation, std::size_t b, bool is_vessel
   return mesh;
 }
 
-/// Columns of vessel.csv that drawings need.
+/// The columns of vessel.csv that drawings need.
 class VesselRows {
  public:
   explicit VesselRows(const std::filesystem::path& file)
       : columns_(csv_columns(file, {"time_s", "x_m", "y_m", "z_m", "yaw_deg", "pitch_deg", "roll_deg",
                                     "ice_resistance_N", "ice_side_N", "contact_fz_N"})) {}
 
-  /// Of the centre of mass at the row nearest to t [s]; the identity without rows.
+  /// The pose of the centre of mass in the row nearest to t [s]; the identity without rows.
   Pose pose_near(double t) const {
     const auto& time = columns_[0];
     if (time.empty()) return {};
@@ -76,7 +76,7 @@ class VesselRows {
     return pose;
   }
 
-  /// Mean load astern, to port and up over rows from `low` to `high` [s].
+  /// The mean load astern, to port and up over the rows from `low` to `high` [s], in newton.
   Vec3 mean_load(double low, double high) const {
     Vec3 sum = Vec3::Zero();
     double count = 0;
@@ -92,7 +92,7 @@ class VesselRows {
   std::vector<std::vector<double>> columns_;
 };
 
-/// What is nothing beside the whole load, as what rounding leaves, is told as 0.
+/// A component of a load as text. It is given as 0 where it is negligible, because rounding leaves such values.
 std::string part_text(double part, const Vec3& load) {
   constexpr double k_nothing = 1e-4;
   return force_text(std::abs(part) < k_nothing * load.norm() ? 0 : part);

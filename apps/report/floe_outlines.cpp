@@ -32,27 +32,27 @@ void load(const std::filesystem::path& path, tinyxml2::XMLDocument& document) {
   throw InputError(message);
 }
 
-/// Values of the array of this name and number type among the children of `parent`.
+/// The values of the array of this name and number type among the children of `parent`. Throws InputError without one.
 template <class Number>
 std::vector<Number> values_of(const Element* parent, const char* name, const char* type) {
   const Element* array = parent == nullptr ? nullptr : parent->FirstChildElement("DataArray");
   while (array != nullptr && !array->Attribute("Name", name)) array = array->NextSiblingElement("DataArray");
   if (array == nullptr || !array->Attribute("type", type) || array->GetText() == nullptr)
-    throw InputError(std::string("holds no ") + type + " array " + name);
+    throw InputError(std::string("the file holds no ") + type + " array " + name);
   const std::string bytes = array_bytes(array->GetText());
   std::vector<Number> values(bytes.size() / sizeof(Number));
   std::memcpy(values.data(), bytes.data(), values.size() * sizeof(Number));
   return values;
 }
 
-/// The second polygon of each floe is its upper face.
+/// The upper faces in G [m]. The upper face is the second polygon of each floe.
 std::vector<std::vector<Vec3>> upper_faces(const Element* piece) {
   const auto points = values_of<float>(child_at(piece, {"Points"}), "Points", "Float32");
   const Element* polygons = child_at(piece, {"Polys"});
   const auto corners = values_of<std::int32_t>(polygons, "connectivity", "Int32");
   const auto ends = values_of<std::int32_t>(polygons, "offsets", "Int32");
   const auto ids = values_of<std::int64_t>(child_at(piece, {"CellData"}), "id", "Int64");
-  if (ids.size() != ends.size()) throw InputError("has not one id per polygon");
+  if (ids.size() != ends.size()) throw InputError("the file does not have one id per polygon");
   std::vector<std::vector<Vec3>> faces;
   std::int64_t count = 0;
   for (std::size_t k = 0; k < ids.size(); ++k) {

@@ -9,7 +9,7 @@ namespace nilas {
 
 namespace {
 
-constexpr double k_margin = 0.12, k_margin_along = 0.03;  // of what is shown
+constexpr double k_margin = 0.12, k_margin_along = 0.03;  // shares of what is shown
 
 std::array<AxisExtent, 3> extents(const std::vector<TriangleMesh>& meshes) {
   std::array<AxisExtent, 3> axes;
@@ -44,7 +44,7 @@ std::array<View, 3> hull_views() {
 }
 
 std::array<View, 3> structure_views(const Vec2& course) {
-  // of the two axes the one that the ice comes along more, then the other
+  // the axis along which the ice moves more comes first
   const bool along_x = std::abs(course.x()) >= std::abs(course.y());
   const auto elevation = [&](bool from_x) {
     const bool positive = (from_x ? course.x() : course.y()) > 0;

@@ -5,7 +5,7 @@
 
 namespace nilas {
 
-/// Text of a template by its file name. Throws ContractError for one that is not there.
+/// The text of a template by its file name. Throws ContractError for one that does not exist.
 std::string_view report_template(std::string_view name);
 
 }  // namespace nilas

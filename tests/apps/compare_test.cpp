@@ -205,7 +205,7 @@ TEST(Compare, ADiskThatFillsUpDuringTheRunsLeavesAPageAndCanGoOn) {
   }
   EXPECT_EQ(result.exit_code, 4) << result.out << result.err;
   EXPECT_NE(result.err.find("out/runs"), std::string::npos) << result.err;
-  expect_page(folder.path() / "out", "--resume goes on");
+  expect_page(folder.path() / "out", "--resume continues it");
   EXPECT_EQ(run_nilas("compare --resume out --quiet", folder.path()).exit_code, 0);
   const Table runs(folder.path() / "out/compare.csv");
   for (const auto& status : runs.text("status")) EXPECT_EQ(status, "done");

@@ -213,7 +213,7 @@ TEST_F(Resume, AnInterruptedRunGoesOnWhereItStopped) {
   EXPECT_EQ(summary["status"], "interrupted");
   const auto result = nilas("run --resume cut --checkpoint-every 0.3");
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_TRUE(mentions(result.err, "goes on from")) << result.err;
+  EXPECT_TRUE(mentions(result.err, "continues from")) << result.err;
   expect_same_run(in("whole"), in("cut"));
 }
 
@@ -222,7 +222,7 @@ TEST_F(Resume, UntilMakesARunLonger) {
   ASSERT_EQ(nilas("run ice.xml --quiet --checkpoint-every 0.3 --until 1.1 --out short").exit_code, 0);
   const auto earlier = nilas("run --resume short --until 0.5");
   EXPECT_EQ(earlier.exit_code, 2);
-  EXPECT_TRUE(mentions(earlier.err, "stands at 1.1 s")) << earlier.err;
+  EXPECT_TRUE(mentions(earlier.err, "has reached 1.1 s")) << earlier.err;
   {
     Started longer("run --quiet --resume short --until 2.5", folder.path());
     ASSERT_TRUE(longer.reaches(in("short/steps.csv"), 190));

@@ -50,7 +50,7 @@ ContactProblem table(int side) {
   return problem;
 }
 
-/// A stack whose floors all slide, each at a speed and in a direction of its own.
+/// A stack of boxes that all slide, each at a speed and in a direction of its own.
 ContactProblem sliding_stack(int count) {
   ContactProblem problem = box_stack(std::vector<double>(static_cast<std::size_t>(count), 1.0), 0.2);
   for (int k = 0; k < count; ++k) {
@@ -109,22 +109,22 @@ ContactProblem rolling_balls(int count) {
 
 std::vector<Challenge> challenges() {
   const std::vector<double> alike(10, 1.0);
-  return {
-      {"wedge", "a wedge jammed by friction; 4 redundant contacts", jammed_wedge()},
-      {"two-boxes-1e6", "a box on one of a millionth of its mass", box_stack({1, 1e6}, 0.5)},
-      {"table-7x7", "a box on 49 feet: hyperstatic; all sticking", table(7)},
-      {"rolling-balls", "8 balls in a row with rolling friction", rolling_balls(8)},
-      {"stack-10", "10 boxes of the same mass; all sticking", box_stack(alike, 0.5)},
-      {"stack-10-1e6", "10 boxes; masses growing to a million times the lowest",
-       box_stack(growing_masses(10, 1e6), 0.5)},
-      {"stack-40", "40 boxes of the same mass: what one does all feel", box_stack(std::vector<double>(40, 1.0), 0.5)},
-      {"sliding-stack", "20 boxes on each other; every floor sliding its own way", sliding_stack(20)},
-      {"heap", "60 bodies of unlike mass thrown together", random_heap(5, 60, 150, 0.5)},
-      {"heap-high-friction", "40 such bodies; friction 2", random_heap(6, 40, 120, 2)},
-      {"jammed-raft", "100 floes between walls; driven together", jammed_raft(10)},
-      {"loose-raft", "225 floes; a third of them touching", raft(15, 0.3, 0.35, 3)},
-      {"vessel-1e3", "a vessel of 1000 times a floe's mass among 196", vessel_in_floes(14, 1e3)},
-      {"vessel-1e6", "a vessel of a million times a floe's mass among 196", vessel_in_floes(14, 1e6)}};
+  return {{"wedge", "a wedge jammed by friction; 4 redundant contacts", jammed_wedge()},
+          {"two-boxes-1e6", "a box on one of a millionth of its mass", box_stack({1, 1e6}, 0.5)},
+          {"table-7x7", "a hyperstatic box on 49 feet; all sticking", table(7)},
+          {"rolling-balls", "8 balls in a row with rolling friction", rolling_balls(8)},
+          {"stack-10", "10 boxes of the same mass; all sticking", box_stack(alike, 0.5)},
+          {"stack-10-1e6", "10 boxes; masses growing to a million times the lowest",
+           box_stack(growing_masses(10, 1e6), 0.5)},
+          {"stack-40", "40 boxes of the same mass; each impulse acts on all of them",
+           box_stack(std::vector<double>(40, 1.0), 0.5)},
+          {"sliding-stack", "20 boxes on each other; each sliding in a direction of its own", sliding_stack(20)},
+          {"heap", "60 bodies of different masses thrown together", random_heap(5, 60, 150, 0.5)},
+          {"heap-high-friction", "40 such bodies; friction 2", random_heap(6, 40, 120, 2)},
+          {"jammed-raft", "100 floes between walls; driven together", jammed_raft(10)},
+          {"loose-raft", "225 floes; a third of them touching", raft(15, 0.3, 0.35, 3)},
+          {"vessel-1e3", "a vessel of 1000 times a floe's mass among 196", vessel_in_floes(14, 1e3)},
+          {"vessel-1e6", "a vessel of a million times a floe's mass among 196", vessel_in_floes(14, 1e6)}};
 }
 
 }  // namespace nilas

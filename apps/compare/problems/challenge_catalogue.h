@@ -1,5 +1,5 @@
 #pragma once
-/// Generated contact problems that are hard for one kind of solver or another, by name.
+/// Generated contact problems with a name, each of them hard for some kind of solver.
 #include <string>
 #include <vector>
 
@@ -8,11 +8,11 @@
 namespace nilas {
 
 struct Challenge {
-  std::string name, what;  ///< file name without extension; one line of what is hard about it
+  std::string name, what;  ///< file name without extension; one line about the problem
   ContactProblem problem;
 };
 
-/// The same problems each time, small ones first.
+/// The problems, which are the same each time, small ones first.
 std::vector<Challenge> challenges();
 
 }  // namespace nilas

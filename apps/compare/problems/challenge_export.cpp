@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr double k_wanted = 1e-10, k_certified = 1e-8;  // [m/s]
-constexpr int k_iterations = 3000;                      // a limit in time would not give the same files each time
+constexpr int k_iterations = 3000;                      // unlike a time limit, it gives the same files each time
 
 /// A problem that is to be written.
 struct Source {
@@ -66,7 +66,7 @@ Answer best_answer(const ContactProblem& problem) {
   return best;
 }
 
-/// Writes the file and measures what stands in it. HDF5 bears one thread at a time.
+/// Writes the file, reads it again and measures its residual. Only one thread may call it at a time, because of HDF5.
 Exported write_problem(const fs::path& folder, const Source& source, const ContactProblem& problem, Answer answer) {
   answer.solution.v = velocities(problem, answer.solution.r);
   answer.solution.u = contact_velocities(problem, answer.solution.v);
@@ -162,7 +162,7 @@ int export_problems(const ProblemExportOptions& options) {
              }
              if (options.quiet) return;
              const std::lock_guard hold(writing);
-             std::cerr << (slots[k] ? line_of(*slots[k]) : fmt::format("{:<24}nothing touches\n", source.name));
+             std::cerr << (slots[k] ? line_of(*slots[k]) : fmt::format("{:<24}the bodies never touch\n", source.name));
            },
            {});
   std::vector<Exported> all;
@@ -172,8 +172,8 @@ int export_problems(const ProblemExportOptions& options) {
   if (options.json) std::cout << json_of(all).dump(2) << "\n";
   const auto certified = std::count_if(all.begin(), all.end(), [](const Exported& one) { return one.certified(); });
   if (!options.quiet && !options.json)
-    std::cout << fmt::format("{} problems, {} with certified solutions (law map at most {} m/s), in {}\n", all.size(),
-                             certified, in_words(k_certified), options.out.string());
+    std::cout << fmt::format("{} problems, {} with certified solutions (law_map_m_s at most {} m/s), in {}\n",
+                             all.size(), certified, in_words(k_certified), options.out.string());
   return 0;
 }
 

@@ -9,13 +9,13 @@ namespace nilas {
 
 struct HardestStep {
   ContactProblem problem;
-  double time = 0;  ///< at the step's end [s]
+  double time = 0;  ///< end of the step [s]
   int iterations = 0;
 };
 
-/// Runs a scene up to a time [s] on one thread. The hardest step is the one whose solver took most iterations, of these
-/// the one with most contacts; steps with contacts that nothing can move are left out, since no file can hold them.
-/// Nothing where bodies never touch. Throws SceneError, InputError, FileError.
+/// Runs a scene up to a time [s] on one thread and returns its hardest step. It is the one with most iterations of the
+/// solver, and of these the one with most contacts. Steps with a contact between bodies that cannot move are left out,
+/// because no file can hold them. Nothing if bodies never touch. Throws SceneError, InputError, FileError.
 std::optional<HardestStep> hardest_step(const std::filesystem::path& scene, double until);
 
 }  // namespace nilas

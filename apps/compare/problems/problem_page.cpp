@@ -41,7 +41,7 @@ Json scores_of(const SolverComparison& c) {
   return scores;
 }
 
-/// Columns and rows of the table by class of problem.
+/// Adds the columns and rows of the table by class of problem.
 void add_classes(const ProblemReport& report, const SolverComparison& c, Json& view) {
   Json classes = Json::array(), rows = Json::array();
   std::vector<SolverComparison> parts;
@@ -97,7 +97,7 @@ Json comparison_view(const ProblemReport& report, const SolverComparison& c) {
   return view;
 }
 
-/// Runs by solver and outcome, and the files that cannot be read.
+/// Adds the runs by solver and outcome, and the files that cannot be read.
 void add_outcomes(const ProblemReport& report, Json& view) {
   constexpr int k_outcomes = static_cast<int>(RunOutcome::unreadable) + 1;
   std::map<std::string, std::map<int, int>> counts;
@@ -147,7 +147,7 @@ Json rows_of(const ProblemReport& report) {
 Json figures_of(const std::filesystem::path& folder, const std::vector<ProblemPicture>& pictures,
                 const std::vector<ProblemPicture::Kind>& kinds) {
   Json figures = Json::array();
-  for (std::size_t k = 1; k < pictures.size(); ++k)  // the first stands with the answer
+  for (std::size_t k = 1; k < pictures.size(); ++k)  // the first is next to the answer
     if (std::find(kinds.begin(), kinds.end(), pictures[k].kind) != kinds.end())
       figures.push_back(
           {{"title", pictures[k].title}, {"svg", inline_svg(folder / (pictures[k].picture.name + ".svg"))}});

@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t k_panels = 6;  // single problems
 constexpr double k_widest = 1e4;     // end of the performance profile at most
 
-/// One look per solver on all pictures: colour, dashes and mark differ, so that grey print tells them apart.
+/// The look of a solver in all pictures. Colour, dashes and mark differ, so that solvers differ in grey print too.
 std::string look_of(const std::string& solver) {
   static const std::vector<const char*> colours{"#000000", "#e69f00", "#56b4e9", "#009e73",
                                                 "#cc79a7", "#0072b2", "#d55e00", "#7f7f7f"};
@@ -54,7 +54,7 @@ void add_profile(std::string& csv, const SolverComparison& c, const char* kind, 
   }
 }
 
-/// Smallest and largest x, to whole decades.
+/// The smallest and largest x, rounded outwards to whole decades.
 std::pair<double, double> decades(const std::vector<Profile>& all) {
   double low = k_unsolved, high = 0;
   for (const auto& profile : all)
@@ -108,8 +108,8 @@ Picture profile_picture(const SolverComparison& c, bool performance) {
           .png_factor = k_png,
           .data = {{"low", low},
                    {"high", performance ? std::min(k_widest, high) : high},
-                   {"x_label",
-                    performance ? "time over that of the fastest solver of the problem [-]" : "time of the solve [s]"},
+                   {"x_label", performance ? "time divided by that of the fastest solver of the problem [-]"
+                                           : "time of the solve [s]"},
                    {"problems", c.problems.size()},
                    {"kind", performance ? "performance" : "data"},
                    {"law", c.law},

@@ -1,5 +1,5 @@
 #pragma once
-/// The pictures of a study of stored problems, drawn by gnuplot from the CSV files beside them.
+/// The pictures of a study of stored problems, which gnuplot draws from CSV files in the same folder.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -16,13 +16,13 @@ struct ProblemPicture {
   Picture picture;
 };
 
-/// Writes profiles.csv and work-precision.csv and draws them: per comparison a performance and a data profile, then per
-/// law the medians, then single problems. Throws FileError, also where gnuplot is missing or fails (PlotError); the CSV
-/// files are written before.
+/// Writes profiles.csv and work-precision.csv and draws them: a performance and a data profile for each comparison, the
+/// medians for each law, and single problems. Throws FileError, and PlotError if gnuplot is missing or fails, after the
+/// CSV files are written.
 std::vector<ProblemPicture> draw_problem_study(const std::filesystem::path& folder, const std::vector<StudyRow>& rows,
                                                const std::vector<SolverComparison>& comparisons);
 
-/// Whether that writes a file of this name.
+/// Whether draw_problem_study() writes a file of this name.
 bool is_problem_picture_file(const std::string& name);
 
 }  // namespace nilas

@@ -42,7 +42,7 @@ std::string machine() {
   return fmt::format("{}{}{}, {} cores", system_text(), processor.empty() ? "" : ", ", processor, usable_cores());
 }
 
-/// Options of an earlier study, from its own file; `report` gets what it measured.
+/// The options of an earlier study from its compare.json. `report` gets its time limit and its wall time.
 ProblemStudyOptions stored_options(const ProblemStudyOptions& asked, ProblemReport& report) {
   const fs::path file = asked.resume / k_json;
   const auto json = read_json(file);
@@ -58,7 +58,7 @@ ProblemStudyOptions stored_options(const ProblemStudyOptions& asked, ProblemRepo
     report.limit_s = json.at("limit_s").get<double>();
     report.wall_s = json.at("wall_s").get<double>();
   } catch (const nlohmann::json::exception&) {
-    throw InputError(file.string() + ": found no study of stored problems");
+    throw InputError(file.string() + ": the file holds no study of stored problems");
   }
   options.out = asked.resume;
   return options;
@@ -73,14 +73,14 @@ ProblemStudyOptions completed(ProblemStudyOptions options) {
   return options;
 }
 
-/// Of the first rows, those that were runs.
+/// The number of rows that were runs.
 std::size_t runs_among(const std::vector<StudyRow>& rows) {
   return static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), [](const StudyRow& row) {
     return !row.solver.empty() && row.outcome != RunOutcome::not_applicable;
   }));
 }
 
-/// What the plan and the options say of the study.
+/// Fills the report with the figures of the plan and the options.
 void describe(const ProblemStudyOptions& options, const StudyPlan& plan, std::size_t runs_before,
               ProblemReport& report) {
   report.problems = options.folder;

@@ -16,22 +16,22 @@
 
 namespace nilas {
 
-/// The table of a study on disk and in memory: a row per run as each ends.
+/// The table of a study on disk and in memory, which gets a row as each run ends.
 class ProblemTable {
  public:
-  /// Begins an empty one.
+  /// Begins an empty table. Throws FileError.
   explicit ProblemTable(const std::filesystem::path& file);
-  /// Goes on after the rows of earlier sessions.
+  /// Continues after the rows of earlier sessions. Throws FileError.
   ProblemTable(const std::filesystem::path& file, StoredRows stored);
 
   void add(const StudyRow& row);
   bool holds(const StudyRow& row) const { return keys_.count(key_of(row)) > 0; }
   const std::vector<StudyRow>& rows() const { return rows_; }
-  /// Writes it once more, sorted.
+  /// Writes the whole table again, sorted. Throws FileError.
   void close();
 
  private:
-  /// Problem, solver, law and tolerance.
+  /// The problem, solver, law and tolerance of a run.
   using RunKey = std::tuple<std::string, std::string, std::string, double>;
   static RunKey key_of(const StudyRow& row);
 
@@ -48,18 +48,18 @@ struct OpenedProblems {
   std::vector<StudyFile> files;
   ProblemTable table;
   StudyPlan plan;
-  ProblemReport report;  ///< but for its rows
-  double wall_before_s;  ///< of earlier sessions
-  std::size_t stored;    ///< rows of earlier sessions
-  double started_s;      ///< by steady_seconds()
+  ProblemReport report;  ///< the report without its rows
+  double wall_before_s;  ///< wall time of earlier sessions [s]
+  std::size_t stored;    ///< number of rows of earlier sessions
+  double started_s;      ///< start of the budget, on the clock of steady_seconds() [s]
 
   double elapsed_s() const;
 };
 
-/// Folder of a study, within its own, for what runs print until it is judged.
+/// The name of the folder, within that of the study, for the output of runs until it is judged.
 constexpr const char* k_problem_work = ".runs";
 
-/// Takes the folder of a new study or goes on with an earlier one, and plans. Throws InputError, FileError.
+/// Takes the folder of a new study or opens that of an earlier one, and makes the plan. Throws InputError, FileError.
 OpenedProblems open_problems(const ProblemStudyOptions& asked);
 
 }  // namespace nilas

@@ -23,11 +23,11 @@ namespace fs = std::filesystem;
 
 constexpr const char* k_json = "compare.json";
 
-/// compare.json and page of what is done so far, with pictures at the end.
+/// The report on what is done so far, as it was written.
 struct WrittenReport {
-  ProblemReport report;  ///< with its rows, sorted
+  ProblemReport report;  ///< the report with its sorted rows
   std::vector<SolverComparison> comparisons;
-  std::string no_pictures;  ///< why there are none; empty where there are
+  std::string no_pictures;  ///< why there are none; empty: there are
 };
 
 WrittenReport write_report(const OpenedProblems& study, bool with_pictures) {
@@ -57,19 +57,20 @@ void tell_plan(const OpenedProblems& study, const Narrator& narrator) {
                             study.options.jobs, duration_text(plan.estimate_s / study.options.jobs),
                             duration_text(plan.at_most_s / study.options.jobs)));
   for (const auto& row : plan.settled)
-    if (row.solver.empty()) narrator.line("unreadable: " + row.message);
-  if (study.stored > 0) narrator.line(fmt::format("{} rows are done already", study.stored));
+    if (row.solver.empty()) narrator.line("unreadable file: " + row.message);
+  if (study.stored > 0) narrator.line(fmt::format("{} rows of earlier sessions are there already", study.stored));
   if (!study.report.dropped.empty())
-    narrator.line(fmt::format("no room within {:g} s for: {}", study.options.budget_s, dropped_text(study.report)));
+    narrator.line(
+        fmt::format("the budget of {:g} s has no time for {}", study.options.budget_s, dropped_text(study.report)));
 }
 
-/// Says every twentieth of the runs, and when the page is due: now and then only, since drawing would take the cores
-/// from what is timed.
+/// Prints the progress at every twentieth of the runs and decides when the page is written. That is not often, because
+/// it takes a core from the runs that are timed.
 class Progress {
  public:
   Progress(std::size_t runs, const Narrator& narrator) : runs_(runs), narrator_(narrator) {}
 
-  /// A run has ended. Returns whether the page is due.
+  /// Takes notice of a run that ended. Returns whether the page is to be written.
   bool ended(double elapsed_s) {
     constexpr std::size_t k_marks = 20;
     constexpr double k_percent = 100, k_page_every_s = 20;
@@ -90,7 +91,7 @@ class Progress {
   const Narrator& narrator_;
 };
 
-/// A run that was ended early may have left no file.
+/// The contents of a file; empty without one, because a run that was ended early may have left none.
 std::string contents(const fs::path& file) { return fs::exists(file) ? file_bytes(file) : ""; }
 
 void make_runs(OpenedProblems& study, const Narrator& narrator, const std::function<bool()>& stop) {
@@ -121,7 +122,8 @@ void make_runs(OpenedProblems& study, const Narrator& narrator, const std::funct
   run_children(tasks, study.options.jobs, hooks);
 }
 
-/// The session with a page from its start on. Where the disk is full, what is done is shown as far as there is room.
+/// Runs the session, with a page from its start on. After a file error it tries to write the report on what is done,
+/// then throws the error again.
 void run_session(OpenedProblems& study, const Narrator& narrator, const std::function<bool()>& stop) {
   try {
     write_report(study, false);
@@ -143,7 +145,7 @@ void tell_end(const WrittenReport& written, const OpenedProblems& study, const N
     std::cout << json_text(problem_report_json(written.report, written.comparisons)) << std::flush;
   for (const auto& one : written.comparisons) narrator.sentences(headline(one));
   if (written.report.dropped.size() > study.plan.dropped.size())
-    narrator.sentences("left out for lack of time: " + dropped_text(written.report));
+    narrator.sentences("The budget had no time for " + dropped_text(written.report));
   narrator.line(
       fmt::format("{}; the report is {}", written.report.status, (study.options.out / "compare.html").string()));
   if (!written.no_pictures.empty()) Narrator::warning(written.no_pictures);

@@ -28,7 +28,7 @@ bool takes(const SolverEntry& entry, Law law) {
   return std::find(entry.laws.begin(), entry.laws.end(), law) != entry.laws.end();
 }
 
-/// Empty where the solver can be asked, else why not.
+/// Why a solver cannot solve a problem; empty if it can.
 std::string why_not(const SolverEntry& entry, Law law, const StudyFile& file) {
   try {
     demand_law(entry, law);
@@ -41,14 +41,14 @@ std::string why_not(const SolverEntry& entry, Law law, const StudyFile& file) {
   return "";
 }
 
-/// Bits of k mirrored at the point: 0, 1/2, 1/4, 3/4, 1/8 ...
+/// The radical inverse of k in base 2, which mirrors its bits at the binary point: 0, 1/2, 1/4, 3/4, 1/8 ...
 double radical_inverse(std::uint64_t k) {
   double x = 0;
   for (double weight = 0.5; k > 0; k >>= 1U, weight /= 2) x += static_cast<double>(k & 1U) * weight;
   return x;
 }
 
-/// Readable files, so that each stretch of them spans all sizes.
+/// The readable files in an order in which each stretch spans all sizes.
 std::vector<std::size_t> spread(const std::vector<StudyFile>& files) {
   std::vector<std::size_t> by_size;
   for (std::size_t k = 0; k < files.size(); ++k)
@@ -75,7 +75,7 @@ std::vector<std::string> solvers_for(const StudyChoice& choice, Law law, const s
   return names;
 }
 
-/// Runs that compare with each other: one problem, law and tolerance.
+/// The runs that are compared with each other: those of one problem, law and tolerance.
 using Block = std::vector<StudyRun>;
 
 std::vector<Block> all_blocks(const std::vector<StudyFile>& files, const StudyChoice& choice) {

@@ -14,7 +14,7 @@ namespace nilas {
 namespace {
 
 constexpr double k_heavy = 1e4;  // mass ratio
-constexpr double k_good = 1e-4;  // an answer that tells what the contacts do [m/s]
+constexpr double k_good = 1e-4;  // residual of an answer that shows whether contacts slide or stick [m/s]
 constexpr double k_percent = 100;
 
 template <class Value>
@@ -22,7 +22,7 @@ void add_once(std::vector<Value>& list, const Value& value) {
   if (std::find(list.begin(), list.end(), value) == list.end()) list.push_back(value);
 }
 
-/// Rows of runs, by what was run.
+/// The rows of runs by law, problem, solver and tolerance.
 using RowsByRun = std::map<std::tuple<std::string, std::string, std::string, double>, const StudyRow*>;
 
 RowsByRun by_run(const std::vector<StudyRow>& rows) {
@@ -145,7 +145,7 @@ std::vector<WorkPoint> median_points(const std::vector<StudyRow>& rows,
   std::map<std::string, const SolverComparison*> first;
   std::vector<WorkPoint> points;
   for (const auto& c : comparisons) {
-    // medians over unlike problems would not compare
+    // medians over different problems cannot be compared
     const SolverComparison& whole = *first.try_emplace(c.law, &c).first->second;
     if (c.problems != whole.problems) continue;
     for (std::size_t s = 0; s < c.solvers.size(); ++s) {

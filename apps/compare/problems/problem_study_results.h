@@ -1,5 +1,5 @@
 #pragma once
-/// What the rows of a study of stored problems say.
+/// The results of a study of stored problems, from its rows.
 #include <string>
 #include <vector>
 
@@ -13,42 +13,43 @@ struct SolverComparison {
   std::string law;
   double tolerance = 0;
   std::vector<std::string> problems, solvers;
-  SolveTimes times;  ///< [s]
+  SolveTimes times;  ///< solve times [s]
   std::vector<Profile> by_ratio, by_time;
-  std::vector<SolverScore> scores;  ///< per solver
+  std::vector<SolverScore> scores;  ///< one per solver
 };
-/// Laws in the order of their names in the rows, of each the middle tolerance first. Those without a problem that every
-/// solver was tried on are left out.
+/// The comparisons, in the order of the laws in the rows and with the middle tolerance of each first. Those without a
+/// problem on which every solver was tried are left out.
 std::vector<SolverComparison> compare_solvers(const std::vector<StudyRow>& rows);
 /// The comparison of some of its problems.
 SolverComparison restricted(const SolverComparison& all, const std::vector<std::string>& problems);
 
-/// One sentence or two: who solves most, who is fastest, what nobody solves.
+/// One or two sentences: which solver solves most problems, which is fastest, and how many problems no solver solves.
 std::string headline(const SolverComparison& comparison);
 
-/// A point of accuracy against time: of one problem, or (no problem) the medians over all of a comparison.
+/// A point of accuracy against time. It is of one problem, or of the medians over a comparison if `problem` is empty.
 struct WorkPoint {
   std::string law, problem, solver;
-  double tolerance = 0, seconds = 0, residual = 0;  ///< [m/s] [s] [m/s]
+  double tolerance = 0, seconds = 0, residual = 0;  ///< [m/s], [s], [m/s]
 };
-/// Medians per law, solver and tolerance, where a failure took for ever: there is a point only where most are solved.
-/// Tolerances that were not tried on the same problems as the first of the law are left out.
+/// The medians for each law, solver and tolerance. A failure counts as an infinite time, so there is a point only if
+/// most problems are solved. Tolerances that were not tried on the same problems as the first of the law are left out.
 std::vector<WorkPoint> median_points(const std::vector<StudyRow>& rows,
                                      const std::vector<SolverComparison>& comparisons);
-/// Of single problems, whatever was reached: up to `count` of them, from the quickest to the slowest to be solved.
+/// The points of up to `count` single problems, from the one solved fastest to the slowest, whatever residual was
+/// reached.
 std::vector<WorkPoint> problem_points(const std::vector<StudyRow>& rows,
                                       const std::vector<SolverComparison>& comparisons, std::size_t count);
 
-/// Name of the class of problems whose contacts are not known well enough.
+/// The name of the class of problems whose contacts are not known well enough.
 constexpr const char* k_unknown_class = "not known";
 
-/// Problems of a kind.
+/// A class of problems.
 struct ProblemClass {
   std::string name;
   std::vector<std::string> problems;
 };
-/// By mass ratio (files of the global form), else by what most loaded contacts do in the most accurate answer of all
-/// runs; "not known" where none came within 1e-4 m/s.
+/// The classes of the problems: by mass ratio (files of the global form), else by whether more contacts slide or stick
+/// in the most accurate answer of all runs. The class is "not known" if no answer is within 1e-4 m/s.
 std::vector<ProblemClass> problem_classes(const std::vector<StudyRow>& rows);
 
 }  // namespace nilas

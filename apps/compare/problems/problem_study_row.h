@@ -1,5 +1,5 @@
 #pragma once
-/// What one run of a study of stored problems left: a row of compare.csv.
+/// The result of one run of a study of stored problems: a row of compare.csv.
 #include <limits>
 #include <string>
 
@@ -7,10 +7,10 @@
 
 namespace nilas {
 
-/// How a run ended, judged by law_map_m_s alone, whatever the solver claims.
+/// How a run ended. Whether it is solved depends on law_map_m_s and the time alone, whatever the solver reports.
 enum class RunOutcome {
   solved,           ///< law_map_m_s at most the tolerance, within the time limit
-  above_tolerance,  ///< claimed to have converged and had not
+  above_tolerance,  ///< the solver reported convergence, but law_map_m_s is above the tolerance
   iteration_limit,
   stalled,
   numerical_error,
@@ -20,33 +20,33 @@ enum class RunOutcome {
   unreadable       ///< the file holds no problem that can be read; a single row, without a solver
 };
 const char* to_string(RunOutcome outcome);
-/// In words for readers: "stalled", "ended by the time limit".
+/// The outcome in words for readers: "stalled", "time limit".
 const char* in_words(RunOutcome outcome);
 
-/// A tolerance: 1e-6.
+/// A tolerance as text, such as "1e-6".
 std::string in_words(double tolerance);
 
 constexpr double k_unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// A stored problem as far as a study needs it.
+/// The figures of a stored problem that a study needs.
 struct StudyProblem {
-  std::string name;  ///< of the file, without its extension where that is unique
-  std::string form;  ///< local, global
+  std::string name;  ///< name of the file, without its extension if that is unique
+  std::string form;  ///< "local" or "global"
   int contacts = 0, velocities = 0;
-  double mass_ratio = k_unknown;  ///< largest over smallest mass that a contact's side shows; NaN for the local form
+  double mass_ratio = k_unknown;  ///< see contact_mass_ratio(); NaN for the local form
 };
 
 struct StudyRow {
   StudyProblem problem;
   std::string solver, law;
-  double tolerance = k_unknown;  ///< [m/s]
+  double tolerance = k_unknown;  ///< tolerance of the solver [m/s]
   RunOutcome outcome = RunOutcome::unreadable;
-  std::string claimed;  ///< status by the solver itself
+  std::string claimed;  ///< status that the solver reports
   int iterations = 0;
-  double seconds = k_unknown;  ///< of the solve
-  Residuals residuals;         ///< NaN where the run left none
+  double seconds = k_unknown;  ///< time of the solve [s]
+  Residuals residuals;         ///< NaN if the run left none
   int open = 0, sticking = 0, sliding = 0;
-  double wall = k_unknown, cpu = k_unknown;  ///< of the whole process [s]
+  double wall = k_unknown, cpu = k_unknown;  ///< times of the whole process [s]
   int exit_code = 0;
   std::string message;
 

@@ -13,7 +13,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double k_grace_s = 2, k_grace_factor = 1.5;  // for starting, repeating, and looking at the clock
+constexpr double k_grace_s = 2,
+                 k_grace_factor = 1.5;  // for the start, the repeated solves and solvers that seldom look at the clock
 
 std::string first_line(const std::string& text) {
   const std::string line = text.substr(0, text.find('\n'));
@@ -21,7 +22,7 @@ std::string first_line(const std::string& text) {
   return line.rfind(label, 0) == 0 ? line.substr(label.size()) : line;
 }
 
-/// What `nilas solve` printed; libraries of peers may print before it.
+/// The JSON that `nilas solve` printed. Other libraries may print before it.
 Json result_in(const std::string& printed) {
   const std::size_t begin = printed.rfind("{\n  \"problem\"");
   if (begin == std::string::npos) return Json();
@@ -78,7 +79,7 @@ StudyRow judge(const StudyFile& file, const StudyRun& run, double limit_s, const
   const Json result = result_in(printed);
   if (ended.timed_out) {
     row.outcome = RunOutcome::time_limit;
-    row.message = "the process was ended";
+    row.message = "the process was ended at its time limit";
   } else if (ended.exit_code > k_exit_signal) {
     row.outcome = RunOutcome::crashed;
     row.message = fmt::format("signal {}", ended.exit_code - k_exit_signal);
@@ -86,9 +87,9 @@ StudyRow judge(const StudyFile& file, const StudyRun& run, double limit_s, const
     take(result, row);
     row.outcome = outcome_of(row, limit_s);
   } else if (ended.exit_code == k_exit_not_started) {
-    throw FileError(own_program().string() + ": cannot be started again");
+    throw FileError(own_program().string() + ": the program cannot be started again");
   } else if (logged.empty()) {
-    throw FileError("the result of a run is cut short: is the disk full?");
+    throw FileError("the result of a run is incomplete; the disk may be full");
   } else {
     const bool input = ended.exit_code == exit_bad_input || ended.exit_code == exit_file;
     row.outcome = input ? RunOutcome::unreadable : RunOutcome::crashed;

@@ -28,7 +28,7 @@ std::vector<fs::path> problem_files(const fs::path& folder) {
   return files;
 }
 
-/// Without line breaks, so that a row is a line.
+/// The text without line breaks, so that a row of a table is one line.
 std::string on_one_line(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
@@ -86,7 +86,7 @@ std::vector<StudyFile> survey(const fs::path& folder) {
   }
   if (std::all_of(files.begin(), files.end(), [](const StudyFile& file) { return !file.fault.empty(); }))
     throw InputError(folder.string() + ": none of its " + std::to_string(files.size()) +
-                     " files can be read; the first: " + files.front().fault);
+                     " files can be read; the fault of the first is: " + files.front().fault);
   return files;
 }
 

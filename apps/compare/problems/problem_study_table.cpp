@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A column: how a row tells it, as text and as JSON, and how it is read back.
+/// A column: how it is written as text and as JSON, and how it is read.
 struct Column {
   std::string name;
   std::function<void(const StudyRow&, CsvRow&)> write;
@@ -48,7 +48,7 @@ bool read_cell(const std::string& text, double& x) {
   return text.empty() || parse(text, x);
 }
 
-/// `get` gives a reference to the row's own value.
+/// The column of a member of the row. `get` returns a reference to it.
 template <class Get>
 Column column(const std::string& name, Get get) {
   return {name, [get](const StudyRow& row, CsvRow& out) { write_cell(get(row), out); },
@@ -153,12 +153,13 @@ Json study_json(const StudyRow& row) {
 StoredRows read_study(const std::filesystem::path& file) {
   const CsvRecords records = csv_records(file);
   if (records.header != column_names())
-    throw InputError(file.string() + ":1: found no header of a study of stored problems by this version");
+    throw InputError(file.string() + ":1: the line is no header of a study of stored problems of this version");
   StoredRows stored;
   for (const auto& cells : records.rows) {
     StudyRow row;
     if (!read_row(cells, row))
-      throw InputError(file.string() + ":" + std::to_string(stored.rows.size() + 2) + ": found no row of a study");
+      throw InputError(file.string() + ":" + std::to_string(stored.rows.size() + 2) +
+                       ": the line is no row of a study");
     stored.rows.push_back(row);
   }
   stored.bytes = records.bytes;

@@ -1,5 +1,5 @@
 #pragma once
-/// compare.csv of a study of stored problems: a row per run, and reading it back to go on.
+/// The table compare.csv of a study of stored problems: writing a row per run, and reading it to continue a study.
 #include <cstdint>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -12,18 +12,18 @@ namespace nilas {
 
 std::string study_header();
 std::string study_line(const StudyRow& row);
-/// The same columns as an object; null where there is no number.
+/// The row as a JSON object with the same columns; null stands for no number.
 nlohmann::ordered_json study_json(const StudyRow& row);
 
-/// Rows that a study left, however it ended: a last line that was cut off does not count.
+/// The rows that a study left. A last line that was cut off does not count.
 struct StoredRows {
   std::vector<StudyRow> rows;
-  std::int64_t bytes = 0;  ///< of the header and the complete rows
+  std::int64_t bytes = 0;  ///< size of the header and the complete rows
 };
-/// Throws FileError where the file cannot be read, InputError naming the line that is no row of a study.
+/// Reads the rows. Throws FileError if the file cannot be read, and InputError with the line that is no row of a study.
 StoredRows read_study(const std::filesystem::path& file);
 
-/// By problem, law, solver in the registry's order, and falling tolerance.
+/// Sorts the rows by problem, law, solver in the registry's order, and falling tolerance.
 void sort_study(std::vector<StudyRow>& rows);
 
 }  // namespace nilas

@@ -24,11 +24,11 @@ namespace {
 
 using Stop = std::function<bool()>;
 
-/// A study with its folder, and when its budget began.
+/// A study with its folder and the time at which its budget began.
 struct Opened {
   SceneStore store;
   SceneStudy study;
-  double started_s;     ///< by steady_seconds()
+  double started_s;     ///< start of the budget, on the clock of steady_seconds() [s]
   std::string trouble;  ///< why the first setting made no step while its cost was measured
 };
 
@@ -50,7 +50,7 @@ SceneStudy described(const StudyOptions& options, const Scene& scene, const Grid
   return study;
 }
 
-/// Takes a folder and plans. Nothing where the user stopped it before there was a plan.
+/// Takes a folder and makes the plan. Returns nothing if the user stopped it before there was a plan.
 std::optional<Opened> begin_study(const StudyOptions& options, const Narrator& narrator, const Stop& stop) {
   const double started_s = steady_seconds();
   const Scene scene = read_scene(options.scene, options.overrides);
@@ -68,26 +68,26 @@ std::optional<Opened> begin_study(const StudyOptions& options, const Narrator& n
     opened.store.abandon();
     throw;
   }
-  if (stop()) {  // nothing is known yet that could go on
+  if (stop()) {  // there is no plan that a resumed comparison could continue
     opened.store.abandon();
-    narrator.line("interrupted before it began");
+    narrator.line("The comparison was interrupted before it began.");
     return std::nullopt;
   }
   for (const auto& line : plan_lines(opened.study)) narrator.sentences(line);
   return opened;
 }
 
-/// Takes up an earlier study, with more realisations, another budget or other jobs where these are asked for.
+/// Opens an earlier study, with the realisations, budget and jobs that are asked for. Throws InputError, FileError.
 Opened resume_study(const StudyOptions& options) {
   const double started_s = steady_seconds();
   SceneStore store(options.resume);
   SceneStudy study = store.read();
   if (read_scene(study.scene, study.overrides).fingerprint != study.fingerprint)
-    throw InputError("--resume: " + study.scene.string() + " is no longer the scene that the comparison began with");
+    throw InputError("--resume: " + study.scene.string() + " has changed since the comparison began");
   if (options.jobs > 0) study.jobs = options.jobs;
   if (options.realisations) {
     if (*options.realisations < study.plan.realisations)
-      throw InputError(fmt::format("--seeds: found {}; the comparison has {} realisations, and they can only grow",
+      throw InputError(fmt::format("--seeds: found {}; the comparison has {} realisations, and only more are allowed",
                                    *options.realisations, study.plan.realisations));
     extend_realisations(study.plan, *options.realisations);
     store.write(study);
@@ -109,7 +109,7 @@ Judged judged_by(const SceneStudy& study) {
 StudyTiming timing_of(const SceneStudy& study, const SessionEnd& session, double elapsed_s) {
   StudyTiming timing{study.jobs, usable_cores(), elapsed_s};
   const auto own = session.results.find("s00-r0");
-  constexpr double k_least_ms = 500;  // below that a time says little
+  constexpr double k_least_ms = 500;  // shorter times scatter too much
   if (study.probe_ms > k_least_ms && own != session.results.end() && own->second.first_steps_ms > 0 && study.jobs > 1 &&
       study.jobs <= timing.cores)
     timing.slowdown = own->second.first_steps_ms / study.probe_ms;
@@ -135,7 +135,7 @@ SceneReport report_of(const Opened& opened, const SessionEnd& session, const std
   return report;
 }
 
-/// There is a page from the start, and whatever ends the program it is never blank.
+/// Writes a page at the start, so that there is one whatever ends the program.
 void leave_first_page(const Opened& opened, const std::map<std::string, RunResult>& results) {
   SceneReport report{opened.study,
                      judge_runs(opened.study.plan, results, opened.store.path(), judged_by(opened.study)),
@@ -147,7 +147,7 @@ void leave_first_page(const Opened& opened, const std::map<std::string, RunResul
   write_first_page(opened.store.path(), report);
 }
 
-/// Writes and prints the report. Returns what could not be written, or nothing.
+/// Writes and prints the report. Returns why a file could not be written, or an empty text.
 std::string tell(const SceneReport& report, const Opened& opened, bool json, const Narrator& narrator) {
   std::string file_error;
   try {
@@ -159,7 +159,8 @@ std::string tell(const SceneReport& report, const Opened& opened, bool json, con
   narrator.sentences(report_text(report));
   if (narrator.quiet())
     for (const auto& line : caveat_lines(report)) Narrator::warning(line);
-  narrator.line(fmt::format("This took {}. The report is {}", duration_text(steady_seconds() - opened.started_s),
+  narrator.line(fmt::format("The comparison took {}. The report is {}",
+                            duration_text(steady_seconds() - opened.started_s),
                             (opened.store.path() / "compare.html").string()));
   if (json) std::cout << json_text(report_json(report));
   return file_error;
@@ -178,8 +179,8 @@ int execute(Opened& opened, const StudyOptions& options, const Narrator& narrato
                        shorter_line};
   const SessionEnd session = make_runs(study, opened.store, done, opened.started_s, narrator, words, stop);
   if (!session.late.empty())
-    narrator.line(
-        fmt::format("{} runs are not done: the budget of {:g} s was used up", session.late.size(), study.budget_s));
+    narrator.line(fmt::format("{} runs are not done because the budget of {:g} s was used up.", session.late.size(),
+                              study.budget_s));
   const std::string ended_by = !session.file_error.empty() ? session.file_error : stop() ? "it was interrupted" : "";
   const SceneReport report = report_of(opened, session, ended_by);
   const std::string unwritten = tell(report, opened, options.json, narrator);

@@ -1,4 +1,4 @@
-# Bars with standard errors: what each simplification changes, and how much computing time it saves.
+# Draws bars with standard errors of the change by each simplification and of the computing time that it saves.
 $changes << EOD
 {{{changes}}}EOD
 $saved << EOD

@@ -1,5 +1,5 @@
-# Run by run on the same ice: mean load of each setting minus that of the scene's own. Small points are realisations,
-# large ones their mean; the band is what chance alone does to two runs of one realisation.
+# Draws the mean load of each setting minus that of the scene's own, run by run on the same ice. Small points are
+# realisations, and large ones their means. The band is the difference by chance of two runs of one realisation.
 {{#runs}}
 $runs << EOD
 {{{.}}}EOD

@@ -1,5 +1,5 @@
-# Computing time against error. Black: no other setting is faster and better; grey: another one is. Hollow: the error may
-# be chance, and the mark stands at the size up to which it may. Every point has its setting's number.
+# Draws computing time against error. A mark is black if no other setting is faster and better, else grey. It is hollow if
+# the error may be chance, and is then at the size up to which it may be. Every point has its setting's number.
 {{#best}}
 $best << EOD
 {{{.}}}EOD
@@ -30,7 +30,7 @@ ${{name}} << EOD
 {{/levels}}
 set logscale xy
 set grid lc rgb '#dddddd'
-# the names of settings stand in the key beside the plot: at the points they would lie over each other
+# the names of settings are in the key next to the plot, because they would overlap at the points
 set rmargin 42
 set key at graph 1.02, graph 1 left top vertical Left reverse samplen 1.5 spacing 1.2 noenhanced
 set xrange [{{x_low}}:{{x_high}}]

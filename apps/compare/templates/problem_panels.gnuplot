@@ -1,4 +1,5 @@
-# Accuracy against time of single problems, a panel each, from work-precision.csv beside it; below them the solvers' names.
+# Draws accuracy against time of single problems, a panel each, from work-precision.csv in the same folder. The names of
+# the solvers are below the panels.
 set datafile separator ','
 set logscale xy
 set format '10^{%L}'

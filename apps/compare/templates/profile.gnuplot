@@ -1,4 +1,4 @@
-# Profile of solvers, from profiles.csv beside it.
+# Draws a profile of solvers from profiles.csv in the same folder.
 set datafile separator ','
 set logscale x
 set format x '10^{%L}'

@@ -1,4 +1,4 @@
-# Error over the time step, a line per way to solve.
+# Draws the error over the time step, with a line for each group of settings that differ in the step alone.
 {{#lines}}
 ${{name}} << EOD
 {{{rows}}}EOD

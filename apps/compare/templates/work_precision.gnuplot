@@ -1,4 +1,4 @@
-# Accuracy against time, from work-precision.csv beside it.
+# Draws accuracy against time from work-precision.csv in the same folder.
 set datafile separator ','
 set logscale xy
 set format '10^{%L}'

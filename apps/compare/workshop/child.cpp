@@ -46,9 +46,9 @@ int open_for_child(const std::filesystem::path& file) {
   return descriptor;
 }
 
-/// In the child: only calls that are safe after fork().
+/// Turns the child into the program of its task. It makes only calls that are safe after fork().
 [[noreturn]] void become(char* const* arguments, int out, int log, int core, pid_t parent, const sigset_t& unblocked) {
-  // a group of its own: Ctrl-C on the terminal reaches this program, which ends its children in order
+  // in a group of its own, so that Ctrl-C on the terminal reaches only the parent, which ends its children in order
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(k_exit_not_started);
@@ -72,7 +72,7 @@ struct Running {
   int slot = 0;
   Clock::time_point started;
   double limit_s = 0;
-  double asked_to_end_s = -1;  ///< since `started`; below 0: not asked
+  double asked_to_end_s = -1;  ///< time since `started` when it was asked to end [s]; below 0: it was not
   bool timed_out = false, stopped = false;
 };
 
@@ -84,7 +84,7 @@ Running start(std::size_t index, const ChildTask& task, int slot, int core) {
   const int out = open_for_child(task.output), log = open_for_child(task.log);
   const pid_t parent = ::getpid();
   Running running{index, 0, slot, Clock::now(), task.limit_s};
-  // a child that is asked to end while it still has this program's handlers would not hear it
+  // a signal that comes while the child still has this program's handlers would be lost
   sigset_t ends, unblocked;
   ::sigemptyset(&ends);
   ::sigaddset(&ends, SIGTERM);
@@ -99,7 +99,7 @@ Running start(std::size_t index, const ChildTask& task, int slot, int core) {
   return running;
 }
 
-/// Asks a child to end, and insists where it does not.
+/// Asks a child to end, and kills it if it has not ended 10 s later.
 void press(Running& child) {
   const double t = since(child.started);
   if (child.asked_to_end_s < 0) {
@@ -125,7 +125,7 @@ bool ended(Running& child, ChildResult& result) {
   return true;
 }
 
-/// Children that still run when this is left, by a throw, are ended.
+/// The running children. Those that still run when an exception leaves the scope are killed.
 struct Nursery {
   std::vector<Running> running;
   ~Nursery() {

@@ -1,5 +1,5 @@
 #pragma once
-/// CSV tables that both studies write: each column states its name and its cell together.
+/// CSV tables that both kinds of study write. Each column has its name and the function of its cells together.
 #include <functional>
 #include <string>
 #include <vector>
@@ -41,9 +41,9 @@ std::string csv_text(const std::vector<CsvColumn<Row>>& columns, const std::vect
   return text;
 }
 
-/// A sentence without commas, for readers that know no quotes.
+/// The sentence with semicolons for commas, for programs that do not know quoted cells.
 std::string without_commas(std::string sentence);
-/// "0;1"
+/// The numbers as a list: "0;1".
 std::string list_text(const std::vector<int>& numbers);
 
 }  // namespace nilas

@@ -1,20 +1,21 @@
 #pragma once
-/// What a study says on the terminal while it runs.
+/// The messages of a study on the terminal while it runs.
 #include <string>
 
 namespace nilas {
 
 class Narrator {
  public:
-  /// `json`: standard output is for JSON alone, so that words go to standard error. `quiet`: no words but warnings.
+  /// `json`: messages go to standard error, because standard output is for JSON alone. `quiet`: only warnings are
+  /// printed.
   Narrator(bool json, bool quiet) : json_(json), quiet_(quiet) {}
 
-  /// One line as it is.
+  /// Prints one line as it is.
   void line(const std::string& text) const;
-  /// Sentences, one a line: broken to the width of a terminal, left whole for a file or a pipe; a command, which begins
-  /// with two blanks, stays whole.
+  /// Prints sentences, one per line. They are wrapped to the width of a terminal, but not for a file or a pipe. A
+  /// command, which begins with two blanks, is not wrapped.
   void sentences(const std::string& text) const;
-  /// On standard error, whatever was asked for.
+  /// Prints a warning on standard error, even if the study is quiet.
   static void warning(const std::string& sentence);
   bool quiet() const { return quiet_; }
 

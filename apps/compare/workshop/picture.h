@@ -1,5 +1,5 @@
 #pragma once
-/// Pictures of both studies: a gnuplot template filled with data, drawn as SVG for the page and as PNG.
+/// The pictures of both kinds of study: a gnuplot template filled with data, drawn as SVG for the page and as PNG.
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -7,12 +7,12 @@ namespace nilas {
 
 /// One picture before it is drawn.
 struct Picture {
-  std::string name;             ///< of its files, without ending
+  std::string name;             ///< name of its files without extension
   std::string script;           ///< name of its template
-  int width = 960;              ///< of the SVG [px]
-  int height = 560;             ///< [px]
-  double png_factor = 2;        ///< size of the PNG over that of the SVG
-  nlohmann::ordered_json data;  ///< that fills the template
+  int width = 960;              ///< width of the SVG [px]
+  int height = 560;             ///< height of the SVG [px]
+  double png_factor = 2;        ///< ratio of the size of the PNG to that of the SVG
+  nlohmann::ordered_json data;  ///< data that fill the template
 };
 
 /// The script that draws `<name>.svg` and `<name>.png` in gnuplot's working folder.

@@ -24,7 +24,7 @@ StudyFolder StudyFolder::claim(fs::path path, const StudyFiles& files, bool forc
   StudyFolder folder(std::move(path), files);
   const auto found = entries(folder.path_);
   if (!found.empty() && !force)
-    throw InputError(folder.path_.string() + " is not empty; name another folder, or --force to write there");
+    throw InputError(folder.path_.string() + " is not empty; name another folder, or give --force to write there");
   const bool earlier = std::any_of(files.marks.begin(), files.marks.end(),
                                    [&](const std::string& mark) { return fs::exists(folder.path_ / mark); });
   for (const auto& entry : found)
@@ -42,7 +42,7 @@ StudyFolder StudyFolder::claim(fs::path path, const StudyFiles& files, bool forc
 StudyFolder StudyFolder::open(fs::path path, const StudyFiles& files) {
   if (!fs::is_directory(path)) throw FileError("--resume: there is no folder " + path.string());
   if (!fs::exists(path / files.marks.front()))
-    throw InputError("--resume: " + path.string() + " holds no comparison (there is no " + files.marks.front() + ")");
+    throw InputError("--resume: " + path.string() + " holds no comparison (it has no " + files.marks.front() + ")");
   StudyFolder folder(std::move(path), files);
   folder.lock_.emplace(folder.path_);
   return folder;

@@ -1,5 +1,5 @@
 #pragma once
-/// The folder of a study: taken for a new one or for the rest of one, and locked meanwhile.
+/// The folder of a study. It is taken for a new study or to continue one, and is locked meanwhile.
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -10,27 +10,27 @@
 
 namespace nilas {
 
-/// How a study knows its folder.
+/// The files by which a kind of study recognises its folder.
 struct StudyFiles {
-  std::vector<std::string> marks;  ///< files by which a study of the kind is known, the one that going on needs first
+  std::vector<std::string> marks;  ///< names of files that show a study of the kind; the first is needed to resume it
   /// Whether a study of this kind writes an entry of this name.
   std::function<bool(const std::string& name)> owns;
 };
 
 class StudyFolder {
  public:
-  /// Takes a folder for a new study; one that holds anything is refused (InputError) unless `force`. With it, what an
-  /// earlier study of the kind wrote there is removed and nothing else; where there was none, a folder of a name
-  /// that the study would use is refused, too: it may be someone's runs. Throws FileError, also where another program
-  /// is at work in it.
+  /// Takes a folder for a new study. With `force` the folder may hold files: those of an earlier study of the kind are
+  /// removed, and no others. Throws InputError if the folder holds anything without `force`, or if it holds no earlier
+  /// study but a folder of a name that the study would use, since that may hold someone's runs. Throws FileError, also
+  /// if another program uses the folder.
   static StudyFolder claim(std::filesystem::path path, const StudyFiles& files, bool force);
-  /// Opens the folder of a study to go on. Throws FileError where it is not there or another program is at work in it,
-  /// InputError where it holds no such study.
+  /// Opens the folder of a study to continue it. Throws FileError if there is no such folder or another program uses
+  /// it, and InputError if it holds no such study.
   static StudyFolder open(std::filesystem::path path, const StudyFiles& files);
 
-  /// For a study that could not begin: removes what it made, and the folder when nothing else is in it.
+  /// Removes what a study that could not begin made, and the folder if nothing else is in it.
   void abandon();
-  /// Frees the folder and removes the lock's file.
+  /// Unlocks the folder and removes the file of the lock.
   void release();
   const std::filesystem::path& path() const { return path_; }
 

@@ -28,7 +28,8 @@ struct Estimate {
   double memory_MB = 0;
 };
 
-/// Contacts within one per cent of a typical floe's size, and the memory that bodies and contacts take.
+/// Estimates the contacts, which are those within one per cent of the mean bounding radius of floes, and the memory of
+/// bodies and contacts.
 Estimate estimate(const WorldParts& parts) {
   double radius = 0;
   std::size_t bytes = 0;
@@ -105,11 +106,11 @@ int check(const CheckOptions& options) {
 }  // namespace
 
 void add_check(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("check", "validates a scene without running it; says what it requires");
+  auto* command = app.add_subcommand("check", "Validates a scene without running it and states what it requires.");
   auto options = std::make_shared<CheckOptions>();
   add_scene_flags(*command, options->scene);
-  command->add_flag("--json", options->json, "the result as JSON on stdout");
-  command->add_flag("--quiet", options->quiet, "no progress");
+  command->add_flag("--json", options->json, "Prints the result as JSON on standard output.");
+  command->add_flag("--quiet", options->quiet, "Prints no progress.");
   command->callback([&action, options] { action = [options] { return check(*options); }; });
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 struct CompareOptions {
   StudyOptions study;
-  std::string problems;  ///< folder of stored problems, in place of a scene
+  std::string problems;  ///< folder of stored problems; empty: a scene is compared
   SceneFlags scene;
 };
 
@@ -28,7 +28,8 @@ int compare_problems(const CompareOptions& options, bool goes_on) {
   study.tolerances = shared.grid.tolerances;
   if (shared.budget_s && *shared.budget_s == 0)
     throw InputError(
-        "--budget: found 0; with --problems a number above 0 [s], of which the time limit of a solve is a share");
+        "--budget: found 0; allowed with --problems: a number above 0 [s], since the time limit of a solve is a share "
+        "of it");
   study.budget_s = shared.budget_s.value_or(0);
   study.jobs = shared.jobs;
   study.out = shared.out;
@@ -39,7 +40,7 @@ int compare_problems(const CompareOptions& options, bool goes_on) {
   return run_problem_study(study, stop_requested);
 }
 
-/// Whether a folder holds a study of stored problems and not of a scene.
+/// Whether the comparison in a folder is of stored problems and not of a scene.
 bool holds_problem_study(const std::filesystem::path& folder) {
   return std::filesystem::exists(folder / "compare.json") && !std::filesystem::exists(folder / "study.json");
 }
@@ -49,7 +50,7 @@ int compare(CompareOptions options) {
   const bool goes_on = !options.study.resume.empty() && holds_problem_study(options.study.resume);
   if (goes_on && options.study.realisations)
     throw InputError("--seeds: the comparison in " + options.study.resume +
-                     " is of stored problems, without realisations");
+                     " is of stored problems, which have no realisations");
   if (!options.problems.empty() || goes_on) return compare_problems(options, goes_on);
   options.study.scene = options.scene.file;
   for (const auto& text : options.scene.set) options.study.overrides.push_back(split_override(text));
@@ -66,51 +67,69 @@ CLI::Option* add_list(CLI::App& command, const std::string& flag, List& values, 
 }  // namespace
 
 void add_compare(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand(
-      "compare",
-      "runs a scene, or stored contact problems, over solvers, laws, steps and tolerances: what accuracy costs, as "
-      "tables and a page");
+  auto* command = app.add_subcommand("compare",
+                                     "Compares solvers, laws, steps and tolerances on a scene or on stored contact "
+                                     "problems. Tables and a page show what "
+                                     "accuracy costs.");
   auto options = std::make_shared<CompareOptions>();
   StudyOptions& study = options->study;
-  auto* scene = command->add_option("scene", options->scene.file, "scene file (XML)");
-  auto* problems = command->add_option("--problems", options->problems,
-                                       "in place of a scene: a folder of stored contact problems (FCLIB files)");
-  add_list(*command, "--solvers", study.grid.solvers, "contact solvers, comma-separated (see nilas solvers)");
-  add_list(*command, "--laws", study.grid.laws, "contact laws");
-  add_list(*command, "--dt", study.grid.steps, "time steps [s]")->check(above(0));
+  auto* scene = command->add_option("scene", options->scene.file, "Compares on the scene in this XML file.");
+  auto* problems =
+      command->add_option("--problems", options->problems,
+                          "Compares on the stored contact problems (FCLIB files) in this folder instead of on a "
+                          "scene.");
+  add_list(*command, "--solvers", study.grid.solvers,
+           "Compares these contact solvers, separated by commas. `nilas solvers` lists the names.");
+  add_list(*command, "--laws", study.grid.laws, "Compares these contact laws, separated by commas.");
+  add_list(*command, "--dt", study.grid.steps, "Compares these time steps [s], above 0 and separated by commas.")
+      ->check(above(0));
   add_list(*command, "--tolerance", study.grid.tolerances,
-           "tolerances of the solver; 0: always its most iterations [m/s]")
+           "Compares these tolerances of the solver [m/s], separated by commas. 0 always makes the most iterations.")
       ->check(at_least(0));
-  add_list(*command, "--integrators", study.grid.integrators, "semi-implicit-euler, moreau, reference");
+  add_list(*command, "--integrators", study.grid.integrators,
+           "Compares these integrators: semi-implicit-euler, moreau or reference.");
   add_list(*command, "--stabilisations", study.grid.stabilisations,
-           "none, baumgarte, split-impulse, tasora, projection");
+           "Compares these stabilisations: none, baumgarte, split-impulse, tasora or projection.");
   auto* ablate = command->add_flag(
       "--ablate", study.grid.ablate,
-      "in place of a grid: each simplification of game-engine based simulators, alone and all together");
+      "Compares the simplifications of game-engine based simulators, each alone and all together, instead of a grid of "
+      "settings.");
   command
       ->add_option("--seeds", study.realisations,
-                   "realisations of each setting (default: 3, 2 where the budget asks); with --resume: as many in all")
+                   "Makes this many realisations of each setting, at least 1. The default is 3, or fewer if the budget "
+                   "is short. "
+                   "With --resume it is the total number.")
       ->check(at_least(1));
-  command->add_option("--reference", study.reference, "auto, or a run folder to judge by")->capture_default_str();
+  command
+      ->add_option("--reference", study.reference,
+                   "Measures errors against this reference: auto, or the folder of a run.")
+      ->capture_default_str();
   auto* tolerance = command
                         ->add_option("--reference-tolerance", study.reference_tolerance,
-                                     "of the reference's solver; without this flag a budget may loosen it [m/s]")
+                                     "Solves the reference to this tolerance [m/s], above 0. Without this flag a short "
+                                     "budget may loosen it.")
                         ->check(above(0))
                         ->capture_default_str();
   command
       ->add_option("--budget", study.budget_s,
-                   "wall time for all; 0: no limit (default: 1200, of a resumed one its own) [s]")
+                   "Limits the wall time of the comparison [s]. The default is 1200, or the budget that a resumed "
+                   "comparison has. "
+                   "0 sets no limit for a scene.")
       ->check(at_least(0));
-  command->add_option("--jobs", study.jobs, "runs at a time (default: one per core)")->check(at_least(1));
-  auto* resume =
-      command->add_option("--resume", study.resume, "in place of a scene: continues the comparison in this folder");
-  command->add_option("--out", study.out, "folder (default: runs/<scene>-compare-<time>)");
-  command->add_option("--until", options->scene.until, "end time instead of the scene's [s]");
+  command->add_option("--jobs", study.jobs, "Makes this many runs at a time, at least 1. The default is one per core.")
+      ->check(at_least(1));
+  auto* resume = command->add_option("--resume", study.resume,
+                                     "Continues the comparison in this folder. It replaces the scene argument.");
+  command->add_option("--out", study.out, "Writes into this folder. The default is runs/<scene>-compare-<time>.");
+  command->add_option("--until", options->scene.until, "Ends at this simulated time [s] instead of the scene's end.");
   add_value_flags(*command, options->scene);
-  command->add_flag("--keep-runs", study.keep_runs, "keep all outputs of every run, not only summaries and motions");
-  command->add_flag("--force", study.force, "write into a folder that is not empty");
-  command->add_flag("--json", study.json, "compare.json on stdout and nothing else there");
-  command->add_flag("--quiet", study.quiet, "no progress, only warnings and errors");
+  command->add_flag("--keep-runs", study.keep_runs,
+                    "Keeps all outputs of every run, not only summaries, motions and ice loads.");
+  command->add_flag(
+      "--force", study.force,
+      "Writes into the folder even if it is not empty. Files of an earlier comparison there are removed.");
+  command->add_flag("--json", study.json, "Prints compare.json on standard output, and nothing else there.");
+  command->add_flag("--quiet", study.quiet, "Prints only warnings and errors, no progress.");
   for (const char* flag : {"--solvers", "--laws", "--dt", "--tolerance", "--integrators", "--stabilisations"})
     ablate->excludes(flag);
   for (const char* flag : {"--dt", "--integrators", "--stabilisations", "--ablate", "--seeds", "--reference",

@@ -21,8 +21,8 @@ struct FieldOptions {
   bool no_picture = false, json = false, quiet = false;
 };
 
-/// All floes of a scene as one field. Its concentration is that of all water in which fields of free floes were laid
-/// out.
+/// All floes of a scene as one field. Its concentration is the share of ice in all water in which fields of free floes
+/// were laid out.
 FieldResult as_one_field(const WorldParts& parts, const std::vector<FieldReport>& reports) {
   FieldResult all;
   for (const PlannedIce& ice : parts.ice)
@@ -90,23 +90,29 @@ int make_field(const FieldOptions& options) {
 
 void add_field(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand(
-      "field", "generates the ice of a scene; writes it as a reusable file with a picture, and prints its statistics");
+      "field", "Generates the ice of a scene, writes it to a reusable file, draws a picture and prints statistics.");
   auto options = std::make_shared<FieldOptions>();
-  command->add_option("spec", options->scene.file, "scene file whose ice is generated, clear of its vessel")
+  command
+      ->add_option("spec", options->scene.file,
+                   "Generates the ice of the scene in this XML file. The vessel is kept free of ice.")
       ->required();
   add_value_flags(*command, options->scene);
-  command->add_option("--out", options->out, "GeoJSON file to write")->capture_default_str();
-  auto* picture = command->add_option("--picture", options->picture,
-                                      "PNG file to write, by gnuplot (default: beside the GeoJSON file)");
+  command->add_option("--out", options->out, "Writes the ice to this GeoJSON file.")->capture_default_str();
+  auto* picture =
+      command->add_option("--picture", options->picture,
+                          "Draws the picture into this PNG file with gnuplot. The default is the name of the "
+                          "GeoJSON file with .png.");
   picture->check([](const std::string& file) {
     return std::filesystem::path(file).extension() == ".png" ? "" : "'" + file + "': must end in .png";
   });
-  command->add_flag("--no-picture", options->no_picture, "draws none")->excludes(picture);
-  command->add_option("--threads", options->threads, "threads; the results do not depend on it")
+  command->add_flag("--no-picture", options->no_picture, "Draws no picture.")->excludes(picture);
+  command
+      ->add_option("--threads", options->threads,
+                   "Computes on this many threads, at least 1. The results do not depend on the number.")
       ->check(at_least(1))
       ->capture_default_str();
-  command->add_flag("--json", options->json, "the statistics as JSON on stdout");
-  command->add_flag("--quiet", options->quiet, "no progress");
+  command->add_flag("--json", options->json, "Prints the statistics as JSON on standard output.");
+  command->add_flag("--quiet", options->quiet, "Prints no progress.");
   command->callback([&action, options] { action = [options] { return make_field(*options); }; });
 }
 

@@ -19,55 +19,59 @@ struct HullOptions {
   std::string forward = "x", up = "z";  ///< axes of the mesh file
   std::map<std::string, double> parameters;
   HullPreparation preparation;
-  std::vector<std::string> preparation_flags;  ///< as given
+  std::vector<std::string> preparation_flags;  ///< flags of `preparation` that the user gave, in the order of the help
   bool json = false, force = false, quiet = false;
 };
 
-/// Flag and what it sets; the names are those of <hull generate=...> in a scene, with '-' for '_'.
+/// A flag of a generated form. Its name is that of the attribute of <hull generate=...> in a scene, which has '_' for
+/// '-'.
 struct FormFlag {
   const char* name;
   const char* help;
 };
 constexpr FormFlag k_form_flags[] = {
-    {"length", "length over all [m]"},
-    {"beam", "beam at the design waterline [m]"},
-    {"draught", "design draught [m]; also the waterline of the report (a mesh: half its height)"},
-    {"depth", "keel to deck [m]"},
-    {"stem_angle_deg", "stem against still water [deg]"},
-    {"entrance_angle_deg", "half angle of the waterline at the stem [deg]"},
-    {"bow_length", "length of the forebody [m]"},
-    {"stern_length", "length of the run [m]"},
-    {"flare_angle_deg", "sides from vertical [deg]"},
-    {"triangles", "number of triangles, within 5 %"},
+    {"length", "Sets the length over all [m]."},
+    {"beam", "Sets the beam at the design waterline [m]."},
+    {"draught",
+     "Sets the design draught [m], at which the report takes the waterline. The default for a mesh is half its "
+     "height."},
+    {"depth", "Sets the depth from keel to deck [m]."},
+    {"stem_angle_deg", "Sets the angle between the stem and the still water surface [deg]."},
+    {"entrance_angle_deg", "Sets the half angle of the waterline at the stem [deg]."},
+    {"bow_length", "Sets the length of the forebody [m]."},
+    {"stern_length", "Sets the length of the run, the part of the hull that narrows aft [m]."},
+    {"flare_angle_deg", "Sets the angle of the sides from the vertical [deg]."},
+    {"triangles", "Sets the number of triangles, which is met within 5 %."},
 };
 
-/// --stem-angle-deg for stem_angle_deg.
+/// The flag of a parameter: "--stem-angle-deg" for "stem_angle_deg".
 std::string dashed(const std::string& parameter) {
   std::string flag = "--" + parameter;
   std::replace(flag.begin(), flag.end(), '_', '-');
   return flag;
 }
 
-/// Flags of a generated form, but for the draught, say nothing about a mesh.
+/// Throws InputError for a flag of a generated form, except --draught: they mean nothing for a mesh.
 void demand_no_form(const HullOptions& options) {
   for (const auto& [name, value] : options.parameters)
     if (name != "draught")
-      throw InputError("nilas hull: found " + dashed(name) +
-                       " beside MESH; it belongs to --generate, and of a form's flags a mesh allows --draught alone");
+      throw InputError(
+          "nilas hull: found " + dashed(name) +
+          " with MESH; it belongs to --generate, and --draught is the only flag of a form that a mesh allows");
 }
 
-/// Flags that say how a mesh file is read, mended and cut do nothing where none is.
+/// Throws InputError for a flag that states how a mesh file is read, mended and cut, where no mesh file is read.
 void demand_no_preparation(const HullOptions& options, const std::string& beside, const std::string& allowed) {
   if (options.preparation_flags.empty()) return;
   throw InputError(
-      "nilas hull: found " + options.preparation_flags.front() + " beside " + beside +
-      "; it says how a mesh file is treated, and here nothing is read, mended or cut; allowed: " + allowed);
+      "nilas hull: found " + options.preparation_flags.front() + " with " + beside +
+      "; it states how a mesh file is treated, but nothing is read, mended or cut here; allowed: " + allowed);
 }
 
 /// Throws InputError for a flag that would do nothing.
 void demand_used_flags(const HullOptions& options) {
   if (options.generate.empty() == options.mesh.empty())
-    throw InputError("nilas hull: give either MESH or --generate icebreaker|wedge");
+    throw InputError("nilas hull: allowed: either MESH or --generate, and --generate takes icebreaker or wedge");
   if (options.mesh.empty()) {
     std::string allowed = "--out, --force, --json, --quiet";
     for (const auto& flag : k_form_flags) allowed += ", " + dashed(flag.name);
@@ -92,7 +96,7 @@ void add_origin(nlohmann::ordered_json& description, const HullOptions& options)
   for (const auto& [name, value] : options.parameters) description["parameters"][name] = value;
 }
 
-/// The folder is worth having without a picture. Returns why there is none, else an empty text.
+/// Draws hull.png. Returns why it could not be drawn, else an empty text: the hull is complete without it.
 std::string try_to_draw(const Hull& hull, double level, const std::filesystem::path& folder) {
   try {
     draw_hull(hull, level, folder);
@@ -102,14 +106,15 @@ std::string try_to_draw(const Hull& hull, double level, const std::filesystem::p
   }
 }
 
-/// A mesh among the files that the new hull replaces would be lost where that fails.
+/// Throws InputError if the new hull would replace the mesh file, which a failure would then lose.
 void demand_mesh_stays(const std::filesystem::path& mesh, const NewHullFolder& folder) {
   std::error_code ignored;
   if (folder.replaces(mesh) || std::filesystem::equivalent(mesh, folder.path(), ignored))
     throw InputError(mesh.string() + ": --out " + folder.path().string() + " would replace it; choose another folder");
 }
 
-/// Tells `progress` of the stages.
+/// The preparation that the flags ask for. `progress` is told of its stages. Throws InputError for axes that are not
+/// across each other.
 HullPreparation preparation_of(const HullOptions& options, PhaseProgress& progress) {
   HullPreparation how = options.preparation;
   how.stage_done = [&progress](const std::string& stage) {
@@ -119,8 +124,8 @@ HullPreparation preparation_of(const HullOptions& options, PhaseProgress& progre
   };
   how.axes = {mesh_axis(options.forward), mesh_axis(options.up)};
   if (!how.axes.across())
-    throw InputError("nilas hull: found --forward " + options.forward + " beside --up " + options.up +
-                     "; allowed: axes across each other");
+    throw InputError("nilas hull: found --forward " + options.forward + " with --up " + options.up +
+                     "; allowed: axes at right angles to each other");
   if (const auto given = options.parameters.find("draught"); given != options.parameters.end())
     how.draught = given->second;
   return how;
@@ -133,7 +138,7 @@ PreparedHull generated(const HullForm& form) {
   return made;
 }
 
-/// What advice on the hull says where it is from.
+/// The origin of the hull, for advice on it.
 HullUse use_of(const HullOptions& options, const PreparedHull& made) {
   HullUse use;
   use.generated = !options.generate.empty();
@@ -169,7 +174,7 @@ int hull(const HullOptions& options) {
       try_to_draw(made.hull, waterline_level(made.hull.fluid, made.draught), folder.staging());
   folder.publish();
   progress.end();
-  if (!no_picture.empty()) std::cerr << "no picture: " << no_picture << "\n";
+  if (!no_picture.empty()) std::cerr << "There is no picture: " << no_picture << "\n";
   for (const auto& warning : result["warnings"]) warn(warning.get<std::string>());
   std::cout << (options.json ? result.dump(2) + "\n" : report_text(result) + "written: " + options.out + "\n");
   return exit_done;
@@ -198,26 +203,39 @@ std::vector<CLI::Option*> add_preparation_flags(CLI::App& command, HullOptions& 
   HullPreparation& how = options.preparation;
   const std::vector<std::string> axes{"x", "-x", "y", "-y", "z", "-z"};
   return {
-      command.add_option("--scale", how.scale, "metres per unit of the mesh file: 0.001 for mm")
+      command
+          .add_option("--scale", how.scale,
+                      "States how many metres a unit of the mesh file is, above 0: 0.001 for millimetres.")
           ->check(positive())
           ->capture_default_str(),
+      command.add_option("--forward", options.forward, "Names the axis of the mesh file that points to the bow.")
+          ->check(CLI::IsMember(axes))
+          ->capture_default_str(),
+      command.add_option("--up", options.up, "Names the axis of the mesh file that points up.")
+          ->check(CLI::IsMember(axes))
+          ->capture_default_str(),
       command
-          .add_option("--forward", options.forward, "the mesh file's axis that points to the bow: x, -x, y, -y, z, -z")
-          ->check(CLI::IsMember(axes))
-          ->capture_default_str(),
-      command.add_option("--up", options.up, "the mesh file's axis that points up, likewise")
-          ->check(CLI::IsMember(axes))
-          ->capture_default_str(),
-      command.add_option("--gap", how.gap, "points this close are one [m]; default 1e-5 of the length")
+          .add_option("--gap", how.gap,
+                      "Merges points that are this close [m], above 0. The default is 1e-5 of the longest side.")
           ->check(positive()),
-      command.add_option("--fill-holes", how.largest_hole, "fill holes up to this far across [m]; default length / 20")
+      command
+          .add_option("--fill-holes", how.largest_hole,
+                      "Fills holes up to this wide [m], above 0. The default is 1/20 of the longest side.")
           ->check(positive()),
-      command.add_option("--tolerance", how.tolerance, "of the convex parts [m]; default length / 1000")
+      command
+          .add_option("--tolerance", how.tolerance,
+                      "Allows the convex parts to deviate this far from the mesh [m], above 0. The default is 1/1000 "
+                      "of the longest "
+                      "side.")
           ->check(positive()),
-      command.add_option("--parts", how.most_parts, "convex parts, at most")
+      command.add_option("--parts", how.most_parts, "Limits the number of convex parts.")
           ->check(CLI::Range(1, 1000))
           ->capture_default_str(),
-      command.add_option("--threads", how.threads, "threads, by default all; the results do not depend on it")
+      command
+          .add_option("--threads", how.threads,
+                      "Computes on this many threads, at least 1. The default is one per core. The results do not "
+                      "depend on the "
+                      "number.")
           ->check(at_least(1)),
   };
 }
@@ -225,16 +243,19 @@ std::vector<CLI::Option*> add_preparation_flags(CLI::App& command, HullOptions& 
 }  // namespace
 
 void add_hull(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("hull", "makes or mends a hull, reports it, writes a hull folder for scenes");
+  auto* command =
+      app.add_subcommand("hull", "Generates or mends a hull, reports on it and writes a hull folder for scenes.");
   auto options = std::make_shared<HullOptions>();
-  command->add_option("mesh", options->mesh, "STL, OBJ, OFF or PLY file of a hull, or a hull folder");
-  command->add_option("--generate", options->generate, "form to generate: icebreaker or wedge");
-  command->add_option("--out", options->out, "folder to write")->capture_default_str();
-  command->add_flag("--force", options->force, "write into a folder that is not empty; replaces an earlier hull in it");
+  command->add_option("mesh", options->mesh,
+                      "Reads the hull from this STL, OBJ, OFF or PLY file, or from this hull folder.");
+  command->add_option("--generate", options->generate, "Generates a hull of this form: icebreaker or wedge.");
+  command->add_option("--out", options->out, "Writes the hull folder here.")->capture_default_str();
+  command->add_flag("--force", options->force,
+                    "Writes into the folder even if it is not empty. An earlier hull there is replaced.");
   add_form_flags(*command, options);
   const auto preparation = add_preparation_flags(*command, *options);
-  command->add_flag("--json", options->json, "the report as JSON on stdout");
-  command->add_flag("--quiet", options->quiet, "no progress");
+  command->add_flag("--json", options->json, "Prints the report as JSON on standard output.");
+  command->add_flag("--quiet", options->quiet, "Prints no progress.");
   command->callback([&action, options, preparation] {
     for (const auto* flag : preparation)
       if (flag->count() > 0) options->preparation_flags.push_back(flag->get_name());

@@ -25,23 +25,26 @@ int problems(ProblemsFlags flags) {
 }  // namespace
 
 void add_problems(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("problems", "writes hard contact problems with certified solutions");
+  auto* command = app.add_subcommand("problems", "Writes hard contact problems with certified solutions.");
   auto flags = std::make_shared<ProblemsFlags>();
   ProblemExportOptions& shared = flags->shared;
   shared.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  command->add_option("--export", shared.out, "folder to write FCLIB files and problems.csv into")->required();
-  auto* scenes =
-      command->add_option("--scenes", shared.scenes, "folder of scenes whose hardest steps are written (the shipped)");
-  command->add_flag("--no-scenes", flags->no_scenes, "the generated challenges alone")->excludes(scenes);
-  command->add_option("--until", shared.until_s, "simulated time of each scene at most [s]")
+  command->add_option("--export", shared.out, "Writes the FCLIB files and problems.csv into this folder.")->required();
+  auto* scenes = command->add_option("--scenes", shared.scenes,
+                                     "Writes the hardest step of each scene in this folder. The default is the folder "
+                                     "of the scenes that are shipped.");
+  command->add_flag("--no-scenes", flags->no_scenes, "Writes the generated problems alone.")->excludes(scenes);
+  command->add_option("--until", shared.until_s, "Simulates each scene up to this time [s].")
       ->check(at_least(0))
       ->capture_default_str();
-  command->add_option("--threads", shared.threads, "problems at a time; the files do not depend on it")
+  command
+      ->add_option("--threads", shared.threads,
+                   "Makes this many problems at a time, at least 1. The files do not depend on the number.")
       ->check(at_least(1))
       ->capture_default_str();
-  command->add_flag("--json", shared.json, "the table as JSON on stdout");
-  command->add_flag("--quiet", shared.quiet, "no progress");
-  command->add_flag("--force", shared.force, "write into a folder that is not empty");
+  command->add_flag("--json", shared.json, "Prints the table as JSON on standard output.");
+  command->add_flag("--quiet", shared.quiet, "Prints no progress.");
+  command->add_flag("--force", shared.force, "Writes into the folder even if it is not empty.");
   command->callback([&action, flags] { action = [flags] { return problems(*flags); }; });
 }
 

@@ -26,7 +26,7 @@ int report(const ReportOptions& options) {
   const std::filesystem::path run = options.run, out = options.out.empty() ? run : std::filesystem::path(options.out);
   const Scene scene = read_scene(run / "scene.xml");
   WarningCounts warnings(make_logger("off", ""));
-  PhaseProgress progress(std::cerr, phase_style(false, false), "building the scene again, for its shapes");
+  PhaseProgress progress(std::cerr, phase_style(false, false), "building the scene again for its shapes");
   const Simulation simulation(scene, 1, warnings);
   progress.next("reading the contacts");
   std::vector<std::string> notes;
@@ -49,23 +49,24 @@ int report(const ReportOptions& options) {
 }  // namespace
 
 void add_report(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("report",
-                                     "draws what a run left: where ice met the vessel or fixed bodies, and with what "
-                                     "force");
+  auto* command =
+      app.add_subcommand("report", "Draws where ice touched the vessel or fixed bodies in a run, and with what force.");
   auto options = std::make_shared<ReportOptions>();
-  command->add_option("run", options->run, "run folder")->required();
+  command->add_option("run", options->run, "Reads the run in this folder.")->required();
   command
       ->add_option("--contacts", options->contacts,
-                   "times about which contacts are drawn, separated by commas: contacts.svg and contacts.png [s]")
+                   "Draws the contacts around these simulated times [s], separated by commas, into contacts.svg and "
+                   "contacts.png.")
       ->required()
       ->delimiter(',');
-  command->add_option("--window", options->window, "contacts up to so long before and after each time [s]")
+  command->add_option("--window", options->window, "Draws the contacts up to this long [s] before and after each time.")
       ->check(at_least(0))
       ->capture_default_str();
-  command->add_option("--body", options->body,
-                      "name of the vessel or fixed body that is drawn (default: the vessel; without one all fixed "
-                      "bodies)");
-  command->add_option("--out", options->out, "folder for the pictures (default: the run folder)");
+  command->add_option(
+      "--body", options->body,
+      "Draws the vessel or fixed body of this name. The default is the vessel, or all fixed bodies without "
+      "one.");
+  command->add_option("--out", options->out, "Writes the pictures into this folder. The default is the run folder.");
   command->callback([&action, options] { action = [options] { return report(*options); }; });
 }
 

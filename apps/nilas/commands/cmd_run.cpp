@@ -28,7 +28,7 @@ namespace nilas {
 
 namespace {
 
-/// The scene's own, else a dated one.
+/// The folder that the scene names, else a dated one.
 std::filesystem::path default_folder(const Scene& scene) {
   return scene.output.folder.empty() ? dated_folder(scene.name) : std::filesystem::path(scene.output.folder);
 }
@@ -41,7 +41,8 @@ struct RunOptions {
   std::string open_water_run;
 };
 
-/// Throws before anything of an earlier run is replaced.
+/// The open-water run of --open-water-run, if any. Throws, as OpenWater does, before a file of an earlier run is
+/// replaced.
 std::optional<OpenWater> stored_open_water(const RunOptions& options, const Scene& scene) {
   if (options.open_water) OpenWater::demand_towed(scene);
   if (options.open_water_run.empty()) return std::nullopt;
@@ -53,7 +54,7 @@ struct Ending {
   std::string status = "done";
   int exit_code = exit_done;
   std::string message = {};
-  std::string early = {};  ///< why a run that is done did not reach its end time
+  std::string early = {};  ///< why a run that is done ended before its end time; empty: it did not
 };
 
 class Run {
@@ -67,7 +68,7 @@ class Run {
         logger_(make_logger(console_level(), folder_.log_file().string())),
         warnings_(logger_) {}
 
-  /// The rest of a run.
+  /// Continues a stopped run in its folder.
   Run(const RunOptions& options, StoppedRun stopped)
       : options_(options),
         scene_(std::move(stopped.scene)),
@@ -94,7 +95,7 @@ class Run {
     const Ending ending = advance(simulation, console);
     const double wall = wall_seconds();
     if (!ending.early.empty())
-      logger_->warn("the run ends at {:g} s of {:g} s: {}", simulation.time(), scene_.time.end, ending.early);
+      logger_->warn("the run ends at {:g} s instead of {:g} s: {}", simulation.time(), scene_.time.end, ending.early);
     if (!ending.message.empty())
       logger_->log(ending.exit_code == exit_interrupted ? spdlog::level::warn : spdlog::level::err, "{}",
                    ending.message);
@@ -119,7 +120,7 @@ class Run {
              input.brash_mass,        input.extruded_mass,           crushes};
     const auto summary = folder_.finish(std::move(input), simulation.bodies());
     if (const auto count = simulation.info().warnings.size(); count > 0)
-      logger_->warn("{} about the scene {} told at the start; see nilas.log", count == 1 ? "a warning" : "warnings",
+      logger_->warn("{} about the scene {} printed at the start; see nilas.log", count == 1 ? "a warning" : "warnings",
                     count == 1 ? "was" : "were");
     if (options_.json)
       std::cout << summary.dump(2) << "\n";
@@ -133,13 +134,13 @@ class Run {
   static long floes_of(const Bodies& bodies) {
     return std::count(bodies.kind.begin(), bodies.kind.end(), BodyKind::floe);
   }
-  /// Standard output belongs to the results where they are asked for as JSON.
+  /// The console's style while the run advances. With --json, standard output is for the results alone.
   ConsoleStyle run_style() const {
     return options_.json ? phase_style(options_.quiet, true) : console_style(options_.quiet);
   }
   ConsoleStyle before_run_style() const { return phase_style(options_.quiet, options_.json); }
   std::string console_level() const { return options_.quiet ? "warn" : options_.log_level; }
-  /// Of all sessions of the run.
+  /// Wall time of all sessions of the run [s].
   double wall_seconds() const { return wall_before_ + steady_seconds() - started_; }
 
   std::unique_ptr<Simulation> build() {
@@ -164,7 +165,7 @@ class Run {
   }
 
   void build_twins(const Simulation& simulation) {
-    const PhaseProgress progress(std::cerr, before_run_style(), "building the twins");
+    const PhaseProgress progress(std::cerr, before_run_style(), "building the perturbed runs");
     try {
       twins_.emplace(scene_, simulation, options_.twins, options_.threads);
     } catch (...) {
@@ -175,7 +176,7 @@ class Run {
 
   void begin(const Simulation& simulation) {
     if (goes_on_) {
-      logger_->info("stopped before its first checkpoint: the run begins again");
+      logger_->info("the run stopped before its first checkpoint, so it begins again");
       clear_after(folder_.path());
     }
     folder_.open(scene_, simulation.info(), warnings_);
@@ -189,7 +190,7 @@ class Run {
     warnings_.restore(in.group("warnings"));
     in.get("wall_s", wall_before_);
     steps_saved_ = simulation.steps();
-    logger_->info("goes on from {:g} s", simulation.time());
+    logger_->info("the run continues from {:g} s", simulation.time());
     console.go_on_from(simulation.time());
     checkpoint_.reset();
   }
@@ -204,7 +205,8 @@ class Run {
     if (!origin_) origin_ = checkpoint_origin(scene_.fingerprint);
     folder_.write_checkpoint(*origin_, std::move(state));
     steps_saved_ = simulation.steps();
-    logger_->debug("checkpoint at {:g} s, written in {:.1f} ms", simulation.time(), 1e3 * (steady_seconds() - begun));
+    logger_->debug("a checkpoint at {:g} s was written in {:.1f} ms", simulation.time(),
+                   1e3 * (steady_seconds() - begun));
   }
 
   Ending advance(Simulation& simulation, Console& console) {
@@ -265,13 +267,13 @@ class Run {
 
   const RunOptions& options_;
   Scene scene_;
-  std::optional<OpenWater> open_water_;  ///< where it is asked for
+  std::optional<OpenWater> open_water_;  ///< if it is asked for
   RunFolder folder_;
-  bool goes_on_ = false;                    ///< the folder holds the run's beginning
-  std::optional<State> checkpoint_;         ///< to go on from
-  std::optional<CheckpointOrigin> origin_;  ///< of the checkpoints, once there are any
-  std::optional<TwinRuns> twins_;           ///< where they are asked for
-  long steps_saved_ = -1;                   ///< in the newest checkpoint
+  bool goes_on_ = false;                    ///< the run continues one that the folder holds
+  std::optional<State> checkpoint_;         ///< the state from which the run continues
+  std::optional<CheckpointOrigin> origin_;  ///< the origin of the checkpoints, once there are any
+  std::optional<TwinRuns> twins_;           ///< the perturbed runs, if they are asked for
+  long steps_saved_ = -1;                   ///< steps in the newest checkpoint; -1: there is none
   double started_ = steady_seconds(), wall_before_ = 0;
   std::shared_ptr<spdlog::logger> logger_;
   WarningCounts warnings_;
@@ -282,15 +284,15 @@ void demand_resumable(const CLI::App& command) {
   for (const char* flag : {"scene", "--dt", "--solver", "--law", "--seed", "--set", "--twins", "--out", "--force"})
     if (command.get_option(flag)->count() > 0)
       throw InputError(
-          std::string("--resume: a run goes on as it began, in its own folder; remove ") + flag +
+          std::string("--resume: a run continues with its own settings in its own folder; remove ") + flag +
           " (allowed: --until, --statistics, --open-water, --open-water-run, --checkpoint-every, --threads, --json, "
           "--quiet, --log-level)");
 }
 
-/// `summary`: of a run that is done.
+/// States whether a run that is done can be continued. `summary`: the text of its summary.json.
 std::string how_to_go_on(const std::string& summary) {
   const std::string early = nlohmann::json::parse(summary).value("ended_early", "");
-  return early.empty() ? "--until goes on beyond its end" : "it cannot go on: " + early;
+  return early.empty() ? "--until with a later time continues it" : "it cannot be continued: " + early;
 }
 
 int resume_run(const RunOptions& options) {
@@ -306,36 +308,47 @@ int resume_run(const RunOptions& options) {
 }  // namespace
 
 void add_run(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("run", "simulates a scene to its end and writes a run folder");
+  auto* command = app.add_subcommand("run", "Simulates a scene to its end and writes a run folder.");
   auto options = std::make_shared<RunOptions>();
   auto* scene = add_scene_flags(*command, options->scene)->required(false);
   command
-      ->add_option("--checkpoint-every", options->scene.checkpoint_every,
-                   "simulated time between checkpoints instead of the scene's; 0: none [s]")
+      ->add_option(
+          "--checkpoint-every", options->scene.checkpoint_every,
+          "Writes a checkpoint each time this much simulated time [s] has passed, instead of the scene's interval. 0 "
+          "writes none.")
       ->check(at_least(0));
-  command->add_option("--resume", options->resume,
-                      "in place of a scene: goes on with the run in this folder from its newest checkpoint; --until "
-                      "beyond its end makes it longer");
-  command->add_option("--out", options->out, "run folder (default: the scene's, else runs/<scene>-<time>)");
-  command->add_option("--threads", options->threads, "threads; the results do not depend on it")
+  command->add_option(
+      "--resume", options->resume,
+      "Continues the run in this folder from its newest checkpoint. It replaces the scene argument. With "
+      "--until a run can be made longer.");
+  command->add_option("--out", options->out,
+                      "Writes the run into this folder. The default is the folder that the scene names, else "
+                      "runs/<scene>-<time>.");
+  command
+      ->add_option("--threads", options->threads,
+                   "Computes on this many threads. The results do not depend on the number.")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
   command
-      ->add_option("--twins", options->twins,
-                   "runs of the same scene started 1e-12 m aside, in step with it: mean, standard error and horizon "
-                   "of predictability in summary.json")
+      ->add_option(
+          "--twins", options->twins,
+          "Makes this many perturbed runs, which start up to 1e-12 m away, in step with the run. summary.json then "
+          "holds means, standard errors and the predictability horizon.")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
   command->add_flag("--open-water", options->open_water,
-                    "tow the same vessel without ice first, and deduct the mean force that takes from the tow force");
+                    "First tows the same vessel without ice. The mean force of that is deducted from the tow force.");
   command
-      ->add_option("--open-water-run", options->open_water_run,
-                   "the same with a stored run without ice, towed at the same speed")
+      ->add_option(
+          "--open-water-run", options->open_water_run,
+          "Deducts the mean force of the run without ice in this folder. It must have towed the same vessel at "
+          "the same speed.")
       ->excludes("--open-water");
-  command->add_flag("--force", options->force, "write into a folder that is not empty");
-  command->add_flag("--json", options->json, "summary as JSON on stdout and nothing else there");
-  command->add_flag("--quiet", options->quiet, "no progress, only warnings and errors");
-  command->add_option("--log-level", options->log_level, "of the console")
+  command->add_flag("--force", options->force,
+                    "Writes into the folder even if it is not empty. Files of an earlier run there are removed.");
+  command->add_flag("--json", options->json, "Prints the summary as JSON on standard output, and nothing else there.");
+  command->add_flag("--quiet", options->quiet, "Prints only warnings and errors, no progress.");
+  command->add_option("--log-level", options->log_level, "Prints messages of this level and above on the console.")
       ->check(CLI::IsMember({"debug", "info", "warn", "error", "off"}))
       ->capture_default_str();
   command->callback([&action, options, command, scene] {

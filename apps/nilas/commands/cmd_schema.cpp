@@ -7,13 +7,13 @@
 namespace nilas {
 
 void add_schema(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("schema", "prints the scene schema");
+  auto* command = app.add_subcommand("schema", "Prints the schema of scene files.");
   auto markdown = std::make_shared<bool>(false);
   auto xsd = std::make_shared<bool>(true);
-  command->add_flag("--xsd", *xsd, "as an XML Schema (the default)");
-  command->add_flag("--markdown", *markdown, "as the scene reference page of the documentation");
+  command->add_flag("--xsd", *xsd, "Prints it as an XML Schema, which is the default.");
+  command->add_flag("--markdown", *markdown, "Prints it as the scene reference page of the documentation.");
   auto commands = std::make_shared<bool>(false);
-  command->add_flag("--commands", *commands, "in its place the page of the documentation that lists all commands");
+  command->add_flag("--commands", *commands, "Prints the page of the documentation that lists all commands instead.");
   command->callback([&action, &app, markdown, commands] {
     action = [&app, markdown, commands] {
       std::cout << (*commands ? command_reference(app) : *markdown ? schema_markdown() : schema_xsd());

@@ -26,22 +26,22 @@ struct SolveOptions {
   bool json = false, quiet = false;
 };
 
-/// Solves that take longer are not repeated: the clock is exact enough for them [s].
+/// Solves that take longer than this are not repeated, because the clock is exact enough for them [s].
 constexpr double k_short_solve = 0.05;
 
 struct Outcome {
   ContactSolution solution;
-  SolveStatus claimed = SolveStatus::numerical_error;  ///< by the solver
+  SolveStatus claimed = SolveStatus::numerical_error;  ///< the status that the solver reports
   Residuals residuals;
   ContactCounts counts;
   double seconds = 0;
 };
 
-/// Before a long solve rather than after it.
+/// Throws FileError if the folder of the target does not exist, before a long solve rather than after it.
 void check_target(const std::filesystem::path& target) {
   const auto folder = target.parent_path();
   if (!folder.empty() && !std::filesystem::is_directory(folder))
-    throw FileError(target.string() + ": cannot be written, there is no folder " + folder.string());
+    throw FileError(target.string() + ": cannot be written because there is no folder " + folder.string());
 }
 
 void set_law(const ParsedLaw& law, FclibProblem& problem) {
@@ -53,7 +53,7 @@ void set_law(const ParsedLaw& law, FclibProblem& problem) {
       problem.problem);
 }
 
-/// The velocities that follow from the impulses alone, so that what is measured is what is written.
+/// Sets the velocities to those that follow from the impulses alone, so that the measured answer is the one written.
 void follow_impulses(const LocalProblem& problem, ContactSolution& solution) {
   solution.u = contact_velocities(problem, solution.r);
 }
@@ -76,7 +76,7 @@ Outcome solve_form(const Problem& problem, const ContactSolver& solver, const So
   out.residuals = measure(problem, out.solution.r);
   out.counts = count_contacts(problem, out.solution.r, out.solution.u);
   out.claimed = out.solution.status;
-  // the yardstick has the last word on what a solver claims
+  // the measured residual decides, whatever the solver reports
   if (out.claimed == SolveStatus::converged && options.tolerance > 0 &&
       !(out.residuals.law_map_m_s <= options.tolerance))
     out.solution.status = SolveStatus::stalled;
@@ -113,7 +113,7 @@ ordered_json report(const SolveOptions& options, const FclibProblem& problem, co
 }
 
 void print(const ordered_json& table, bool json) {
-  // titles of older files are in any encoding
+  // titles in FCLIB files may have any encoding
   constexpr auto k_on_bad_text = ordered_json::error_handler_t::replace;
   if (json) {
     std::cout << table.dump(2, ' ', false, k_on_bad_text) << "\n";
@@ -161,31 +161,46 @@ int solve_problem(const SolveOptions& options) {
 
 void add_solve(CLI::App& app, Action& action) {
   auto* command =
-      app.add_subcommand("solve", "solves one contact problem in FCLIB format; prints how wrong the answer is");
+      app.add_subcommand("solve", "Solves one contact problem in FCLIB format and prints the residuals of the answer.");
   auto options = std::make_shared<SolveOptions>();
-  command->add_option("problem", options->problem, "FCLIB file (HDF5), local or global form, 3-D")->required();
-  command->add_option("--solver", options->solver, "see nilas solvers")->capture_default_str();
-  command->add_option("--law", options->law, "coulomb, ccp, pyramid, pyramid-K, frictionless")->capture_default_str();
-  command->add_option("--tolerance", options->tolerance, "on law_map_m_s [m/s]; 0 runs all iterations")
+  command
+      ->add_option("problem", options->problem,
+                   "Reads the problem from this FCLIB file (HDF5), which holds a 3-D problem in local or "
+                   "global form.")
+      ->required();
+  command->add_option("--solver", options->solver, "Solves with this solver. `nilas solvers` lists the names.")
+      ->capture_default_str();
+  command
+      ->add_option("--law", options->law,
+                   "Solves this contact law: coulomb, ccp, pyramid, pyramid-K with K facets, or frictionless.")
+      ->capture_default_str();
+  command
+      ->add_option("--tolerance", options->tolerance,
+                   "Stops the solver at this residual law_map_m_s [m/s]. 0 makes all iterations.")
       ->check(at_least(0))
       ->capture_default_str();
-  command->add_option("--max-iterations", options->max_iterations, "of the solver")
+  command
+      ->add_option("--max-iterations", options->max_iterations,
+                   "Limits the iterations of the solver to this number, at least 1.")
       ->check(at_least(1))
       ->capture_default_str();
-  command->add_option("--max-time", options->max_seconds, "wall time of the solve [s]; 0 means no limit")
+  command->add_option("--max-time", options->max_seconds, "Limits the wall time of the solve [s]. 0 sets no limit.")
       ->check(at_least(0))
       ->capture_default_str();
-  command->add_option("--threads", options->threads, "threads; the results do not depend on it")
+  command
+      ->add_option("--threads", options->threads,
+                   "Computes on this many threads, at least 1. The results do not depend on the number.")
       ->check(at_least(1))
       ->capture_default_str();
   command
-      ->add_option("--repeat", options->repeat,
-                   "solve so often and tell the least time; what takes over 0.05 s is not repeated")
+      ->add_option(
+          "--repeat", options->repeat,
+          "Solves this many times, at least once, and reports the least time. Only solves below 0.05 s are repeated.")
       ->check(at_least(1))
       ->capture_default_str();
-  command->add_option("--write", options->write, "FCLIB file to write with the problem and the solution");
-  command->add_flag("--json", options->json, "the result as JSON on stdout");
-  command->add_flag("--quiet", options->quiet, "no progress");
+  command->add_option("--write", options->write, "Writes the problem and the solution to this FCLIB file.");
+  command->add_flag("--json", options->json, "Prints the result as JSON on standard output.");
+  command->add_flag("--quiet", options->quiet, "Prints no progress.");
   command->callback([&action, options] { action = [options] { return solve_problem(*options); }; });
 }
 

@@ -27,9 +27,9 @@ static int list_solvers(bool json) {
 }
 
 void add_solvers(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("solvers", "lists the contact solvers and the laws each can solve");
+  auto* command = app.add_subcommand("solvers", "Lists the contact solvers and the laws that each can solve.");
   auto json = std::make_shared<bool>(false);
-  command->add_flag("--json", *json, "machine-readable list on stdout");
+  command->add_flag("--json", *json, "Prints the list as JSON on standard output.");
   command->callback([&action, json] { action = [json] { return list_solvers(*json); }; });
 }
 

@@ -18,7 +18,7 @@ constexpr const char* k_head =
     "  are in [outputs](outputs.md).\n"
     "- An option with `...` takes one value or several. One without a value is a switch.\n";
 
-/// Its default is the number of cores in some commands, which is no text of a page.
+/// The option whose default is not printed, because some commands take the number of cores of the machine.
 constexpr std::string_view k_of_the_machine = "--threads";
 
 std::string escaped(const std::string& text) {
@@ -28,7 +28,7 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-/// With a capital at its start and a full stop at its end.
+/// The text with a capital at its start and a full stop at its end, escaped for a table.
 std::string sentence(std::string text) {
   if (text.empty()) return text;
   text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
@@ -38,14 +38,14 @@ std::string sentence(std::string text) {
 
 std::string code(const std::string& text) { return text.empty() ? "" : "`" + text + "`"; }
 
-/// "a,b" as a list that may wrap.
+/// The list "a,b" as "a, b", which may wrap.
 std::string choices(const std::string& list) {
   std::string text;
   for (const char c : list) text += c == ',' ? std::string(", ") : std::string(1, c);
   return text;
 }
 
-/// What the option takes: "number", "whole number" or "text", with its bounds or choices; nothing for a switch.
+/// The value that an option takes: "number", "whole number" or "text", with its bounds or choices; empty for a switch.
 std::string value_of(const CLI::Option& option) {
   if (option.get_expected_max() == 0) return "";
   const std::string type = option.get_type_name();

@@ -1,5 +1,5 @@
 #pragma once
-/// The subcommands: each adds its flags to the program and, when chosen, sets the action to run.
+/// The subcommands. Each adds its flags to the program and, if it is chosen, sets the action to run.
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace nilas {
 
-/// What the chosen subcommand does; returns the exit code.
+/// The work of the chosen subcommand; returns the exit code.
 using Action = std::function<int()>;
 
 void add_run(CLI::App& app, Action& action);
@@ -23,7 +23,7 @@ void add_report(CLI::App& app, Action& action);
 void add_problems(CLI::App& app, Action& action);
 void add_schema(CLI::App& app, Action& action);
 
-/// Checks whose messages CLI11 has no readable form of.
+/// Checks with messages of our own, because those of CLI11 are hard to read.
 inline CLI::Validator at_least(double least) {
   return {[least](const std::string& text) -> std::string {
             double value = 0;

@@ -26,7 +26,7 @@ std::string entry(const std::string& name, const std::string& description) {
 HelpText::HelpText() { column_width(k_name_columns); }
 
 std::string HelpText::make_option(const CLI::Option* option, bool is_positional) const {
-  // which flags exclude each other is said when they meet
+  // a message states which flags exclude each other when both are given
   std::string values = make_option_opts(option);
   values.erase(std::min(values.size(), values.find(" Excludes:")));
   return entry(make_option_name(option, is_positional) + values, make_option_desc(option));

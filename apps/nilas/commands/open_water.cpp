@@ -49,7 +49,7 @@ OpenWater OpenWater::stored(const std::filesystem::path& run) {
   const auto summary = nlohmann::json::parse(in, nullptr, false);
   const auto mean = nlohmann::json::json_pointer("/tow_force/mean_N");
   if (summary.is_discarded() || !summary.contains(mean))
-    throw InputError("--open-water-run: " + file.string() + " tells no tow force; allowed: runs of a towed vessel");
+    throw InputError("--open-water-run: " + file.string() + " holds no tow force; allowed: runs of a towed vessel");
   if (summary.at("/ice/floes"_json_pointer).get<long>() > 0)
     throw InputError("--open-water-run: the run in " + run.string() + " has ice; allowed: runs without <ice>");
   OpenWater water;

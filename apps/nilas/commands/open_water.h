@@ -1,5 +1,5 @@
 #pragma once
-/// The force of the same tow without ice, which a model basin deducts from that in ice.
+/// The open-water force: the force of the same tow without ice, which a model basin deducts from the force in ice.
 #include <filesystem>
 #include <optional>
 
@@ -13,22 +13,21 @@ class OpenWater {
  public:
   /// Throws InputError for a scene that tows no vessel.
   static void demand_towed(const Scene& scene);
-  /// Tows the scene's vessel without its ice, from start to end. Throws as demand_towed() and
-  /// Simulation do.
+  /// Tows the scene's vessel without its ice, from start to end. Throws as demand_towed() and Simulation do.
   static OpenWater towed(const Scene& scene, int threads);
-  /// Of a run without ice that was stored. Throws FileError, and InputError where it is no such run.
+  /// Reads the force from the folder of a run without ice. Throws FileError, and InputError if it is no such run.
   static OpenWater stored(const std::filesystem::path& run);
 
-  /// Fills the open-water force of a tow. Returns why nothing is deducted, where a stored run was towed at another
-  /// speed or with another vessel, or nothing moves; else nothing.
+  /// Fills the open-water force of a tow. Returns an empty text, or why nothing is deducted: the carriage does not
+  /// move, or the stored run was towed at another speed or with another vessel.
   std::string deduct_from(IceLoad& load, const MassProperties& vessel) const;
 
  private:
   std::optional<RunStatistics> run_;
-  double mean_ = 0, speed_ = 0;  ///< of a stored run [N, m/s]
+  double mean_ = 0, speed_ = 0;  ///< mean force [N] and speed [m/s] of a stored run
   struct {
-    double mass = 0, pitch_inertia = 0;  ///< [kg, kg m^2]
-  } vessel_;                             ///< of a stored run
+    double mass = 0, pitch_inertia = 0;  ///< [kg], [kg m^2]
+  } vessel_;                             ///< the vessel of a stored run
   std::string source_;
 };
 

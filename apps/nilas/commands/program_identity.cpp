@@ -19,7 +19,7 @@ CheckpointOrigin checkpoint_origin(const std::string& scene_fingerprint) {
   std::string program = "nilas " NILAS_VERSION " (" NILAS_BUILD;
   for (const auto& [name, version] : program_versions())
     if (name != "nilas") program += ", " + name + " " + version;
-  // The file that runs, even where another has taken its name since.
+  // this is the file that runs, even if another file has taken its name since
   return {program + ")", file_sha256("/proc/self/exe"), scene_fingerprint};
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What the program is and was built with.
+/// The identity of the program: its version and the libraries and compiler that it was built with.
 #include <map>
 #include <string>
 
@@ -7,10 +7,11 @@
 
 namespace nilas {
 
-/// Of the program, its libraries and the compiler, by name.
+/// The versions of the program, its libraries and the compiler, by name.
 std::map<std::string, std::string> program_versions();
 
-/// Of checkpoints that this program writes and reads for a scene. Reads the program's file. Throws FileError.
+/// The origin of the checkpoints that this program writes and reads for a scene. Reads the program's file. Throws
+/// FileError.
 CheckpointOrigin checkpoint_origin(const std::string& scene_fingerprint);
 
 }  // namespace nilas

@@ -13,7 +13,7 @@ namespace nilas {
 
 namespace fs = std::filesystem;
 
-/// summary.json where it tells of a run that did all its steps, or all that its course allows.
+/// The text of summary.json of a run that did all its steps, or all that its course allows; empty for other runs.
 static std::string summary_of_done_run(const fs::path& file, long steps) {
   if (!fs::exists(file)) return "";
   const std::string text = file_bytes(file);
@@ -31,12 +31,12 @@ static long steps_of(const State& checkpoint) {
 
 StoppedRun find_stopped_run(const fs::path& folder, const SceneFlags& flags) {
   std::error_code error;
-  if (!fs::is_directory(folder, error)) throw FileError(folder.string() + ": is no run folder");
+  if (!fs::is_directory(folder, error)) throw FileError(folder.string() + ": it is no run folder");
   const fs::path scene_file = RunFolder::scene_file(folder), checkpoint_file = RunFolder::checkpoint_file(folder);
   if (!fs::exists(scene_file, error))
     throw FileError(folder.string() +
-                    ": is no run folder: it has no scene.xml; a run that was stopped before its first step is begun "
-                    "again by nilas run SCENE");
+                    ": it is no run folder because it has no scene.xml. A run that stopped before its first step is "
+                    "begun again with nilas run SCENE.");
   StoppedRun found{.folder = folder, .scene = {}, .checkpoint = {}, .origin = {}, .summary = {}, .lock = {}};
   SceneFlags allowed;
   allowed.file = scene_file.string();
@@ -51,13 +51,14 @@ StoppedRun find_stopped_run(const fs::path& folder, const SceneFlags& flags) {
   if (!fs::exists(checkpoint_file, error)) {
     if (read_scene(scene_file).output.checkpoint_every > 0) return found;
     throw FileError(checkpoint_file.string() +
-                    ": not found: the run was not asked for checkpoints (--checkpoint-every)");
+                    ": not found; the run was not asked for checkpoints (--checkpoint-every)");
   }
   found.origin = checkpoint_origin(found.scene.fingerprint);
   found.checkpoint = read_checkpoint(checkpoint_file, *found.origin);
   if (const long done = steps_of(*found.checkpoint); done > steps)
-    throw InputError(fmt::format("--until {:g} s: the run stands at {:g} s already", found.scene.time.end,
-                                 found.scene.time.start + static_cast<double>(done) * found.scene.time.step));
+    throw InputError(
+        fmt::format("--until: found {:g} s; the run has reached {:g} s already, and only a later time is allowed",
+                    found.scene.time.end, found.scene.time.start + static_cast<double>(done) * found.scene.time.step));
   return found;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What `nilas run --resume` finds in a run folder.
+/// The stopped run that `nilas run --resume` finds in a run folder.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -12,16 +12,16 @@ namespace nilas {
 
 struct StoppedRun {
   std::filesystem::path folder;
-  Scene scene;                             ///< of the folder, with the flags' end and checkpoint interval
-  std::optional<State> checkpoint;         ///< none: stopped before the first one, so it begins again
-  std::optional<CheckpointOrigin> origin;  ///< of the checkpoint
-  std::string summary;                     ///< of a run that is done; else empty
-  std::optional<RunLock> lock;             ///< unless it is done
+  Scene scene;  ///< the folder's scene, with the flags' end, statistics window and checkpoint interval
+  std::optional<State> checkpoint;         ///< none: the run stopped before its first one and begins again
+  std::optional<CheckpointOrigin> origin;  ///< the origin of the checkpoint
+  std::string summary;                     ///< the text of summary.json of a run that is done; else empty
+  std::optional<RunLock> lock;             ///< holds the folder; none if the run is done
 };
 
-/// Of `flags` only `until` and `checkpoint_every` count. Throws FileError for a
-/// folder that is no run or has no checkpoint where none were asked for, or that another program writes into,
-/// InputError and SceneError for a checkpoint or a scene that cannot be gone on with.
+/// Reads a stopped run. Only `until`, `statistics` and `checkpoint_every` of `flags` count. Throws FileError for a
+/// folder that is no run folder, that another program writes into, or that has no checkpoint because none were asked
+/// for. Throws InputError or SceneError for a checkpoint or a scene from which the run cannot continue.
 StoppedRun find_stopped_run(const std::filesystem::path& folder, const SceneFlags& flags);
 
 }  // namespace nilas

@@ -9,36 +9,39 @@
 namespace nilas {
 
 void add_value_flags(CLI::App& command, SceneFlags& flags) {
-  command.add_option("--seed", flags.seed, "random seed instead of the scene's");
+  command.add_option("--seed", flags.seed, "Uses this random seed, a whole number, instead of the scene's.");
   command
-      .add_option("--set", flags.set,
-                  "PATH=VALUE, one or several: each overrides an attribute of the scene, e.g. contact/@tolerance=1e-8 "
-                  "or \"body[@name='box']/@mass=2\"")
+      .add_option(
+          "--set", flags.set,
+          "Overrides attributes of the scene, each given as PATH=VALUE. Examples are contact/@tolerance=1e-8 and "
+          "\"body[@name='box']/@mass=2\".")
       ->allow_extra_args(false)
       ->check([](const std::string& text) -> std::string {
         return text.find('=') != std::string::npos
                    ? ""
-                   : "found '" + text + "'; allowed: PATH=VALUE, as in contact/@tolerance=1e-8";
+                   : "found '" + text + "'; allowed: PATH=VALUE, such as contact/@tolerance=1e-8";
       });
 }
 
 CLI::Option* add_scene_flags(CLI::App& command, SceneFlags& flags) {
-  auto* scene = command.add_option("scene", flags.file, "scene file (XML)")->required();
-  command.add_option("--until", flags.until, "end time instead of the scene's [s]");
-  command.add_option("--dt", flags.dt, "time step instead of the scene's [s]");
+  auto* scene = command.add_option("scene", flags.file, "Reads the scene from this XML file.")->required();
+  command.add_option("--until", flags.until, "Ends at this simulated time [s] instead of the scene's end.");
+  command.add_option("--dt", flags.dt, "Uses this time step [s], above 0, instead of the scene's.");
   command.add_option("--statistics", flags.statistics,
-                     "FROM:TO [s]: the window of means, deviations and peaks instead of the scene's");
-  command.add_option("--solver", flags.solver, "contact solver instead of the scene's (see `nilas solvers`)");
-  command.add_option("--law", flags.law, "contact law instead of the scene's");
+                     "Takes means, deviations and peaks over this window, FROM:TO in seconds, instead of the scene's.");
+  command.add_option("--solver", flags.solver,
+                     "Uses this contact solver instead of the scene's. `nilas solvers` lists the names.");
+  command.add_option("--law", flags.law,
+                     "Uses this contact law instead of the scene's. `nilas solvers` lists the names.");
   add_value_flags(command, flags);
   return scene;
 }
 
-/// "FROM TO" of "FROM:TO".
+/// Turns "FROM:TO" into "FROM TO", as the scene's attribute has it. Throws InputError without a colon.
 static std::string window_words(const std::string& text) {
   const auto colon = text.find(':');
   if (colon == std::string::npos)
-    throw InputError("--statistics: found '" + text + "'; allowed: FROM:TO in seconds, as 10:60");
+    throw InputError("--statistics: found '" + text + "'; allowed: FROM:TO in seconds, such as 10:60");
   return text.substr(0, colon) + " " + text.substr(colon + 1);
 }
 

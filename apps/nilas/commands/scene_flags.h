@@ -18,9 +18,9 @@ struct SceneFlags {
   std::optional<long> seed;
 };
 
-/// Adds SCENE and the override flags to a command. Returns SCENE's.
+/// Adds SCENE and the override flags to a command. Returns the option SCENE.
 CLI::Option* add_scene_flags(CLI::App& command, SceneFlags& flags);
-/// Of them --seed and --set alone: for a command that runs nothing.
+/// Adds --seed and --set alone, for a command that simulates nothing.
 void add_value_flags(CLI::App& command, SceneFlags& flags);
 /// Reads the scene with the overrides applied. Throws InputError for a --set that is not PATH=VALUE.
 Scene read_flagged_scene(const SceneFlags& flags);

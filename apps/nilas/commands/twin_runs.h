@@ -1,5 +1,5 @@
 #pragma once
-/// A scene's twins, run in step with it.
+/// The perturbed runs of a scene, which advance in step with it.
 #include <memory>
 #include <vector>
 
@@ -12,25 +12,26 @@ namespace nilas {
 
 class TwinRuns {
  public:
-  /// `count` twins of a scene that `itself` was built of, numbered on from its own. Throws as Simulation does.
+  /// Builds `count` perturbed runs of the scene that `itself` was built from. Their numbers follow the scene's own.
+  /// Throws as Simulation does.
   TwinRuns(const Scene& scene, const Simulation& itself, int count, int threads);
   ~TwinRuns();
 
-  /// A step of the scene and of each twin, side by side on so many threads. Throws what `itself` throws; a twin whose
-  /// numerics fail goes no further.
+  /// Advances the scene and each perturbed run by a step, in parallel on the threads. Returns the scene's record.
+  /// Throws what `itself` throws. A perturbed run whose numerics fail stops and is recorded as failed.
   StepRecord step(Simulation& itself);
 
-  /// Means over the window.
+  /// The statistics of the mean loads over the window, of the scene and its perturbed runs, and their horizon.
   TwinStatistics statistics(const LoadWindow& window) const;
 
  private:
   struct Twin;
-  using LoadSeries = std::vector<std::vector<double>>;  ///< per load one value per step
+  using LoadSeries = std::vector<std::vector<double>>;  ///< one list per load, one value per step
   void note_loads(const StepRecord& record, LoadSeries& series) const;
 
   VesselChannels channels_;
   int threads_;
-  LoadSeries loads_;  ///< the scene's own
+  LoadSeries loads_;  ///< the loads of the scene itself
   std::vector<std::unique_ptr<Twin>> twins_;
   TwinHorizon horizon_;
 };

@@ -14,7 +14,7 @@ static const char* held_by(const VesselScene& vessel) {
   return vessel.carriage ? "carriage" : "none";
 }
 
-/// An angle by its side, rounding left out.
+/// An angle [rad] in degrees with its side, "0 deg" if it is no more than rounding.
 static std::string towards(double angle, const char* positive, const char* negative) {
   constexpr double k_rounding = 1e-9;  // [deg]
   const double degrees = angle / k_deg;
@@ -31,13 +31,13 @@ static std::string describe(const FloatingEquilibrium& found, const Water& water
       found.gm_transverse, found.gm_longitudinal,
       found.stable() ? "" : ": UNSTABLE, it would capsize or loll from here", found.volume,
       water.density * found.volume);
-  constexpr double k_across = 2;  // a ship's transverse GM is a small part of its longitudinal one
+  constexpr double k_across = 2;  // a ship's transverse GM is a small fraction of its longitudinal GM
   if (found.gm_longitudinal > 0 && found.gm_transverse > k_across * found.gm_longitudinal)
     text +=
-        "  GM transverse is far above longitudinal: does the hull lie across?\n"
-        "  x of its frame must point forward (nilas hull --forward).\n";
+        "  The transverse GM is far above the longitudinal one. The hull may lie\n"
+        "  across: x of its frame must point forward (nilas hull --forward).\n";
   if (vessel.fixed || vessel.carriage)
-    text += fmt::format("  ({}: it would rest here if let go)\n",
+    text += fmt::format("  ({}; it would float like this if it were released)\n",
                         vessel.fixed ? "the vessel is fixed" : "the vessel is on a carriage");
   return text;
 }
@@ -45,7 +45,8 @@ static std::string describe(const FloatingEquilibrium& found, const Water& water
 std::optional<EquilibriumReport> vessel_equilibrium(const Scene& scene, const WorldParts& parts) {
   if (!scene.vessel || !parts.water || !scene.hydro || !scene.hydro->buoyancy) return std::nullopt;
   const VesselScene& vessel = *scene.vessel;
-  if (!vessel.parts.empty() || !vessel.rods.empty()) return std::nullopt;  // the hull alone says little
+  if (!vessel.parts.empty() || !vessel.rods.empty())
+    return std::nullopt;  // the hull alone does not float as the whole does
   const auto b = static_cast<std::size_t>(parts.vessel_index);
   EquilibriumReport report;
   report.text = fmt::format("\nfloating equilibrium of '{}':\n", vessel.name);

@@ -9,7 +9,7 @@
 namespace nilas {
 
 struct EquilibriumReport {
-  std::string text;             ///< for the console, lines with their ends
+  std::string text;             ///< text for the console; each line has its line end
   nlohmann::ordered_json json;  ///< names with units
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Natural periods of a scene, as `nilas check` reports them.
+/// The natural periods of a scene, as `nilas check` reports them.
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -8,8 +8,8 @@
 namespace nilas {
 
 struct PeriodsReport {
-  std::string text;             ///< for the console, lines with their ends; empty where there are none
-  nlohmann::ordered_json json;  ///< a list: motion, held_by, period_s, steps
+  std::string text;             ///< text for the console; each line has its line end; empty without periods
+  nlohmann::ordered_json json;  ///< a list with the keys motion, held_by, period_s and steps
 };
 
 PeriodsReport natural_periods_report(const Scene& scene, const WorldParts& parts);

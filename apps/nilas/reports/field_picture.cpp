@@ -12,7 +12,7 @@ namespace nilas {
 
 namespace {
 
-constexpr double k_map_share = 0.68;  ///< of the picture's width
+constexpr double k_map_share = 0.68;  ///< width of the map as a share of the picture's width
 
 struct Box {
   Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity()), high = -low;
@@ -56,7 +56,7 @@ void add_line(std::string& data, const std::vector<Vec2>& points) {
   data += "\n";
 }
 
-/// Blocks of outlines for gnuplot.
+/// The outlines as data blocks for gnuplot.
 std::string data_of(const std::vector<PlannedIce>& ice) {
   std::string floes, weak, hull, keep_out, regions;
   for (const auto& group : ice) {
@@ -104,7 +104,7 @@ std::string map_script(const std::string& title, const std::vector<PlannedIce>& 
   return script;
 }
 
-/// Edges of the bars of a histogram.
+/// The edges of the bars of a histogram [m].
 std::vector<double> bins_of(const QuantityReport& sizes) {
   const DistributionSummary obtained = summary_of(sizes.floes);
   double low = obtained.min, high = obtained.max;
@@ -112,7 +112,7 @@ std::vector<double> bins_of(const QuantityReport& sizes) {
     low = std::min(low, sizes.asked(0));
     high = std::max(high, sizes.asked(1));
   }
-  constexpr double k_equal = 1e-6;  // what differs less is one size
+  constexpr double k_equal = 1e-6;  // sizes that differ less count as one size
   const double spare = high > (1 + k_equal) * low ? 0 : 0.5 * low;
   constexpr double k_fewest = 5, k_most = 41;
   // odd, so that a single size lies inside a bar

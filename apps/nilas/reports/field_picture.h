@@ -1,5 +1,5 @@
 #pragma once
-/// The ice of a scene from above, and how the sizes of its floes are distributed.
+/// A picture of the ice of a scene from above and of the distribution of its floe sizes.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -10,12 +10,12 @@
 namespace nilas {
 
 constexpr int k_picture_width = 1600;  ///< [pixels]
-/// Height that leaves room for the ice at equal scale in x and y, and for a histogram per report [pixels].
+/// The height at which the ice fits at equal scale in x and y, and a histogram per report [pixels].
 int picture_height(const std::vector<PlannedIce>& ice, const std::vector<FieldReport>& reports);
 
-/// Draws a PNG by gnuplot: floes coloured by thickness where it varies, the hull's outline and what is kept clear
-/// around it, the regions, axes in metres; beside it histograms of the sizes obtained, with what was asked. Throws
-/// FileError.
+/// Draws a PNG with gnuplot. The map has axes in metres and shows the floes, coloured by thickness if it varies, the
+/// hull's outline, the keep-out around it, and the regions. Histograms next to it show the sizes obtained and those
+/// asked for. Throws FileError.
 void draw_field(const std::filesystem::path& file, const std::string& title, const std::vector<PlannedIce>& ice,
                 const std::vector<FieldReport>& reports);
 

@@ -41,7 +41,7 @@ QuantityReport size_report(const PlannedIce& ice) {
   return report;
 }
 
-/// The mean that the property has in all of these floes before it varies; 0 where it is not one.
+/// The mean of a property before it varies, if it is the same for all of these floes; else 0.
 double common_mean(const PlannedIce& ice, FloeProperty property) {
   const auto mean = [&](const PlannedFloe& one) { return one.means[static_cast<std::size_t>(property)]; };
   const double first = mean(ice.floes.front());
@@ -133,7 +133,7 @@ Json quantity_json(const QuantityReport& quantity) {
   return json;
 }
 
-/// "-" for no bound.
+/// A number of ten columns; "-" stands for no bound.
 std::string cell(double x) { return std::isfinite(x) ? fmt::format("{:>10.4g}", x) : fmt::format("{:>10}", "-"); }
 
 std::string row(const std::string& name, const DistributionSummary& s) {
@@ -151,7 +151,7 @@ std::string quantity_text(const QuantityReport& quantity) {
   if (!quantity.points.empty()) text += row("points", summary_of(quantity.points));
   if (!quantity.asked) return text;
   text += fmt::format("    Kolmogorov-Smirnov distance {:.4f}", ks_distance(quantity.judged(), quantity.asked));
-  if (!quantity.points.empty()) return text + "; near points are not independent\n";
+  if (!quantity.points.empty()) return text + "; points near each other are not independent\n";
   constexpr double k_one_in_twenty = 1.36;
   const std::size_t n = quantity.floes.size();
   return text + fmt::format("; one sample of {} in twenty has {:.4f}\n", n,
@@ -193,7 +193,7 @@ std::string report_text(const FieldReport& report) {
     text += fmt::format("  concentration {:.5f}", report.concentration);
     text += report.asked_concentration ? fmt::format(", asked {:g}\n", *report.asked_concentration) : "\n";
   }
-  text += fmt::format("  deepest overlap {:g} m; {} floes left out for the hull\n", report.deepest_overlap,
+  text += fmt::format("  deepest overlap {:g} m; {} floes left out because of the hull\n", report.deepest_overlap,
                       report.left_out);
   if (report.weak_lines > 0)
     text += fmt::format("  {} weak lines, seams of floes frozen together\n", report.weak_lines);

@@ -1,5 +1,5 @@
 #pragma once
-/// What a scene asks of its ice against what came out, field by field.
+/// The ice that a scene asks for compared with the ice obtained, field by field.
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -12,21 +12,21 @@ namespace nilas {
 
 /// One quantity over the floes of a field.
 struct QuantityReport {
-  std::string column;     ///< with its unit: "size_m"
-  std::string asked_for;  ///< in words; empty where nothing was
-  Quantiles asked;        ///< empty where nothing was
+  std::string column;     ///< name with its unit, such as "size_m"
+  std::string asked_for;  ///< the request in words; empty if there is none
+  Quantiles asked;        ///< the quantiles asked for; empty if there are none
   std::vector<double> floes;
-  std::vector<double> points;  ///< at the floes' centres, where it varies within floes: `asked` is of these then
+  std::vector<double> points;  ///< values at the floes' centres, if it varies within floes; `asked` is then of these
 
-  /// What `asked` speaks of.
+  /// The values that `asked` is compared with.
   const std::vector<double>& judged() const { return points.empty() ? floes : points; }
 };
 
 /// Two properties that the scene correlates.
 struct CorrelationReport {
-  std::string a, b;                     ///< columns
-  double asked = 0;                     ///< of the normal scores
-  double of_scores = 0, of_values = 0;  ///< obtained
+  std::string a, b;                     ///< names of the columns
+  double asked = 0;                     ///< correlation of the normal scores that was asked for
+  double of_scores = 0, of_values = 0;  ///< correlations obtained
 };
 
 struct FieldReport {
@@ -37,13 +37,13 @@ struct FieldReport {
   double concentration = 0;    ///< 0: not known
   double deepest_overlap = 0;  ///< [m]
   int left_out = 0;
-  std::size_t weak_lines = 0;  ///< of its sheet
+  std::size_t weak_lines = 0;  ///< number of weak lines of its sheet
   double seconds = 0;
   std::vector<QuantityReport> quantities;  ///< sizes first
   std::vector<CorrelationReport> correlations;
 };
 
-/// A report per <field> that has floes, and one for all single floes.
+/// The reports: one per <field> that has floes, and one for all single floes.
 std::vector<FieldReport> field_reports(const Scene& scene, const WorldParts& parts);
 
 nlohmann::ordered_json report_json(const FieldReport& report);

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Colour = std::array<double, 3>;  ///< red, green, blue, 0 to 1
 
-/// Told apart at a glance, and by those who see red as green (Okabe and Ito's, and their tints).
+/// Colours that everyone can distinguish, colour-blind readers too (those of Okabe and Ito, and their tints).
 constexpr std::array<Colour, 8> k_colours{{{0.90, 0.62, 0.00},
                                            {0.34, 0.71, 0.91},
                                            {0.00, 0.62, 0.45},
@@ -39,9 +39,8 @@ int shaded(const Colour& colour, const Vec3& normal, double from_below) {
   return rgb;
 }
 
-/// A triangle as gnuplot's pm3d takes it: a grid of two by two points with a colour. Cut where it is longer than
-/// `longest`, because what lies in front is decided by whole triangles; not where it is so thin that this cannot be
-/// seen.
+/// Writes a triangle as gnuplot's pm3d takes it: a grid of two by two points with a colour. A triangle longer than
+/// `longest` [m] is cut, because gnuplot sorts whole triangles by depth. Very thin ones are not, since nobody sees it.
 void write_face(std::ofstream& out, const std::array<Vec3, 3>& p, int rgb, double longest) {
   std::size_t k = 0;
   for (std::size_t i = 1; i < p.size(); ++i)
@@ -62,7 +61,7 @@ void write_face(std::ofstream& out, const std::array<Vec3, 3>& p, int rgb, doubl
   out << "\n\n";
 }
 
-/// Edges that do not join two triangles: around holes, and where several sheets meet.
+/// Writes the edges that do not join two triangles: around holes, and where several sheets meet.
 void write_open_edges(const fs::path& file, const TriangleMesh& mesh) {
   std::map<std::pair<int, int>, int> sides;
   for (const auto& t : mesh.triangles)
@@ -78,21 +77,21 @@ void write_open_edges(const fs::path& file, const TriangleMesh& mesh) {
   }
 }
 
-/// A panel's view: rotation about the horizontal and about the vertical [deg], as gnuplot counts them.
+/// The view of a panel. `tilt` and `turn` are gnuplot's rotations about the horizontal and about the vertical [deg].
 struct View {
   const char* title;
   const char* data;
   double tilt, turn;
 
-  /// Towards the eye.
+  /// The unit vector towards the eye.
   Vec3 direction() const {
     const double t = tilt * k_deg, r = turn * k_deg;
     return {std::sin(t) * std::sin(r), -std::sin(t) * std::cos(r), std::cos(t)};
   }
 };
 
-/// Faces of a closed surface that look at the eye; others would show through at the edges, because whole triangles are
-/// sorted by depth. Of an open one (`two_sided`) all.
+/// Writes the faces of a closed surface that look at the eye. Others would show through at the edges, because gnuplot
+/// sorts whole triangles by depth. All faces of an open surface (`two_sided`) are written.
 void write_faces(std::ofstream& out, const TriangleMesh& mesh, const Colour& colour, const View& view, double longest,
                  bool two_sided = false) {
   const Vec3 eye = view.direction();
@@ -105,7 +104,8 @@ void write_faces(std::ofstream& out, const TriangleMesh& mesh, const Colour& col
   }
 }
 
-/// The mesh with the vertices of each cube of a grid made one, and the triangles that this leaves.
+/// The mesh with the vertices in each cube of a grid merged, and the triangles that this leaves. `cell`: side of the
+/// cubes [m].
 TriangleMesh coarsened(const TriangleMesh& mesh, double cell) {
   std::map<std::array<double, 3>, int> first;
   TriangleMesh coarse{mesh.vertices, {}};
@@ -121,7 +121,8 @@ TriangleMesh coarsened(const TriangleMesh& mesh, double cell) {
   return coarse;
 }
 
-/// What gnuplot draws in seconds and in a gigabyte: finer triangles than a pixel show nothing.
+/// The mesh, coarsened until gnuplot can draw it in seconds and within a gigabyte. Triangles below a pixel show
+/// nothing.
 TriangleMesh drawable(const TriangleMesh& mesh) {
   constexpr std::size_t k_most = 50000;
   constexpr double k_finest = 1.0 / 512, k_coarser = 1.5;  // of the longest side
@@ -131,7 +132,7 @@ TriangleMesh drawable(const TriangleMesh& mesh) {
   return drawn;
 }
 
-/// Files that gnuplot reads, removed whatever happens.
+/// The files that gnuplot reads. They are removed at the end of the scope, after an exception too.
 class DataFiles {
  public:
   DataFiles(fs::path folder, std::vector<const char*> names) : folder_(std::move(folder)), names_(std::move(names)) {}
@@ -147,7 +148,7 @@ class DataFiles {
   std::vector<const char*> names_;
 };
 
-/// Longest edge drawn whole.
+/// The longest edge that is drawn whole [m].
 double longest_drawn(const TriangleMesh& mesh) {
   constexpr double k_share = 0.06;
   return k_share * box_of(mesh).sizes().maxCoeff();
@@ -166,7 +167,7 @@ void write_waterline(const fs::path& file, const TriangleMesh& mesh, double leve
 
 constexpr double k_width = 1100, k_height = 430;  // of a panel [px]
 
-/// gnuplot's zoom at which the box fills a panel with equal scales, whichever of its sides is long.
+/// The zoom of gnuplot at which the box fills a panel with equal scales, whichever of its sides is long.
 double zoom(const Eigen::AlignedBox3d& box, const View& view) {
   constexpr double k_pixels = 230, k_at = 1.35, k_room_across = 900, k_room_up = 300;  // of the longest side, measured
   const Vec3 size = box.sizes();
@@ -177,13 +178,13 @@ double zoom(const Eigen::AlignedBox3d& box, const View& view) {
   return k_at * size.maxCoeff() / k_pixels * std::min(k_room_across / across, k_room_up / up);
 }
 
-/// What is drawn over the faces.
+/// The marks that are drawn over the faces.
 struct Marks {
-  std::string plots;        ///< of a splot command
-  std::string labels = {};  ///< whole commands
+  std::string plots;        ///< arguments of a splot command
+  std::string labels = {};  ///< whole commands of gnuplot
 };
 
-/// The end that a scene takes as the bow, beside the hull's middle at deck height.
+/// The label at the end that a scene takes as the bow, amidships at deck height.
 std::string bow_label(const TriangleMesh& mesh) {
   const auto box = box_of(mesh);
   return fmt::format(
@@ -191,7 +192,7 @@ std::string bow_label(const TriangleMesh& mesh) {
       box.max().x(), box.center().y(), box.max().z());
 }
 
-/// The faces in order of depth, then the marks over them in the same place.
+/// The script of a panel: the faces in order of depth, then the marks over them in the same place.
 std::string panel(const View& view, const Eigen::AlignedBox3d& box, std::size_t row, std::size_t rows,
                   const Marks& marks) {
   const double high = 1.0 / static_cast<double>(rows), low = 1 - high * static_cast<double>(row + 1);
@@ -202,14 +203,14 @@ std::string panel(const View& view, const Eigen::AlignedBox3d& box, std::size_t 
   return text + fmt::format("set title ' '\n{}splot {}\nunset label\n", marks.labels, marks.plots);
 }
 
-/// About two steps to a short side, of 1, 2 or 5 times a power of ten [m].
+/// The step of an axis [m], 1, 2 or 5 times a power of ten, of which a short side has about two.
 double tics(double side) {
   const double rough = 0.45 * side, power = std::pow(10, std::floor(std::log10(rough)));
   const double share = rough / power;
   return power * (share < 2 ? 1 : share < 5 ? 2 : 5);
 }
 
-/// gnuplot leaves the title of the y axis out of such views: its tics name it.
+/// The script of a picture. Its tics name the y axis, because gnuplot omits the title of that axis in such views.
 std::string script(const std::string& picture, const TriangleMesh& mesh, const std::vector<View>& views,
                    const Marks& marks) {
   Eigen::AlignedBox3d box = box_of(mesh);

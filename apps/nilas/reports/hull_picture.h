@@ -7,12 +7,12 @@
 
 namespace nilas {
 
-/// Writes hull.png into the folder: the mesh from above and from below with the waterline at `level` [m, frame V], and
-/// the parts, each in its colour; the end that a scene takes as the bow is marked. Throws FileError where gnuplot is
-/// missing.
+/// Writes hull.png into the folder. It shows the mesh from above and from below with the waterline at the height
+/// `level` [m, frame V], and the convex parts, each in its colour. The end that a scene takes as the bow is marked.
+/// Throws FileError if gnuplot is missing.
 void draw_hull(const Hull& hull, double level, const std::filesystem::path& folder);
 
-/// Writes faults.png into the folder: the mesh as it is, the places of what could not be mended marked. Throws
+/// Writes faults.png into the folder. It shows the mesh as it is, with marks where it could not be mended. Throws
 /// FileError.
 void draw_faults(const MendedMesh& mesh, const std::filesystem::path& folder);
 

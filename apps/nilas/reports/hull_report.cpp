@@ -43,7 +43,7 @@ Json table_json(const std::vector<PartCount>& table) {
   return rows;
 }
 
-/// Displaced volume over the box around what is below the water.
+/// The displaced volume divided by the volume of the box around the part of the hull below the water.
 double block_coefficient(const TriangleMesh& mesh, double volume, double level) {
   Eigen::AlignedBox3d wet;
   for (const auto& t : mesh.triangles)
@@ -70,7 +70,7 @@ void add_hydrostatics(Json& report, const TriangleMesh& mesh, double draught, do
   report["waterplane_area_m2"] = plane.area;
 }
 
-/// Axis to the bow, as far as the shape tells; null where the ends are too alike.
+/// The axis that points to the bow, as far as the shape shows it; null if the ends are too alike.
 Json bow_of(const PreparedHull& prepared) {
   const TriangleMesh& mesh = prepared.hull.fluid;
   if (!prepared.use.generated)
@@ -79,7 +79,7 @@ Json bow_of(const PreparedHull& prepared) {
   return bow_direction(measure_hull(mesh)) > 0 ? Json("x") : Json();
 }
 
-/// Whether every corner has its image in y = 0 among the corners, within the tolerance along each axis [m].
+/// Whether every vertex has a mirror image in y = 0 among the vertices, within the tolerance along each axis [m].
 bool mirrored_points(const TriangleMesh& mesh, double tolerance) {
   std::vector<Vec3> points = mesh.vertices;
   std::sort(points.begin(), points.end(), [](const Vec3& a, const Vec3& b) { return a.x() < b.x(); });
@@ -96,16 +96,16 @@ bool mirrored_points(const TriangleMesh& mesh, double tolerance) {
 std::string symmetry_text(const Json& report) {
   if (report["symmetric"] || !report["mirrored_points"]) return "";
   return fmt::format(
-      " Its corners are mirror images, but the faces between them are split along other diagonals on either "
-      "side, and stand up to {:.3g} m off their images.",
+      " Its corners are mirror images, but the faces between them are split along different diagonals on the two "
+      "sides. They deviate from their images by up to {:.3g} m.",
       report["asymmetry_m"].get<double>());
 }
 
-/// The hull in words.
+/// The summary of the hull in sentences.
 std::string summary(const Json& report) {
   const auto number = [&](const char* key) { return report[key].get<double>(); };
   const Json& bow = report["bow"];
-  const std::string ends = bow.is_null() ? "The ends are too alike to tell the bow from the stern."
+  const std::string ends = bow.is_null() ? "The ends are too alike to distinguish the bow from the stern."
                            : bow == "x"  ? fmt::format("The bow is at x = {:.4g} m.", report["high_m"][0].get<double>())
                                          : fmt::format("The bow seems to point along {}.", bow.get<std::string>());
   return wrapped(fmt::format("The hull is {:.4g} m long, {:.4g} m wide and {:.4g} m deep. At a draught of {:.4g} m it "
@@ -116,7 +116,7 @@ std::string summary(const Json& report) {
          "\n";
 }
 
-/// Six digits: hull.json has them all.
+/// A value as text with six digits; hull.json has all digits.
 std::string short_text(const Json& value) {
   if (value.is_number_float()) return fmt::format("{:.6g}", value.get<double>());
   if (!value.is_array()) return value.dump();
@@ -150,13 +150,14 @@ std::string missed_tolerance(const PreparedHull& prepared, std::size_t most) {
   const std::size_t parts = prepared.hull.parts.size();
   const Vec3& p = prepared.deviation->place;
   return fmt::format(
-             "the convex parts stand up to {:.4g} m off the mesh, at ({:.6g}, {:.6g}, {:.6g}) m; asked: {:.4g} m. ",
+             "The convex parts deviate from the mesh by up to {:.4g} m, at ({:.6g}, {:.6g}, {:.6g}) m; asked: {:.4g} "
+             "m. ",
              prepared.deviation->largest, p.x(), p.y(), p.z(), *prepared.tolerance) +
          // parts of a symmetric mesh come in pairs
          (parts + 2 > most
-              ? fmt::format("--parts allows {}: give more, or a larger --tolerance", most)
-              : fmt::format("no cut was found that would make the {} parts better: what is left is a hollow "
-                            "too narrow; give a larger --tolerance",
+              ? fmt::format("--parts allows {}. Give more, or a larger --tolerance.", most)
+              : fmt::format("No cut was found that would improve the {} parts, because the hollow that is left is too "
+                            "narrow. Give a larger --tolerance.",
                             parts));
 }
 

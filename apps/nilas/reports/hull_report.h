@@ -1,5 +1,5 @@
 #pragma once
-/// What `nilas hull` says about a hull.
+/// The report of `nilas hull` on a hull.
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -10,29 +10,30 @@
 
 namespace nilas {
 
-/// A hull with how it came about.
+/// A hull and how it was made.
 struct PreparedHull {
   Hull hull;
   std::vector<MeshNote> mended;
-  std::optional<Deviation> deviation;  ///< of the parts from the mesh; none where the mesh itself is the part
-  std::vector<PartCount> table;        ///< empty where nothing was decomposed
-  std::optional<double> tolerance;     ///< that was asked of the parts, where a mesh was decomposed [m]
-  double draught = 0;                  ///< of the waterline that the report takes [m]
-  HullUse use;                         ///< where it comes from, for advice
+  std::optional<Deviation> deviation;  ///< deviation of the convex parts from the mesh; none if the mesh is the part
+  std::vector<PartCount> table;        ///< empty if nothing was decomposed
+  std::optional<double> tolerance;     ///< tolerance asked of the parts, if a mesh was decomposed [m]
+  double draught = 0;                  ///< draught of the waterline that the report takes [m]
+  HullUse use;                         ///< origin of the hull, for advice
 };
 
-/// z of the waterline in frame V. Throws InputError unless the draught lies between a thousandth of the height, below
-/// which rounding would show in GM, and the height.
+/// The height z of the waterline in frame V [m]. Throws InputError unless the draught lies between a thousandth of the
+/// height, below which rounding would show in GM, and the height.
 double waterline_level(const TriangleMesh& mesh, double draught);
 
-/// Why the parts stand further off than they should, and what helps; empty where they do not. `most` parts are allowed.
+/// Why the convex parts deviate by more than the tolerance, and what helps; empty if they do not. `most`: the number of
+/// parts that is allowed.
 std::string missed_tolerance(const PreparedHull& prepared, std::size_t most);
 
-/// The keys of the report: size, volume, centre, hydrostatics, bow, symmetry, what was mended, parts, doubts;
-/// docs/reference/outputs.md has them. GM takes the centre of a uniform solid.
+/// The report as JSON: size, volume, centre, hydrostatics, bow, symmetry, what was mended, convex parts, doubts. The
+/// keys are in docs/reference/outputs.md. GM is that of a uniform solid.
 nlohmann::ordered_json hull_report(const PreparedHull& prepared);
 
-/// The same for readers, but for the warnings; places at most three of each kind.
+/// The report as text, without the warnings and with at most three places of each kind.
 std::string report_text(const nlohmann::ordered_json& report);
 
 }  // namespace nilas

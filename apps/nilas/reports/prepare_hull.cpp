@@ -15,20 +15,20 @@ namespace fs = std::filesystem;
 
 constexpr double k_gap_share = 1e-5, k_hole_share = 0.05, k_tolerance_share = 1e-3;  // of the longest side
 
-/// In metres, x forward, z up.
+/// The mesh in metres, with x forward and z up.
 PolygonSoup in_vessel_frame(PolygonSoup soup, const HullPreparation& how) {
   const Mat3 R = how.axes.to_vessel();
   for (auto& p : soup.points) p = how.scale * (R * p);
   return soup;
 }
 
-/// How far the coordinates reach.
+/// The extent of the coordinates.
 struct Reach {
-  double longest = 0;   ///< side of the box around them [m]
-  double furthest = 0;  ///< coordinate [m]
+  double longest = 0;   ///< longest side of the box around them [m]
+  double furthest = 0;  ///< largest absolute coordinate [m]
 };
 
-/// Throws InputError where it is no ship's or platform's.
+/// The extent of the mesh. Throws InputError if no ship or platform has such a size.
 Reach demand_sensible_size(const PolygonSoup& soup, const fs::path& file) {
   Eigen::AlignedBox3d box;
   for (const auto& loop : soup.polygons)
@@ -38,7 +38,7 @@ Reach demand_sensible_size(const PolygonSoup& soup, const fs::path& file) {
   if (!(longest >= k_shortest && longest <= k_longest && furthest <= k_far))
     throw InputError(
         fmt::format("{}: the mesh is {:.6g} m long and reaches {:.6g} m from the origin; allowed: {} m to "
-                    "{} m long, within {} m (--scale 0.001 takes a file in millimetres, --scale 0.01 one in "
+                    "{} m long, within {} m (--scale 0.001 reads a file in millimetres, --scale 0.01 one in "
                     "centimetres)",
                     file.string(), longest, furthest, k_shortest, k_longest, k_far));
   return {longest, furthest};
@@ -52,31 +52,33 @@ double tolerance_of(const HullPreparation& how, double longest) {
   return how.tolerance.value_or(k_tolerance_share * longest);
 }
 
-/// Throws InputError for a tolerance near what rounding moves: the search for it would not end.
+/// Throws InputError for a tolerance near the size of rounding errors, with which the search would not end.
 void demand_tolerance(double tolerance, double longest) {
   constexpr double k_least = 1e-6;  // of the longest side
   if (tolerance < k_least * longest)
-    throw InputError(fmt::format("--tolerance: found {:.4g} m; allowed: at least {:.4g} m, a millionth of the length",
-                                 tolerance, k_least * longest));
+    throw InputError(
+        fmt::format("--tolerance: found {:.4g} m; allowed: at least {:.4g} m, a millionth of the longest side",
+                    tolerance, k_least * longest));
 }
 
-/// Throws InputError where the distance from the origin leaves too few digits to float32, as STL stores coordinates.
+/// Throws InputError if the mesh is so far from the origin that float32, in which STL stores coordinates, is too
+/// coarse.
 void demand_digits(const Reach& reach, const HullPreparation& how, const fs::path& file) {
   constexpr double k_rounding = 1.0 / (1 << 24), k_part = 0.1;  // of a coordinate, and of the tolerance
   const double moved = k_rounding * reach.furthest, tolerance = tolerance_of(how, reach.longest);
-  // a gap below the default asks for thinner edges, not for finer coordinates
+  // a gap below the default asks for thinner edges, not for more exact coordinates
   const double gap = std::max(mend_settings(how, reach.longest).gap, k_gap_share * reach.longest);
   const double allowed = std::min(gap, k_part * tolerance);
   if (moved <= allowed) return;
-  throw InputError(
-      fmt::format("{}: coordinates reach {:.4g} m from the origin, where STL files round them by {:.2g} m; allowed: "
-                  "{:.2g} m (the gap, a tenth of the tolerance). Move the mesh within {:.4g} m of the origin{}",
-                  file.string(), reach.furthest, moved, allowed, allowed / k_rounding,
-                  k_part * tolerance < gap ? ", or give a larger --tolerance" : ", or give a larger --gap"));
+  throw InputError(fmt::format(
+      "{}: the coordinates reach {:.4g} m from the origin, where STL files round them by {:.2g} m; allowed: "
+      "{:.2g} m (the gap, a tenth of the tolerance). Move the mesh within {:.4g} m of the origin{}",
+      file.string(), reach.furthest, moved, allowed, allowed / k_rounding,
+      k_part * tolerance < gap ? ", or give a larger --tolerance" : ", or give a larger --gap"));
 }
 
 [[noreturn]] void refuse(const fs::path& file, const MendedMesh& mesh, NewHullFolder& folder) {
-  std::string text = file.string() + ": cannot be mended:";
+  std::string text = file.string() + ": the mesh cannot be mended:";
   constexpr std::size_t k_shown = 8;
   for (const auto& note : mesh.open) {
     text += fmt::format("\n  {} {}", note.count, note.what);
@@ -87,15 +89,15 @@ void demand_digits(const Reach& reach, const HullPreparation& how, const fs::pat
   }
   try {
     draw_faults(mesh, folder.staging());
-    text += "\n  marked in " + (folder.path() / "faults.png").string();
+    text += "\n  They are marked in " + (folder.path() / "faults.png").string();
   } catch (const FileError& e) {
-    text += std::string("\n  no picture: ") + e.what();
+    text += std::string("\n  There is no picture: ") + e.what();
   }
   folder.publish();
   throw InputError(text);
 }
 
-/// What `work` returns; what it finds wrong names the file.
+/// Returns what `work` returns. The name of the file is added to an InputError of it.
 template <class Work>
 auto naming(const fs::path& file, const Work& work) {
   try {
@@ -105,7 +107,8 @@ auto naming(const fs::path& file, const Work& work) {
   }
 }
 
-/// The draught of the report, which must be one of this hull: known before minutes of work are spent on its parts.
+/// The draught of the report. Throws InputError, before minutes of work on the convex parts, if the hull has no such
+/// one.
 double draught_of(const TriangleMesh& mesh, const HullPreparation& how) {
   const double draught = how.draught.value_or(0.5 * box_of(mesh).sizes().z());
   waterline_level(mesh, draught);

@@ -1,5 +1,5 @@
 #pragma once
-/// From a user's file to a hull.
+/// Makes a hull from a user's file.
 #include <algorithm>
 #include <functional>
 #include <optional>
@@ -11,22 +11,22 @@
 
 namespace nilas {
 
-/// How `nilas hull` reads and treats a mesh file; what is not given follows from the size of the mesh.
+/// How `nilas hull` reads and treats a mesh file. Values that are not given follow from the size of the mesh.
 struct HullPreparation {
   double scale = 1;                    ///< metres per unit of the file
-  MeshAxes axes;                       ///< of the file, that point forward and up
-  std::optional<double> gap;           ///< points this close are one; default 1e-5 of the longest side [m]
-  std::optional<double> largest_hole;  ///< filled; default a twentieth of the longest side [m]
-  std::optional<double> tolerance;     ///< of the parts; default a thousandth of the longest side [m]
+  MeshAxes axes;                       ///< the axes of the file that point forward and up
+  std::optional<double> gap;           ///< points this close are merged; default 1e-5 of the longest side [m]
+  std::optional<double> largest_hole;  ///< the largest hole that is filled; default 1/20 of the longest side [m]
+  std::optional<double> tolerance;     ///< tolerance of the convex parts; default 1/1000 of the longest side [m]
   std::size_t most_parts = 64;
   int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  std::function<void(const char* stage)> stage_done;  ///< hears of "read", "mend" and "decompose" as they end
-  std::optional<double> draught;  ///< of the waterline that the report takes; default half the height [m]
+  std::function<void(const char* stage)> stage_done;  ///< called with "read", "mend" and "decompose" as they end
+  std::optional<double> draught;  ///< draught of the report's waterline; default half the height [m]
 };
 
-/// Reads, mends, decomposes; a hull folder is taken as it is. Throws InputError naming the file where the mesh cannot
-/// be mended, with the places, after publishing a picture of them in `folder`, and for a draught that the hull does not
-/// have; FileError.
+/// Reads, mends and decomposes a mesh file; a hull folder is taken as it is. If the mesh cannot be mended, publishes a
+/// picture of the places in `folder` and throws InputError with the file and the places. Throws InputError for a
+/// draught that the hull does not have, and FileError.
 PreparedHull prepare_hull(const std::filesystem::path& mesh, const HullPreparation& how, NewHullFolder& folder);
 
 }  // namespace nilas

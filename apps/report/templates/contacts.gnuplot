@@ -1,5 +1,5 @@
-# Where ice met a hull or structures: a row per time, with three views each. Marks are coloured by the force of one step on
-# a logarithmic scale that all rows share.
+# Draws where ice touched a hull or structures: a row per time, with three views each. Marks are coloured by the force of
+# one step on a logarithmic scale that all rows share.
 {{#blocks}}
 ${{name}} << EOD
 {{{rows}}}EOD

@@ -22,7 +22,7 @@ PooledVariance pooled_variance(const std::vector<double>& twin_differences,
     for (const auto& differences : settings) of_all.push_back(differences[r] - mean_of(differences));
     shared[r] = median_of(of_all);
   }
-  // the median takes one of `count` degrees of freedom; the reference scatters as the settings do
+  // the median uses one of `count` degrees of freedom, and the reference scatters as the settings do
   const double both = settings.size() > 1 ? 2 * count / (count - 1) : 1;
   std::vector<double> variances;
   for (auto differences : settings) {

@@ -4,16 +4,18 @@
 
 namespace nilas {
 
-/// Variance of the difference of two runs of one realisation that nothing but chaos sets apart. `settings`: differences
-/// from the reference, one list per setting, one entry per realisation. The larger of what the twins say (mean of their
-/// squared differences) and of twice what a setting's differences scatter over the realisations once what all settings
-/// share in each (their median: the reference's own chance) is taken out: the median over settings, divided by that of
-/// chi^2 over its degrees of freedom, so that a few settings of another kind do not count; right in the mean to some
-/// tenths for few settings. Of one setting alone plainly what its differences scatter.
+/// The variance of the difference of two runs of one realisation that differ by chaos alone. It is the larger of two
+/// estimates:
+/// 1. the mean of the squared differences of the perturbed runs;
+/// 2. twice the variance of a setting's differences from the reference over the realisations. The median over the
+///    settings in each realisation, which is the reference's own chance, is removed first. The median of the variances
+///    is divided by that of chi^2 over its degrees of freedom, so that a few settings of another kind do not count. For
+///    few settings its mean is right to some tenths. For a single setting nothing is removed and nothing is doubled.
+/// `settings`: one list per setting, one entry per realisation.
 struct PooledVariance {
   double value = 0;
-  double degrees = 0;        ///< of freedom behind it, of the one that is larger
-  bool by_settings = false;  ///< which is larger; else the twins' is
+  double degrees = 0;        ///< degrees of freedom of the larger estimate
+  bool by_settings = false;  ///< the estimate by the settings is larger, not that of the perturbed runs
 };
 PooledVariance pooled_variance(const std::vector<double>& twin_differences,
                                const std::vector<std::vector<double>>& settings);

@@ -1,6 +1,7 @@
 #pragma once
-/// What a comparison finds: the runs, what they are judged by, how much of a difference is chance, and per setting its
-/// error and cost. Every struct is the result of one function of the tables before it; judge.h gives their order.
+/// The findings of a comparison: the runs, the runs that judge them, how much of a difference is chance, and the error
+/// and cost of each setting. Every struct is the result of one function of the structs before it; judge.cpp has the
+/// order.
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,36 +12,36 @@
 
 namespace nilas {
 
-/// What the caller asks to judge by.
+/// The runs by which the caller wants to judge.
 enum class Judged {
   by_reference,     ///< the reference runs of the plan
-  by_one_run,       ///< the same, which are all one run of the user's
+  by_one_run,       ///< the reference runs, which are all the same run of the user
   by_first_setting  ///< the first setting, as in an ablation
 };
 
 /// The runs that all others are judged by.
 struct Judges {
   RunKind kind = RunKind::reference;
-  std::optional<std::size_t> setting;  ///< whose runs judge, where they are of the grid
-  std::string stand_in;                ///< what judges where no reference run is done; empty: what was asked for
+  std::optional<std::size_t> setting;  ///< the setting whose runs judge, if they are of the grid
+  std::string stand_in;                ///< name of the runs that replace the reference; empty: none do
   std::string trouble;                 ///< why a run of the reference is not done
   bool one_run = false;                ///< one run judges all realisations, so that its chance does not average out
-  int realisations = 0;                ///< that can be judged
+  int realisations = 0;                ///< number of realisations that can be judged
 };
 
-/// How long motions can be predicted: until the first setting and its perturbed run part.
+/// The predictability horizon: the time until which the first setting and its perturbed run stay close.
 struct Horizon {
   bool known = false;      ///< a perturbed run is done
-  bool ends = false;       ///< before the runs do
-  double until_s = 0;      ///< in every realisation [s]
-  double threshold_m = 0;  ///< distance from which the two are called apart
+  bool ends = false;       ///< it lies before the end of the runs
+  double until_s = 0;      ///< time until which they are close in every realisation [s]
+  double threshold_m = 0;  ///< distance from which the two count as apart [m]
 };
 
 /// The quantity whose error ranks the settings.
 struct Measure {
   std::string name = "distance";  ///< load, distance or turn
   std::string unit = "m";
-  double scale = 0;  ///< that errors in percent are shares of, in the unit
+  double scale = 0;  ///< value of which errors in percent are shares, in the unit
 
   bool is_load() const { return name == "load"; }
 };
@@ -48,7 +49,7 @@ struct Measure {
 /// A mean over realisations.
 struct Estimate {
   double mean = 0;
-  double standard_error = 0;  ///< NaN of fewer than two
+  double standard_error = 0;  ///< NaN for fewer than two values
   int count = 0;
 };
 
@@ -59,37 +60,37 @@ struct ReferenceLoads {
 
 /// How much the headline channel's mean differs by chance between two runs of one realisation.
 struct Chance {
-  PooledVariance variance;     ///< of the difference [N^2]
-  double run_N = 0;            ///< standard deviation of one run's mean; NaN: not measured
-  double difference_95_N = 0;  ///< limit of the difference, 95 %; NaN: not measured
+  PooledVariance variance;     ///< variance of the difference [N^2]
+  double run_N = 0;            ///< standard deviation of one run's mean [N]; NaN: not measured
+  double difference_95_N = 0;  ///< 95 % limit of the difference [N]; NaN: not measured
 };
 
 /// How far the reference moves when its step is doubled, in the measure's unit.
 struct StepCheck {
-  std::optional<double> moves;  ///< nothing: the run that shows it is not done
-  double chance = 0;            ///< what chance alone moves it by, two standard deviations
-  bool coarse = false;          ///< it moves by more than the smallest significant error
+  std::optional<double> moves;  ///< change of the reference; nothing: the run that shows it is not done
+  double chance = 0;            ///< two standard deviations of such a change by chance alone
+  bool coarse = false;          ///< the change is larger than chance and than the smallest significant error
 };
 
-/// One setting.
+/// The figures of one setting.
 struct Merit {
   std::size_t setting = 0;
-  int planned = 0, done = 0, failed = 0;      ///< runs; one that the budget ended counts as neither done nor failed
-  bool judges = false;                        ///< the others are judged by it
+  int planned = 0, done = 0, failed = 0;      ///< runs; one that the budget ended is neither done nor failed
+  bool judges = false;                        ///< its runs judge the others
   std::string trouble;                        ///< the first cause why a run is not done
-  std::vector<int> realisations;              ///< that its figures are means over: done, and shared with others
+  std::vector<int> realisations;              ///< realisations of its means: those done and shared with others
   bool partial = false;                       ///< it lacks some of the shared realisations and is not ranked
   Estimate load;                              ///< mean of the headline channel [N]
-  Estimate load_difference;                   ///< from the judging run, realisation by realisation [N]
-  PairedDifference from_reference, from_own;  ///< of the headline channel's mean
-  Estimate load_std, load_max, load_p99;      ///< of the same channel [N]
+  Estimate load_difference;                   ///< difference from the judging run in the same realisation [N]
+  PairedDifference from_reference, from_own;  ///< differences of the headline channel's mean
+  Estimate load_std, load_max, load_p99;      ///< standard deviation, largest and 99 % load of it [N]
   Estimate motion, turn;                      ///< largest rms distance [m] and turn [rad] from the judging run
   double penetration_max_m = 0, penetration_mean_m = 0, law_map_m_s = 0, natural_map_m_s = 0;
   double energy_error = 0, momentum_error = 0;  ///< relative, the worst of all steps and runs
-  double unconverged_share = 0;                 ///< of steps
+  double unconverged_share = 0;                 ///< share of steps that missed the tolerance
   double time = 0, time_spread = 0;  ///< processor time per simulated second, and the spread of such a time [s/s]
   double ms_per_step = 0;
-  double error = 0, floor = 0;  ///< of the measure; an error below the floor may be chance
+  double error = 0, floor = 0;  ///< error and floor in the measure's unit; an error below the floor may be chance
   bool significant = false;     ///< the error lies above the floor
   bool dominated = false;       ///< another setting is no slower and no worse
 };
@@ -97,18 +98,18 @@ struct Merit {
 /// How fast an error falls with the step, the rest being the same.
 struct Order {
   std::string rest;  ///< label without the step
-  double order = 0;  ///< 0: it does not
+  double order = 0;  ///< order; 0: the error does not fall
   int steps = 0;
 };
 
-/// How well estimates hold against errors that were measured.
+/// How well estimates of errors agree with errors that were measured.
 struct Coverage {
   int runs = 0;
-  double share = 0;  ///< of runs whose measured error lies within the estimate
-  double width = 0;  ///< median of estimate over measured error
+  double share = 0;  ///< share of runs whose measured error lies within the estimate
+  double width = 0;  ///< median of the ratio of estimate to measured error
 };
 
-/// Settings that are worth their time.
+/// The recommended setting, and a faster one with deeper penetration.
 struct Choice {
   std::optional<std::size_t> chosen;  ///< fastest setting within k_target of the reference, or within the floor
   std::optional<std::size_t> deeper;  ///< faster still and as accurate, but with far deeper penetration
@@ -117,29 +118,30 @@ struct Choice {
 struct Findings {
   RunTable rows;
   Judges judges;
-  std::string headline;     ///< channel; empty without a vessel
-  std::vector<int> shared;  ///< realisations that figures of settings are means over
-  bool same_ice = false;    ///< all of them begin with bodies in the same places: the scene draws nothing
-  std::vector<std::optional<LoadSpan>> windows;  ///< one per realisation; nothing where no run of it is done
+  std::string headline;                          ///< channel; empty without a vessel
+  std::vector<int> shared;                       ///< realisations over which the settings' means are taken
+  bool same_ice = false;                         ///< all shared realisations begin with bodies in the same places
+  std::vector<std::optional<LoadSpan>> windows;  ///< one per realisation; nothing if no run of it is done
   Horizon horizon;
   Measure measure;
   ReferenceLoads reference;
   Chance chance;
   StepCheck check;
-  double common_floor = 0;    ///< of a setting that scatters as the others do; infinite: not measured
-  double time_spread = 0;     ///< relative standard deviation of times of alike runs; NaN: not measured
+  double common_floor = 0;    ///< floor of a setting that scatters as the others do; infinite: not measured
+  double time_spread = 0;     ///< relative standard deviation of the times of similar runs; NaN: not measured
   std::vector<Merit> merits;  ///< one per setting of the plan
   std::vector<Order> orders;
-  std::optional<Coverage> coverage, coverage_alone;  ///< of load errors with all parts, and as each run states alone
+  std::optional<Coverage> coverage,
+      coverage_alone;  ///< coverage of the load-error estimates: all parts, and each run alone
   Choice choice;
 };
 
-/// An error up to this share of the scale is called close enough.
+/// The share of the scale up to which an error is small enough.
 constexpr double k_target = 0.02;
-/// Rounding alone can make this share of the scale.
+/// The share of the scale that rounding alone can make.
 constexpr double k_rounding_share = 1e-12;
 
-/// Mean and standard error of independent values; the mean of none is NaN.
+/// The mean and standard error of independent values; the mean of none is NaN.
 Estimate estimate_of(const std::vector<double>& values);
 
 }  // namespace nilas

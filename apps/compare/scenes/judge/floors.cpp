@@ -14,14 +14,14 @@ namespace {
 constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double k_infinity = std::numeric_limits<double>::infinity();
 
-/// The most realisations that any setting has; of those planned, not all may be done.
+/// The largest number of realisations that a setting has. It may be below the planned number.
 int most_realisations(const std::vector<Merit>& merits) {
   int most = 1;
   for (const auto& m : merits) most = std::max(most, m.load_difference.count);
   return most;
 }
 
-/// Of the differences of perturbed runs, per realisation.
+/// The differences of the mean loads of the first setting and its perturbed runs, one per realisation [N].
 std::vector<double> perturbed_differences(const Plan& plan, const RunTable& rows, const std::string& headline) {
   std::vector<double> differences;
   for (int r = 0; r < plan.realisations; ++r)
@@ -31,12 +31,13 @@ std::vector<double> perturbed_differences(const Plan& plan, const RunTable& rows
   return differences;
 }
 
-/// Variance of the difference of a setting from the reference in one realisation [N^2].
+/// The variance of the difference of a setting from the reference in one realisation [N^2].
 double own_variance(const Merit& m) {
   return m.load_difference.standard_error * m.load_difference.standard_error * m.load_difference.count;
 }
 
-/// One run that judges all realisations does not average out, and differences from it scatter as single runs do.
+/// The variance of the runs and that of the reference [N^2]. The latter is for one run that judges all realisations,
+/// because its chance does not average out.
 struct VarianceParts {
   double runs, reference;
 };
@@ -60,7 +61,7 @@ Chance chance_of(const Plan& plan, const RunTable& rows, const Judges& judges, c
   for (const auto& m : merits)
     if (m.load_difference.count == most && !m.judges)
       settings.push_back(over_runs(rows, m.setting, shared, [](const RunRow& row) { return row.load_difference; }));
-  if (judges.one_run && settings.size() == 1) settings.clear();  // which scatters as one run, not as a difference
+  if (judges.one_run && settings.size() == 1) settings.clear();  // it scatters as one run does, not as a difference
   const PooledVariance pooled = pooled_variance(perturbed_differences(plan, rows, headline), settings);
   if (!(pooled.degrees > 0)) return {pooled, k_nan, k_nan};
   return {pooled, std::sqrt(0.5 * pooled.value), student_95(pooled.degrees) * std::sqrt(pooled.value)};

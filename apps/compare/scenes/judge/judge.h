@@ -8,8 +8,8 @@
 
 namespace nilas {
 
-/// Judges by the runs that are done. `folder`: of the comparison; runs/<id>/ hold motions (bodies.csv) and load series
-/// (ice_load.csv). Throws FileError.
+/// The findings from the runs that are done. `folder`: folder of the comparison, in which runs/<id>/ hold motions
+/// (bodies.csv) and load series (ice_load.csv). Throws FileError.
 Findings judge_runs(const Plan& plan, const std::map<std::string, RunResult>& results,
                     const std::filesystem::path& folder, Judged judged);
 

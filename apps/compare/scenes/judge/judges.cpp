@@ -17,7 +17,7 @@ bool any_done(const RunTable& rows, RunKind kind) {
                      [&](const RunRow& row) { return row.run.kind == kind && row.result.done(); });
 }
 
-/// Nothing where no setting has a run that is done.
+/// The most accurate setting that has a run which is done; nothing if there is none.
 std::optional<std::size_t> most_accurate(const Plan& plan, const RunTable& rows) {
   const auto coarseness = [&](std::size_t setting) {
     const CompareSetting& s = plan.settings[setting];
@@ -31,7 +31,7 @@ std::optional<std::size_t> most_accurate(const Plan& plan, const RunTable& rows)
   return finest;
 }
 
-/// Puts something in the place of a reference that has no run.
+/// Replaces a reference that has no run by the runs that come nearest to it.
 void replace_reference(const Plan& plan, const RunTable& rows, Judges& judges) {
   if (any_done(rows, RunKind::check)) {
     judges.kind = RunKind::check;

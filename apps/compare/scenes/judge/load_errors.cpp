@@ -11,10 +11,11 @@ namespace nilas {
 namespace {
 
 constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double k_same = 1e-9;  // of two steps
+constexpr double k_same = 1e-9;  // relative difference of two equal steps
 
-/// Of first order: the difference of a step and its half is what the half is off, twice that the whole. By the
-/// setting's own steps, or the first setting's: what a step does has little to do with who solves it.
+/// The error of a first-order step [N]: the difference of a step and its half is the error of the half, and twice that
+/// is the error of the whole. It is taken from the setting's own steps, else from the first setting's, because the
+/// effect of a step depends little on the solver. NaN if neither was run with half or twice the step.
 double family_step_part(const Plan& plan, const Findings& found, std::size_t setting) {
   const auto difference = [&](const CompareSetting& family, double step) {
     for (const auto& m : found.merits) {
@@ -37,8 +38,8 @@ double family_step_part(const Plan& plan, const Findings& found, std::size_t set
   return k_nan;
 }
 
-/// That of the family, and not less than what the reference shows: what it moves by between its own step and twice
-/// that is the same again for a step of twice that, and more for larger ones.
+/// The error of the step [N]: that of the family, and for coarser steps than the reference's check at least twice the
+/// change of the reference when its step is doubled.
 double step_part(const Plan& plan, const Findings& found, std::size_t setting) {
   const double family = family_step_part(plan, found, setting);
   const bool coarser = plan.settings[setting].step > (1 - k_same) * plan.check.step;
@@ -47,9 +48,9 @@ double step_part(const Plan& plan, const Findings& found, std::size_t setting) {
   return std::isnan(family) ? shown : std::max(family, shown);
 }
 
-/// Twice what settings of the same law and step scatter that differ in what should not matter: solver, tolerance,
-/// stabilisation, integrator. Without the setting itself, so that it is no echo of what is measured, and without what
-/// chaos does to a mean.
+/// Twice the standard deviation [N] of the loads of settings with the same law and step. They differ in what should not
+/// matter: solver, tolerance, stabilisation, integrator. The setting itself is left out, so that the estimate does not
+/// repeat what is measured, and so is the variance by chaos.
 double scatter_of_kin(const Plan& plan, const Findings& found, std::size_t setting) {
   const CompareSetting& own = plan.settings[setting];
   std::vector<double> differences;
@@ -68,7 +69,7 @@ double scatter_of_kin(const Plan& plan, const Findings& found, std::size_t setti
   return 2 * std::sqrt(std::max(0.0, variance_of(differences) - by_chance));
 }
 
-/// What the law does at the other steps and tolerances that it was run with beside exact friction: the median.
+/// The median effect of the law [N]: its difference from exact friction at other steps and tolerances.
 double law_elsewhere(const Plan& plan, const Findings& found, std::size_t setting) {
   std::vector<double> shifts;
   for (const auto& m : found.merits) {
@@ -87,8 +88,8 @@ double law_elsewhere(const Plan& plan, const Findings& found, std::size_t settin
   return shifts.empty() ? 0 : median_of(shifts);
 }
 
-/// Both are what 95 % of differences of two runs keep within; few twins and a rough course of the load make the one or
-/// the other too wide.
+/// The chaos part [N], the smaller of two 95 % limits of the difference of two runs. Few perturbed runs make the one
+/// too wide, and a rough course of the load the other.
 double chaos_part(double of_comparison, double of_run) {
   const double of_two_runs = std::sqrt(2.0) * of_run;
   if (std::isnan(of_comparison) || std::isnan(of_run)) return std::isnan(of_run) ? of_comparison : of_two_runs;
@@ -114,7 +115,7 @@ double LoadErrorParts::total() const {
   return std::hypot(known(chaos), known(solver) + known(law) + known(step));
 }
 
-/// Nothing where the run does not state its own error.
+/// The parts of a run's load error; nothing if the run does not state its own error.
 static std::optional<LoadErrorParts> parts_of(const Plan& plan, const Findings& found, const RunRow& row) {
   const auto own = row.result.summary.load_errors.find(found.headline);
   if (own == row.result.summary.load_errors.end()) return std::nullopt;

@@ -6,9 +6,9 @@
 
 namespace nilas {
 
-/// Per realisation the window over which all its runs are summed up: that of the run that judges it, else of the first
-/// setting, else of any run that is done. Its start is moved back to an end of the coarsest step, so that all steps
-/// count the same time. All empty without a headline channel.
+/// The window of each realisation, over which the loads of all its runs are taken: that of the run that judges it, else
+/// of the first setting, else of any run that is done. Its start is moved back to an end of the coarsest step, so that
+/// all steps cover the same time. The list is empty without a headline channel.
 std::vector<std::optional<LoadSpan>> windows_of(const Plan& plan, const RunTable& rows, const std::string& headline);
 
 /// Sets RunRow::loads from runs/<id>/ice_load.csv of the comparison's folder. Throws FileError.
@@ -18,7 +18,7 @@ RunTable with_loads(const Plan& plan, const std::vector<std::optional<LoadSpan>>
 /// Sets RunRow::load_difference and RunRow::own_difference.
 RunTable with_load_differences(const Plan& plan, const std::string& headline, RunTable rows);
 
-/// Of the runs that judge the shared realisations.
+/// The loads of the runs that judge the shared realisations.
 ReferenceLoads reference_loads(const RunTable& rows, const std::string& headline, const std::vector<int>& shared);
 
 }  // namespace nilas

@@ -16,7 +16,7 @@ bool contains(const std::vector<int>& list, int value) {
   return std::find(list.begin(), list.end(), value) != list.end();
 }
 
-/// Counts of the setting's runs, and which of them its figures are means over.
+/// The merit with the counts of the setting's runs and the realisations of its means.
 Merit counted(const RunTable& rows, std::size_t setting, const std::vector<int>& shared) {
   Merit m;
   m.setting = setting;
@@ -34,7 +34,7 @@ Merit counted(const RunTable& rows, std::size_t setting, const std::vector<int>&
   return m;
 }
 
-/// Figures of one setting, read from its runs.
+/// The runs of one setting, from which its figures are read.
 struct SettingRuns {
   const RunTable& rows;
   std::size_t setting;
@@ -50,7 +50,7 @@ struct SettingRuns {
     return estimate_of(
         all([&](const RunRow& row) { return row.motion ? std::optional((*row.motion).*member) : std::nullopt; }));
   }
-  /// Largest absolute value; NaN of none.
+  /// The largest absolute value; NaN without values.
   double worst(const std::function<std::optional<double>(const RunRow&)>& value) const {
     double most = k_nan;
     for (const double v : all(value)) most = std::isnan(most) ? std::abs(v) : std::max(most, std::abs(v));

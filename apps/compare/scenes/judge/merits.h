@@ -6,19 +6,19 @@
 
 namespace nilas {
 
-/// A figure of a run in the measure's unit: its load difference, distance or turn; nothing where it is not known.
+/// The error of a run in the measure's unit: its load difference, distance or turn; nothing if it is not known.
 std::optional<double> measured_error(const RunRow& row, const Measure& measure);
 
-/// `value` of the setting's runs that are done in shared realisations, as far as it is known.
+/// The `value` of each run of the setting that is done in a shared realisation, as far as it is known.
 std::vector<double> over_runs(const RunTable& rows, std::size_t setting, const std::vector<int>& shared,
                               const std::function<std::optional<double>(const RunRow&)>& value);
 
-/// One per setting of the plan, without floors, ranks and paired differences.
+/// The merits, one per setting of the plan, without floors, dominance and paired differences.
 std::vector<Merit> merits_of(const Plan& plan, const RunTable& rows, const Judges& judges,
                              const std::vector<int>& shared, const std::string& headline, const Measure& measure);
 
-/// Relative standard deviation of computing times among runs of one setting, which do nearly the same work: how far a
-/// time can be trusted. NaN where no setting has two runs.
+/// The relative standard deviation of computing times among runs of one setting, which do nearly the same work. It
+/// shows how far a time can be trusted. NaN if no setting has two runs.
 double time_spread(const Plan& plan, const RunTable& rows);
 
 /// Sets Merit::time_spread from the relative one.

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double k_same_place = 1e-9;  // a thousand times the offset by which realisations start apart [m]
 
-/// Empty where the run stored none, as a run folder of the user's may.
+/// The motion of a run. It is empty if the run stored none, which is possible for a run folder of the user.
 Motion motion_of(const RunRow& row, const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "runs" / row.run.id / "bodies.csv";
   return std::filesystem::exists(file) && std::filesystem::file_size(file) > 0 ? read_motion(file) : Motion();
@@ -31,7 +31,7 @@ std::optional<MotionError> motion_error(const Motion& motion, const Motion& trut
   return any ? std::optional(error) : std::nullopt;
 }
 
-/// Narrows the horizon by one realisation.
+/// Shortens the horizon to that of one realisation, if it is earlier.
 void see_realisation(const Plan& plan, const Motion& motion, const Motion& perturbed, Horizon& horizon) {
   constexpr double k_share = 1e-4;
   const auto apart_over_time = distances(motion, perturbed);

@@ -21,7 +21,7 @@ double limit_of(const Findings& found, const std::vector<std::size_t>& alike, in
   return chance_limit(perturbed_difference(found, realisation), loads);
 }
 
-/// `other`: the run of a realisation that the setting's is set against, or null.
+/// The paired difference of a setting. `other`: returns the run of a realisation to compare with, or null.
 template <class Other>
 PairedDifference difference(const Findings& found, const Merit& merit, const std::vector<double>& limits,
                             const Other& other, bool one_for_all = false) {

@@ -14,10 +14,10 @@ namespace {
 
 double shown_error(const Merit& m) { return m.significant ? m.error : m.floor; }
 
-/// One over fewer realisations than the others is not held against them.
+/// Whether a setting is ranked. One with fewer realisations than the others is not.
 bool complete(const Merit& m) { return m.done > 0 && m.failed == 0 && !m.partial && !std::isnan(m.error); }
 
-/// Whether errors rise, or fall, from step to step throughout; else they have no order.
+/// Whether errors rise or fall with the step throughout; else they have no order.
 bool one_way(const std::vector<double>& steps, const std::vector<double>& errors) {
   std::map<double, double> by_step;
   for (std::size_t k = 0; k < steps.size(); ++k) by_step[steps[k]] = errors[k];
@@ -27,8 +27,8 @@ bool one_way(const std::vector<double>& steps, const std::vector<double>& errors
   return rises == 0 || falls == 0;
 }
 
-/// Of errors C (h^p - r^p) against a reference of the same kind with the step r: the p whose C scatters least, by
-/// factors. 0 where errors do not fall with the step.
+/// The order p of errors C (h^p - r^p) against a reference with the step r [s]: that for which log C scatters least. 0
+/// if the errors do not fall with the step.
 double order_of(const std::vector<double>& steps, const std::vector<double>& errors, double reference_step) {
   const auto scatter = [&](double p) {
     std::vector<double> logs;
@@ -66,7 +66,7 @@ Choice choose(const std::vector<Merit>& merits, const Measure& measure, double c
   if (enough.empty()) return choice;
   const auto by_time = [](const Merit* a, const Merit* b) { return a->time < b->time; };
   const double fastest = (*std::min_element(enough.begin(), enough.end(), by_time))->time;
-  // factors that times of many settings scatter by: three standard deviations of a ratio
+  // the factor by which times scatter: three standard deviations of a ratio
   constexpr double k_sure = 3, k_unknown = 0.1;
   const double sure = std::exp(k_sure * std::sqrt(2.0) * (std::isnan(time_spread) ? k_unknown : time_spread));
   std::erase_if(enough, [&](const Merit* m) { return m->time > fastest * sure; });
@@ -93,7 +93,7 @@ std::vector<Order> orders_of(const Plan& plan, const Findings& found) {
       if (!(same == plan.settings[s])) continue;
       taken.insert(other);
       const Merit& m = found.merits[other];
-      // what the reference itself moves by is no error of another integrator
+      // an error below the change of the reference itself is no error of another integrator
       if (!m.significant || m.failed > 0 || m.partial || (!alike && m.error < found.check.moves.value_or(0))) continue;
       if (alike && plan.settings[other].step <= reference.step) continue;
       steps.push_back(plan.settings[other].step);

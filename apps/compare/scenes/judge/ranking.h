@@ -1,19 +1,19 @@
 #pragma once
-/// Which settings of a comparison are worth their time.
+/// Ranks the settings of a comparison by error and time.
 #include "apps/compare/scenes/judge/findings.h"
 
 namespace nilas {
 
-/// Sets Merit::dominated where another setting is no slower and no worse, and better in one of both. Errors below the
-/// floor count as equal.
+/// Sets Merit::dominated if another setting is no slower and no worse, and better in one of both. Errors below the
+/// floor count as equal. A setting that is not complete is dominated.
 std::vector<Merit> with_dominance(std::vector<Merit> merits);
 
-/// Chosen is the fastest setting that is good enough; of those whose times cannot be told apart the most accurate, and
-/// the scene's own setting where it is one of them.
+/// Chooses the fastest setting that is accurate enough. Among settings whose times do not differ significantly it is
+/// the most accurate one, or the scene's own setting if that is among them.
 Choice choose(const std::vector<Merit>& merits, const Measure& measure, double common_floor, double time_spread);
 
-/// The p of errors C h^p, where three steps or more have a significant error and the rest is the same; of errors
-/// C (h^p - r^p) where the reference is of the same integrator and has a step r itself.
+/// The orders p of errors C h^p, for settings that differ only in the step and have three or more significant errors.
+/// If the reference has the same integrator and a step r itself, errors are C (h^p - r^p).
 std::vector<Order> orders_of(const Plan& plan, const Findings& found);
 
 /// Whether the error of any setting is known.

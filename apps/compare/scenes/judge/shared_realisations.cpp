@@ -14,7 +14,7 @@ std::vector<bool> both(const std::vector<bool>& a, const std::vector<bool>& b) {
   return in_both;
 }
 
-/// Keeps what both have, unless that is nothing.
+/// The realisations in both lists; `some` if there are none.
 std::vector<bool> narrowed(const std::vector<bool>& some, const std::vector<bool>& wanted) {
   const std::vector<bool> left = both(some, wanted);
   return any(left) ? left : some;

@@ -9,7 +9,7 @@ namespace nilas {
 
 namespace {
 
-/// Roughly, a solve's time over that of nsgs in fields of floes: for estimates before anything was run.
+/// A rough ratio of a solve's time to that of nsgs in fields of floes, for estimates before anything was run.
 double time_of(SolverName solver) {
   switch (solver) {
     case SolverName::pgs:
@@ -36,7 +36,7 @@ double time_of(SolverName solver) {
   return 1;
 }
 
-/// Each decade of accuracy costs about so much more.
+/// The factor by which each decade of accuracy raises the time, approximately.
 constexpr double k_per_decade = 2.5;
 
 double tolerance_weight(double tolerance) {
@@ -44,7 +44,7 @@ double tolerance_weight(double tolerance) {
   return tolerance > 0 ? std::pow(k_per_decade, std::log10(k_usual / tolerance)) : 1;
 }
 
-/// What `auto` falls back on for this law, measured in presawn-a.xml and towing.xml.
+/// The cost of the solver that `auto` falls back on for ccp, measured in presawn-a.xml and towing.xml.
 double law_weight(const CompareSetting& setting) {
   constexpr double k_convex = 8;
   return setting.solver == "auto" && setting.law == "ccp" ? k_convex : 1;
@@ -87,7 +87,7 @@ double loosest_reference(double tolerance) {
 
 std::vector<double> measured_tolerances(double asked, bool fixed, const CompareSetting& own) {
   std::vector<double> tolerances{asked};
-  constexpr double k_usual = 1e-6;  // where the scene goes by sweeps [m/s]
+  constexpr double k_usual = 1e-6;  // for scenes with a fixed number of sweeps [m/s]
   const double loosest = loosest_reference(own.tolerance > 0 ? own.tolerance : k_usual);
   if (!fixed && loosest > asked) tolerances.push_back(loosest);
   return tolerances;

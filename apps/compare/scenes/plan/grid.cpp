@@ -14,7 +14,7 @@ namespace nilas {
 
 namespace {
 
-/// Where a scene asks for a fixed number of sweeps, what other settings aim at [m/s].
+/// The tolerance of other settings where the scene asks for a fixed number of sweeps [m/s].
 constexpr double k_usual_tolerance = 1e-6;
 
 bool holds(const std::vector<CompareSetting>& settings, const CompareSetting& one) {
@@ -61,7 +61,7 @@ class Collector {
   Grid& grid_;
 };
 
-/// Every combination of what was named; axes that were not keep the scene's own value.
+/// Adds every combination of the values that were named. Axes without names keep the scene's own value.
 void add_product(const CompareSetting& own, const GridRequest& request, std::vector<CompareSetting>& all) {
   const auto values = [](const auto& named, const auto& own_value) {
     using List = std::decay_t<decltype(named)>;
@@ -106,7 +106,8 @@ CompareSetting with_model(CompareSetting setting, const Model& model) {
   return setting;
 }
 
-/// Half and double the scene's step, looser and tighter, the usual models; then two of these at once.
+/// Adds half and double the scene's step, looser and tighter tolerances and the usual models; then two of these at
+/// once.
 void add_default(const CompareSetting& own, std::vector<CompareSetting>& all) {
   constexpr double k_decades = 100;
   std::vector<double> steps{own.step / 2, own.step * 2}, tolerances;
@@ -145,7 +146,7 @@ void add_ablation(const Scene& scene, const Grid& grid, Collector& collector) {
   collector.add(with_simplifications(scene, together));
 }
 
-/// Everything is named by what it differs from the first setting in.
+/// Throws InputError if the first setting cannot run, because the labels of all others name their difference from it.
 void demand_first(const Grid& grid) {
   if (!grid.refused.empty() && grid.settings.empty()) throw InputError(grid.refused.front().reason);
 }
@@ -190,8 +191,8 @@ Grid make_grid(const Scene& scene, const Overrides& overrides, const GridRequest
     std::string why;
     for (const auto& refused : grid.refused) why += "\n  " + refused.reason;
     throw InputError(
-        "nothing to compare beside the scene's own setting; name more solvers, laws, steps, tolerances, "
-        "integrators or stabilisations" +
+        "There is nothing to compare with the scene's own setting. Name more solvers, laws, steps, tolerances, "
+        "integrators or stabilisations." +
         why);
   }
   return grid;
@@ -206,7 +207,7 @@ std::size_t core_of(const Grid& grid, const GridRequest& request) {
     // solver and law come together in the default grid
     if (!request.names_axes()) {
       std::erase(axes, "law");
-      // nor does a solver that goes by sweeps say what another aims at
+      // a solver with a fixed number of sweeps sets no tolerance for another
       if (own.tolerance == 0 && grid.settings[core].solver != own.solver) std::erase(axes, "tolerance");
     }
     if (axes.size() > 1) break;
@@ -234,7 +235,7 @@ CompareSetting reference_setting(const Scene& scene, const Overrides& overrides,
   };
   reference.solver = "auto";
   reference.integrator = "reference";
-  // a hull in a field of floes, or towed into some, has more contacts at once than it follows
+  // a hull in a field of floes, or towed into floes, has more contacts at once than that integrator can follow
   const bool among_floes = scene.vessel && scene.ice && (!scene.ice->fields.empty() || scene.vessel->carriage);
   if (!among_floes && taken()) return reference;
   for (const auto& setting : grid.settings) reference.step = std::min(reference.step, 0.5 * setting.step);

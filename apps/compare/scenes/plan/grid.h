@@ -1,5 +1,5 @@
 #pragma once
-/// Which settings a comparison runs, in the order of what they tell.
+/// The settings that a comparison runs, the most informative first.
 #include <string>
 #include <vector>
 
@@ -7,7 +7,7 @@
 
 namespace nilas {
 
-/// What the command line asks for; empty lists leave an axis to the default grid.
+/// The request of the command line. An empty list leaves an axis to the default grid.
 struct GridRequest {
   std::vector<std::string> solvers, laws, integrators, stabilisations;
   std::vector<double> steps, tolerances;
@@ -17,33 +17,33 @@ struct GridRequest {
   bool names_axes() const;
 };
 
-/// A setting that cannot run, and why.
+/// A setting that cannot run, and the reason.
 struct RefusedSetting {
   CompareSetting setting;
   std::string reason;
 };
 
-/// The scene's own setting first (with `ablate` alone: the one without any simplification), then those that differ from
-/// it on one axis, then on two and more: what comes last tells least.
+/// The settings, the least informative last. The first is the scene's own, or with `ablate` the one without any
+/// simplification. Settings that differ from it on one axis follow, then those that differ on two and more.
 struct Grid {
   std::vector<CompareSetting> settings;
   std::vector<RefusedSetting> refused;
 };
 
-/// Throws InputError (nearest name) for a solver, law, integrator or stabilisation that does not exist, and where
-/// nothing is left beside the scene's own setting. `overrides`: the user's own, under which the scene was read.
+/// Makes the grid. `overrides`: the user's, with which the scene was read. Throws InputError with the nearest name for
+/// a solver, law, integrator or stabilisation that does not exist, and if only the scene's own setting is left.
 Grid make_grid(const Scene& scene, const Overrides& overrides, const GridRequest& request);
 
-/// How many settings differ from the first in one thing, which come first; all of an ablation.
+/// The number of settings, from the first on, that differ from it in at most one thing; all settings of an ablation.
 std::size_t core_of(const Grid& grid, const GridRequest& request);
 
-/// The setting by which errors are judged. Few free bodies, without a field of ice and without floes before a towed
-/// vessel: the event-driven integrator `reference`, which `nilas verify` holds against closed forms. Else half the
-/// finest step of the grid, exact Coulomb friction (no friction where the scene has none), projection, moreau where the
-/// scene takes it, the reference solver at `tolerance`.
+/// The setting by which errors are judged. For few free bodies, without a vessel in a field of ice or towed into floes,
+/// it has the event-driven integrator `reference`, which `nilas verify` checks against closed forms. Else it has half
+/// the finest step of the grid, exact Coulomb friction (no friction if the scene has none), projection, moreau if the
+/// scene takes it, and the solver auto at `tolerance` [m/s].
 CompareSetting reference_setting(const Scene& scene, const Overrides& overrides, const Grid& grid, double tolerance);
 
-/// Reads the scene with a setting. Throws SceneError or InputError where it cannot run.
+/// Reads the scene with a setting. Throws SceneError or InputError if it cannot run.
 Scene read_with(const Scene& scene, const Overrides& overrides, const CompareSetting& setting);
 
 }  // namespace nilas

@@ -11,10 +11,10 @@ namespace nilas {
 
 namespace {
 
-/// Of the budget; the rest is for starting, reading, drawing and for estimates that fall short.
+/// The share of the budget for the runs. The rest is for starting, reading, drawing and for estimates that are too low.
 constexpr double k_share = 0.85;
 
-/// A plan while it is cut to size: an input, what is kept of it, and what that costs.
+/// A plan while it is cut to fit: an input, what is kept of it, and what that costs.
 struct Draft {
   const PlanInput* input;
   std::vector<std::size_t> candidates;  ///< settings that have not been given up for good
@@ -22,20 +22,21 @@ struct Draft {
   int realisations;
   double length;  ///< simulated [s]
   double reference_tolerance;
-  double room_s;  ///< processor time that there is
+  double room_s;  ///< processor time that is available [s]
 
   double setting_seconds(std::size_t k) const {
     const CompareSetting &setting = input->settings[k], &first = input->settings.front();
     return input->cost.setup_s +
            input->cost.steps_seconds(length, solver_weight(setting, first)) * first.step / setting.step;
   }
-  /// Problems grow harder as ice piles up, and tight solves feel it most.
+  /// The processor time of a run of the reference [s]. It has a factor of two, because problems grow harder as ice
+  /// piles up, most of all for tight solves.
   double reference_seconds(double step) const {
     constexpr double k_harder = 2;
     const double weight = k_harder * input->cost.reference_weight(reference_tolerance);
     return input->cost.setup_s + input->cost.steps_seconds(length, weight) * input->settings.front().step / step;
   }
-  /// Half the finest step that is kept; a reference that goes from event to event has no such step.
+  /// The step of the reference [s]: half the finest step that is kept, or its own if it goes from event to event.
   double reference_step() const {
     if (!input->request.check) return input->reference.step;
     double finest = std::numeric_limits<double>::infinity();
@@ -55,7 +56,7 @@ struct Draft {
   double wall_seconds() const {
     return std::max(total() / input->request.jobs, input->request.reference ? reference_seconds(reference_step()) : 0);
   }
-  /// With so many jobs the longest run may be the one that is waited for.
+  /// Whether the plan fits. With many jobs, the longest run may take more wall time than all others together.
   bool fits() const {
     const double longest = input->request.reference ? reference_seconds(reference_step()) : setting_seconds(0);
     return total() <= room_s && longest * input->request.jobs <= room_s;
@@ -66,7 +67,7 @@ struct Draft {
   }
 };
 
-/// All that was asked for.
+/// The draft with all that was asked for.
 Draft whole_draft(const PlanInput& input) {
   const PlanRequest& request = input.request;
   Draft draft{&input, {}, {}, request.realisations, request.end - request.start, input.reference.tolerance, 0};
@@ -83,7 +84,7 @@ double coarsest_step(const std::vector<CompareSetting>& settings) {
   return step;
 }
 
-/// Of the settings that are kept; 1e-6 m/s where all of them make a fixed number of sweeps.
+/// The tightest tolerance of the settings that are kept [m/s]; 1e-6 if all of them make a fixed number of sweeps.
 double tightest_tolerance(const Draft& draft) {
   constexpr double k_usual = 1e-6;
   double least = std::numeric_limits<double>::infinity();
@@ -105,7 +106,8 @@ Draft with_looser_reference(Draft draft) {
   return draft;
 }
 
-/// Where a tight solve costs simulated time, the simulated time shows more.
+/// Leaves out the settings that solve tighter than the first, because more simulated time is more informative than
+/// they.
 Draft without_tighter_settings(Draft draft) {
   const double own = draft.input->settings.front().tolerance;
   if (draft.input->request.fixed_tolerances || !(own > 0) || !draft.reference_takes_most()) return draft;
@@ -123,13 +125,14 @@ Draft with_realisations(Draft draft, int at_most) {
   return draft;
 }
 
-/// Rounded down to two digits: a noisy estimate does not change them often.
+/// The length rounded down to two digits, which a noisy estimate does not change often.
 double rounded(double length) {
   const double unit = std::pow(10.0, std::floor(std::log10(length)) - 1);
   return std::floor(length / unit) * unit;
 }
 
-/// Keeps at least a share of what follows the start of the load's window, and 20 steps of it.
+/// Cuts the simulated time, but keeps a share of the time from the start of the load's window on, and at least 20
+/// steps.
 Draft shortened(Draft draft, double share) {
   constexpr int k_least_steps = 20, k_halvings = 40;
   const double full = draft.length, step = coarsest_step(draft.input->settings);
@@ -145,13 +148,13 @@ Draft shortened(Draft draft, double share) {
   return draft;
 }
 
-/// Gives up settings from the end.
+/// Leaves out settings from the end, but keeps `least` of them.
 Draft with_fewer_settings(Draft draft, std::size_t least) {
   while (!draft.fits() && draft.kept.size() > least) draft.kept.pop_back();
   return draft;
 }
 
-/// Takes back what was cut from the end as far as there is room: cheap settings may stand behind costly ones.
+/// Takes back settings that were cut from the end as far as there is room, since cheap ones may follow costly ones.
 Draft refilled(Draft draft) {
   const std::vector<std::size_t> whole = draft.kept;
   for (const std::size_t k : draft.candidates) {
@@ -163,7 +166,7 @@ Draft refilled(Draft draft) {
   return draft;
 }
 
-/// Where a reference judges.
+/// The draft cut to fit where a reference judges.
 Draft cut_against_reference(Draft draft) {
   if (!draft.fits()) draft = with_core_only(draft);
   if (!draft.fits()) draft = with_looser_reference(draft);
@@ -173,8 +176,8 @@ Draft cut_against_reference(Draft draft) {
   return refilled(with_fewer_settings(draft, 1));
 }
 
-/// Where the first setting judges. The settings stand in the order of their importance, and each shows something by
-/// itself: fewer of them are better than a window that holds no more than the first touch of the ice.
+/// The draft cut to fit where the first setting judges. The settings are in the order of their importance, and each is
+/// informative by itself. Fewer of them are better than a window that holds only the first contact with the ice.
 Draft cut_against_first(Draft draft) {
   constexpr double k_quarter = 0.25;
   if (!draft.fits()) draft = with_realisations(draft, 2);
@@ -206,10 +209,10 @@ std::vector<Omission> omissions_of(const Draft& draft) {
   return omissions;
 }
 
-/// Place of a run within its realisation. Going realisation by realisation keeps what is done balanced, and what shows
-/// most comes first, so that a budget that is used up early costs the least: the run that judges the others; the first
-/// setting and its perturbed run, which show what chance does; then the other settings. Where the first setting judges,
-/// the setting that matters most comes before its perturbed run.
+/// The rank of a run within its realisation. The most informative runs come first, so that a budget that is used up
+/// early costs the least: the run that judges the others, then the first setting and its perturbed run, which show the
+/// effect of chance, then the other settings. If the first setting judges, the most important setting comes before its
+/// perturbed run.
 int rank_of(const PlannedRun& run, bool first_judges) {
   const bool first = run.realisation == 0;
   switch (run.kind) {

@@ -62,7 +62,7 @@ void extend_realisations(Plan& plan, int realisations) {
 
 Overrides realisation_overrides(std::uint64_t seed, const PlannedRun& run, bool vary_seed) {
   const auto number = static_cast<std::uint64_t>(run.realisation);
-  constexpr std::uint64_t k_twins = 1000;  // beyond any count of realisations
+  constexpr std::uint64_t k_twins = 1000;  // above any number of realisations
   const std::uint64_t twin = run.kind == RunKind::twin ? k_twins + number : number;
   return {{"seed/@value", std::to_string(vary_seed ? seed + number : seed)}, {"seed/@twin", std::to_string(twin)}};
 }

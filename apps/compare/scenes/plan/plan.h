@@ -1,5 +1,5 @@
 #pragma once
-/// The runs of a comparison, and what it leaves out.
+/// The plan of a comparison: its runs, and what it leaves out.
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,51 +8,52 @@
 
 namespace nilas {
 
-/// Kept of a budget for reading and drawing at its end [s].
+/// The time of a budget that is kept for reading and drawing at its end [s].
 constexpr double k_closing_s = 3;
 
 enum class RunKind { grid, twin, reference, check };
 const char* name_of(RunKind kind);
 
 struct PlannedRun {
-  std::string id;  ///< folder and file name
+  std::string id;  ///< name of its folder and files
   RunKind kind = RunKind::grid;
-  std::size_t setting = 0;  ///< in Plan::settings, of a grid or twin run
-  int realisation = 0;      ///< seed and twin number go up with it
-  double estimate_s = 0;    ///< processor time
+  std::size_t setting = 0;  ///< index in Plan::settings, for a grid run or a perturbed run
+  int realisation = 0;      ///< number that raises the seed and the number of the perturbed start
+  double estimate_s = 0;    ///< processor time [s]
 };
 
-/// What was asked for and is not run.
+/// Something that was asked for and is not run, and the reason.
 struct Omission {
   std::string what, why;
 };
 
-/// Simplifications that have nothing to change in a scene, and why.
+/// The simplifications that have nothing to change in a scene, and why.
 std::vector<Omission> absent_simplifications(const Scene& scene);
 
-/// "reason: this; that", one line for each reason.
+/// The omissions as lines "reason: this; that", one for each reason.
 std::vector<std::string> by_reason(const std::vector<Omission>& omissions);
 
 struct Plan {
-  std::vector<CompareSetting> settings;  ///< those that run, the first first
+  std::vector<CompareSetting>
+      settings;  ///< the settings that run; the first is the scene's own or that without simplifications
   CompareSetting reference, check;
-  std::vector<PlannedRun> runs;  ///< in the order they start
+  std::vector<PlannedRun> runs;  ///< the runs in the order in which they start
   std::vector<Omission> omissions;
-  double start = 0, end = 0;  ///< simulated [s]
-  double scene_end = 0;       ///< [s]
-  double sample_every = 0;    ///< between stored states [s]
+  double start = 0, end = 0;  ///< simulated times [s]
+  double scene_end = 0;       ///< end time of the scene [s]
+  double sample_every = 0;    ///< simulated time between stored states [s]
   int realisations = 0;
-  double estimate_s = 0;  ///< wall time
-  double whole_s = 0;     ///< budget that would leave nothing out
-  bool vary_seed = true;  ///< realisations differ in the seed, not only as twins do
+  double estimate_s = 0;  ///< estimated wall time [s]
+  double whole_s = 0;     ///< budget that would leave nothing out [s]
+  bool vary_seed = true;  ///< realisations differ in the seed, not only in the perturbed start
 
   const CompareSetting& setting_of(const PlannedRun& run) const;
 };
 
-/// Adds realisations up to `realisations`, the runs of each in the order of the first's, without a check.
+/// Adds realisations until there are `realisations`. Their runs are in the order of the first's, without a check.
 void extend_realisations(Plan& plan, int realisations);
 
-/// What the runs of one setting share beside it: seed and twin number.
+/// The overrides of a realisation: the seed and the number of the perturbed start.
 Overrides realisation_overrides(std::uint64_t seed, const PlannedRun& run, bool vary_seed);
 
 }  // namespace nilas

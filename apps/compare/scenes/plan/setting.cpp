@@ -72,7 +72,7 @@ std::vector<std::string> differences(const CompareSetting& a, const CompareSetti
   return axes;
 }
 
-/// An ablation turns them on singly, then all together.
+/// The label of a setting in an ablation, which turns simplifications on singly, then all together.
 static std::string simplifications_label(const CompareSetting& setting) {
   if (setting.simplifications.size() > 1) return "all together";
   return setting.simplifications.empty() ? "none" : name_of(setting.simplifications.front());

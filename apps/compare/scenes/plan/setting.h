@@ -1,5 +1,5 @@
 #pragma once
-/// One point of a comparison's grid: how a scene is solved and stepped.
+/// One point of a comparison's grid: how the contacts of a scene are solved and its motion is stepped.
 #include <string>
 #include <vector>
 
@@ -9,31 +9,32 @@ namespace nilas {
 
 struct CompareSetting {
   std::string solver, law, integrator, stabilisation;
-  double step = 0;       ///< [s]
-  double tolerance = 0;  ///< on law_map_m_s; 0: always the scene's number of sweeps [m/s]
+  double step = 0;       ///< time step [s]
+  double tolerance = 0;  ///< tolerance on law_map_m_s [m/s]; 0: always the scene's number of sweeps
   std::vector<Simplification> simplifications{};
-  Overrides more{};  ///< what else it changes of the scene
+  Overrides more{};  ///< other changes of the scene
 
-  /// As `--set` takes them, in an order in which the last wins.
+  /// The overrides as `--set` takes them. The last one for a path applies.
   Overrides overrides() const;
   bool operator==(const CompareSetting&) const = default;
 };
 
-/// What the scene asks for.
+/// The setting that the scene asks for.
 CompareSetting setting_of(const Scene& scene);
-/// The scene with every simplification taken out that it has anything of; `scene` must be what the overrides are for.
+/// The setting in which each simplification that has an effect on the scene is taken out. Its overrides are for
+/// `scene`.
 CompareSetting without_simplifications(const Scene& scene);
-/// With some turned on, singly or together.
+/// The same with some simplifications turned on, singly or together.
 CompareSetting with_simplifications(const Scene& scene, const std::vector<Simplification>& on);
 
-/// By what it differs from the first setting of its comparison: "nsgs + step 0.02 s"; "own setting" where in nothing.
-/// Of an ablation the names of the simplifications.
+/// The label of a setting: its differences from the first setting of the comparison, as in "nsgs + step 0.02 s", or
+/// "own setting" without any. In an ablation it is the name of the simplification, "all together" or "none".
 std::string label_of(const CompareSetting& setting, const CompareSetting& first);
-/// "auto, coulomb, step 0.01 s, tolerance 1e-4 m/s, projection, moreau".
+/// The label with all axes: "auto, coulomb, step 0.01 s, tolerance 1e-4 m/s, projection, moreau".
 std::string full_label(const CompareSetting& setting);
-/// Its simplifications as tables name them: "pyramid;50 sweeps".
+/// The simplifications of a setting as tables name them: "pyramid;50 sweeps".
 std::string simplifications_text(const CompareSetting& setting);
-/// Names of the axes on which two settings differ, in the order solver, law, step, tolerance, stabilisation,
+/// The names of the axes on which two settings differ, in the order solver, law, step, tolerance, stabilisation,
 /// integrator.
 std::vector<std::string> differences(const CompareSetting& a, const CompareSetting& b);
 

@@ -11,11 +11,12 @@ namespace nilas {
 
 namespace {
 
-/// Sweeps in place of a tolerance.
+/// The number of sweeps that replaces a tolerance.
 constexpr int k_fixed_sweeps = 50;
-/// Of strength where a scene draws none: strengths scatter by 20 to 30 % in nature (docs/reference/scales.md).
+/// The coefficient of variation of strength if a scene draws none. Strengths scatter by 20 to 30 % in nature
+/// (docs/reference/scales.md).
 constexpr double k_cov = 0.25;
-/// How far it holds together. No measurement: about the length of a piece that breaks off.
+/// The correlation length of strength in thicknesses. It is not measured, but is about the length of a broken piece.
 constexpr double k_correlation_thicknesses = 10;
 
 struct SimplificationText {
@@ -27,26 +28,27 @@ struct SimplificationText {
 const std::vector<SimplificationText>& texts() {
   using enum Simplification;
   static const std::vector<SimplificationText> all{
-      {pyramid, "pyramid", "friction as a pyramid of two directions, not a cone"},
-      {fixed_sweeps, "50 sweeps", "50 sweeps of projected Gauss-Seidel, whatever error is left"},
+      {pyramid, "pyramid", "friction is a pyramid of two directions, not a cone"},
+      {fixed_sweeps, "50 sweeps", "the solver makes 50 sweeps of projected Gauss-Seidel, whatever error is left"},
       {crushing_limit, "crushing by a limit",
        "the crushing force is at most strength times the contact area at the step's start; its growth within the "
        "step is left out"},
       {geometric_splitting, "splitting by geometry",
        "a floe splits where its chord is short, not where the forces reach its fracture toughness"},
-      {straight_cracks, "straight cracks", "cracks run straight, whatever weak ice lies beside their way"},
+      {straight_cracks, "straight cracks", "cracks run straight, whatever weak ice lies next to their path"},
       {uniform_ice, "uniform ice", "all ice is of the same thickness, density and strength"},
       {rigid_floes, "rigid floes", "floes crush at the hull, but not each other"},
       {no_extrusion, "no extrusion", "crushed ice leaves the outline of its floe as it is"},
-      {split_impulse, "split impulse", "penetration taken back by pseudo velocities, not by projection"},
-      {discrete, "discrete detection", "contacts only where bodies are near at the step's start, not on their way"},
+      {split_impulse, "split impulse", "penetration is corrected by pseudo velocities, not by projection"},
+      {discrete, "discrete detection",
+       "contacts are found only where bodies are near at the step's start, not along their path"},
       {library_contacts, "FCL's contacts",
-       "contacts as the collision library FCL gives them, not those of an exact search"},
-      {equal_friction, "mu_s = mu_k", "static friction no higher than kinetic friction"},
-      {no_rolling, "no rolling friction", "rolling and spinning friction left out"},
-      {no_gyroscopic, "no gyroscopic torque", "the gyroscopic torque of spinning bodies left out"},
+       "contacts are those of the collision library FCL, not those of an exact search"},
+      {equal_friction, "mu_s = mu_k", "static friction is no higher than kinetic friction"},
+      {no_rolling, "no rolling friction", "rolling and spinning friction are left out"},
+      {no_gyroscopic, "no gyroscopic torque", "the gyroscopic torque of spinning bodies is left out"},
       {uniform_inertia, "uniform inertia", "the vessel's inertia is that of uniform density, not the one given"},
-      {prismatic, "prismatic joint", "one prismatic joint in place of the six load cells"},
+      {prismatic, "prismatic joint", "one prismatic joint replaces the six load cells"},
   };
   return all;
 }
@@ -59,7 +61,7 @@ std::string friction_path(std::size_t k, const char* attribute) {
   return fmt::format("contact/friction[{}]/@{}", k + 1, attribute);
 }
 
-/// Of all pairs with more static than kinetic friction.
+/// The overrides that lower static to kinetic friction for all pairs that have more of it.
 Overrides static_as_kinetic(const Scene& scene) {
   Overrides changes;
   for (std::size_t k = 0; k < scene.contact.friction.size(); ++k) {
@@ -83,14 +85,14 @@ const CrushingScene* crushing_of(const Scene& scene) {
   return scene.fracture && scene.fracture->crushing ? &*scene.fracture->crushing : nullptr;
 }
 
-/// Ice whose strength decides when it comes apart.
+/// Whether the scene has ice that breaks or splits by its strength.
 bool breaks(const Scene& scene) {
   return scene.ice && scene.fracture && (scene.fracture->bending || scene.fracture->splitting);
 }
 
 bool varies(const Scene& scene) { return scene.ice && !scene.ice->vary.empty(); }
 
-/// Whether ice is, or can be made, weaker in some places than in others of the same floe.
+/// Whether ice is, or can be made, weaker in some places of a floe than in others.
 bool has_weak_places(const Scene& scene) {
   if (!varies(scene)) return breaks(scene);  // taking_out(uniform_ice) draws strengths within floes
   const IceScene& ice = *scene.ice;
@@ -100,7 +102,7 @@ bool has_weak_places(const Scene& scene) {
   }) || std::any_of(ice.vary.begin(), ice.vary.end(), [](const VaryScene& v) { return v.correlation_length > 0; });
 }
 
-/// As `<vessel><mass>` has it by default.
+/// The inertia that `<vessel><mass>` has by default, as the attribute's text [kg m^2].
 std::string inertia_by_default(const Scene& scene) {
   Scene bare = scene;
   bare.vessel->mass.inertia.reset();
@@ -111,7 +113,7 @@ std::string inertia_by_default(const Scene& scene) {
   return fmt::format("{} {} {} {} {} {}", I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2));
 }
 
-/// Those of the ice: crushing, splitting, cracks and their material.
+/// The same as no_effect() for simplifications of the ice: crushing, splitting, cracks and their material.
 std::string no_effect_on_ice(Simplification simplification, const Scene& scene) {
   using enum Simplification;
   switch (simplification) {
@@ -154,7 +156,7 @@ std::string no_effect(Simplification simplification, const Scene& scene) {
   if (simplification == prismatic && !(scene.vessel && scene.vessel->carriage))
     return "the scene has no towing carriage";
   if (simplification == prismatic && !scene.vessel->rods.empty())
-    return "rods tie the vessel, whose forces a prismatic joint may leave nothing to hold";
+    return "rods tie the vessel, and a prismatic joint may not be able to take their forces";
   if (simplification == no_gyroscopic && scene.vessel && !(scene.vessel->parts.empty() && scene.vessel->rods.empty()))
     return "a vessel with parts or rods always has its gyroscopic torque";
   if (simplification == uniform_inertia && !(scene.vessel && scene.vessel->mass.inertia))
@@ -222,7 +224,8 @@ Overrides putting_in(Simplification simplification, const Scene& scene) {
     case rigid_floes:
       return {{"fracture/crushing/@between_floes", "false"}};
     case no_extrusion:
-      return {{"fracture/crushing/@clear_volume", "1e30"}};  // what no floe ever holds: an attribute cannot be unset
+      return {{"fracture/crushing/@clear_volume",
+               "1e30"}};  // no floe is that large, and an override cannot unset an attribute
     case geometric_splitting:
       return {{"fracture/splitting/@model", "geometric"}};
     case straight_cracks:
@@ -243,10 +246,10 @@ Overrides putting_in(Simplification simplification, const Scene& scene) {
 
 const std::vector<Inexpressible>& inexpressible_simplifications() {
   static const std::vector<Inexpressible> all{
-      {"hydrodynamics", "no setting has added mass, wave damping, a free surface that moves, or water between floes"},
+      {"hydrodynamics", "no setting has added mass, wave damping, a moving free surface, or water between floes"},
       {"creep", "ice does not creep in any setting"},
-      {"instantaneous cracks", "cracks run through within one step in every setting"},
-      {"a second contact search for breaking", "one search serves impacts and another finds the area that crushes"}};
+      {"instantaneous cracks", "cracks run through a floe within one step in every setting"},
+      {"a second contact search for breaking", "one search finds impacts and another finds the area that crushes"}};
   return all;
 }
 

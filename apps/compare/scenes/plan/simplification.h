@@ -26,21 +26,21 @@ enum class Simplification {
   uniform_ice
 };
 
-/// As tables and pages name it.
+/// The name in tables and pages.
 const char* name_of(Simplification simplification);
-/// What it does, in a sentence without a stop.
+/// A sentence without a full stop about what it does.
 const char* meaning_of(Simplification simplification);
-/// The order is that of their importance: what the budget cannot pay for goes from the end.
+/// All simplifications in the order of their importance. A short budget leaves out those at the end.
 const std::vector<Simplification>& all_simplifications();
-/// Why the scene has nothing that it would change; empty where it has.
+/// Why a simplification has nothing to change in a scene; empty if it has.
 std::string no_effect(Simplification simplification, const Scene& scene);
 
-/// What takes it out of a scene, and what puts it into one that others are taken out of. Nothing of those that are no
-/// more than a law, a solver or a stabilisation (CompareSetting).
+/// The overrides that take a simplification out of a scene, and those that put it into a scene from which all are taken
+/// out. They are empty for simplifications that are a law, a solver or a stabilisation of a CompareSetting.
 Overrides taking_out(Simplification simplification, const Scene& scene);
 Overrides putting_in(Simplification simplification, const Scene& scene);
 
-/// A simplification that Nilas makes itself, so that no setting is without it.
+/// A simplification that Nilas makes itself, so that every setting has it.
 struct Inexpressible {
   const char* name;
   const char* reason;

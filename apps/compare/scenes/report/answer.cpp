@@ -22,7 +22,7 @@ std::string speed_text(double ratio) {
 /// The ice over which means are taken.
 std::string such_ice(const Findings& found) { return found.same_ice ? "this ice" : "ice of this kind"; }
 
-/// What errors in percent are shares of.
+/// The quantity of which errors in percent are shares.
 std::string scale_text(const Findings& found) {
   if (found.measure.is_load())
     return fmt::format("the reference's mean ice load ({} along the course)", force_text(found.reference.mean.mean));
@@ -30,7 +30,7 @@ std::string scale_text(const Findings& found) {
   return fmt::format("the longest path of a body ({})", quantity_text(found.measure.scale, "m"));
 }
 
-/// Whether the setting is recommended although no more is known than that its error may be chance.
+/// Whether the error of a setting may be chance, and the limit of that is above the target.
 bool hidden_by_chance(const Merit& m, const Findings& found) {
   return !m.significant && m.floor > k_target * found.measure.scale;
 }
@@ -68,7 +68,7 @@ void say_recommendation(const SceneReport& report, std::vector<std::string>& lin
   if (!hidden_by_chance(best, found)) return;
   const std::size_t count = best.realisations.size();
   lines.push_back(
-      fmt::format("So much do the means over {} realisation{} of {:g} s differ by chance alone (95 %); smaller "
+      fmt::format("By chance alone, the means over {} realisation{} of {:g} s differ by so much (95 %). Smaller "
                   "errors cannot be shown.",
                   count, count == 1 ? "" : "s", report.study.plan.end - report.study.plan.start));
 }
@@ -151,7 +151,7 @@ void say_ablation(const SceneReport& report, std::vector<std::string>& lines) {
   const Findings& found = report.found;
   if (report.untouched())
     lines.push_back(
-        fmt::format("The ice did not touch the vessel in the {:g} s that were simulated: motions are compared.",
+        fmt::format("The ice did not touch the vessel in the {:g} s that were simulated. Motions are compared.",
                     report.study.plan.end - report.study.plan.start));
   std::vector<Merit> by_error = found.merits;
   const auto shown = [](const Merit& m) { return m.significant ? m.error : 0; };
@@ -161,12 +161,12 @@ void say_ablation(const SceneReport& report, std::vector<std::string>& lines) {
     if (m.setting == 0) continue;
     const std::string name = report.label(m.setting);
     if (m.done == 0 || std::isnan(m.error))
-      lines.push_back(fmt::format("\"{}\": no run came to its end ({}).", name, m.trouble));
+      lines.push_back(fmt::format("\"{}\": no run is done ({}).", name, m.trouble));
     else
       lines.push_back(fmt::format("\"{}\" {}; it {}.", name, changed_by(m, found),
                                   saved_by(m, found.merits.front(), found.time_spread)));
   }
-  if (lines.empty()) lines.emplace_back("The budget left no simplification to run.");
+  if (lines.empty()) lines.emplace_back("The budget had no time for any simplification.");
 }
 
 std::string blocked(const SceneReport& report) {
@@ -176,11 +176,11 @@ std::string blocked(const SceneReport& report) {
     if (row.result.failed()) return row.run.id + ": " + row.result.status + ", " + row.result.cause;
   const bool any = std::any_of(found.rows.begin(), found.rows.end(), [](const auto& row) { return row.result.done(); });
   if (any && found.horizon.ends && found.horizon.until_s <= report.study.plan.start)
-    return "perturbed runs part before the first states that are stored";
+    return "the perturbed runs diverge before the first stored states";
   return report.ended_by.empty() ? "the budget ended before" : report.ended_by;
 }
 
-/// Ships are built for the peaks of a load.
+/// States the accuracy of the peaks, because ships are designed for the peaks of a load.
 void say_peaks(const Merit& m, const Findings& found, std::vector<std::string>& lines) {
   if (!found.measure.is_load() || !(found.reference.std.mean > 0) || !(found.reference.p99.mean > 0)) return;
   const auto change = [](const Estimate& of, const Estimate& reference) {
@@ -204,12 +204,12 @@ void say_errors(const SceneReport& report, std::vector<std::string>& lines) {
                                 report.label(worst->setting), quantity_text(worst->error, found.measure.unit),
                                 percent_text(worst->error / found.measure.scale)));
   else if (std::isfinite(found.common_floor))
-    lines.push_back(
-        fmt::format("No setting has a significant error over {}: all may be chance or rounding.", such_ice(found)));
+    lines.push_back(fmt::format("No setting has a significant error over {}. All errors may be chance or rounding.",
+                                such_ice(found)));
   if (!found.measure.is_load()) return;
   for (const auto& line : difference_lines(found, &Merit::from_reference, "the reference", report.labels()))
     lines.push_back(line);
-  // where the own setting is as good as the reference, differences from it say the same once more
+  // if the own setting is as accurate as the reference, differences from it repeat the lines above
   const PairedDifference& off = found.merits.front().from_reference;
   const bool as_good = off.certainty != Certainty::unknown && std::abs(off.mean) <= k_target * found.measure.scale;
   if (as_good || found.merits.front().judges) return;
@@ -243,9 +243,9 @@ std::vector<std::string> detail_lines(const SceneReport& report) {
         "The motions of single bodies can be predicted until {:.3g} s of {:g} s. From then on two runs that begin "
         "1e-12 m apart differ by more than {}.{}",
         found.horizon.until_s, report.study.plan.end, quantity_text(found.horizon.threshold_m, "m"),
-        found.measure.is_load() && found.shared.size() > 1 ? " The chance in mean loads is another matter: it is "
-                                                             "measured from realisations, whose ice differs from the "
-                                                             "start."
+        found.measure.is_load() && found.shared.size() > 1 ? " The effect of chance on mean loads is measured "
+                                                             "separately, from realisations whose ice differs from "
+                                                             "the start."
                                                            : ""));
   if (found.coverage)
     lines.push_back(fmt::format(

@@ -1,4 +1,4 @@
-/// What limits the result of a comparison.
+/// The limits of the result of a comparison.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,15 +29,15 @@ void say_coverage(const SceneReport& report, std::vector<std::string>& lines) {
                                 realisations_text(found.shared), partial == 1 ? "is" : "are"));
   if (plan.end < plan.scene_end)
     lines.push_back(
-        fmt::format("Only {:g} of {:g} s of the scene were simulated, because the budget does not reach "
-                    "further.",
+        fmt::format("Only {:g} of {:g} s of the scene were simulated, because the budget has no time for "
+                    "more.",
                     plan.end - plan.start, plan.scene_end - plan.start));
   if (!report.late.empty())
     lines.push_back(
         fmt::format("The budget was used up before {} of {} runs were done.", report.late.size(), plan.runs.size()));
 }
 
-/// Share of its steps in which the reference missed its tolerance, the worst of its runs.
+/// The share of its steps in which the reference missed its tolerance, in the worst of its runs.
 double unconverged_reference(const Findings& found) {
   double share = 0;
   for (const auto& row : found.rows)
@@ -56,11 +56,12 @@ void say_reference(const SceneReport& report, std::vector<std::string>& lines) {
                     found.judges.trouble.empty() ? "not run" : found.judges.trouble, found.judges.stand_in));
   else if (!found.judges.trouble.empty())
     lines.push_back(
-        fmt::format("Only {} of {} realisations can be judged: the others lack a run of the reference ({}).",
+        fmt::format("Only {} of {} realisations can be judged, because the others lack a run of the reference ({}).",
                     found.judges.realisations, study.plan.realisations, found.judges.trouble));
   if (found.judges.stand_in.empty() && !found.check.moves && !study.ablation && study.reference == "auto" &&
       !study.event_driven)
-    lines.emplace_back("How much the reference changes with its step is not known: the run that shows it is not done.");
+    lines.emplace_back(
+        "How much the reference changes with its step is not known, because the run that shows it is not done.");
   if (found.check.coarse)
     lines.push_back(
         fmt::format("The reference itself changes by {} when its step is doubled, which is more than the "
@@ -78,7 +79,7 @@ void say_times(const StudyTiming& timing, double time_spread, std::vector<std::s
   if (timing.slowdown > 1 + std::max(0.1, 2 * time_spread))
     lines.push_back(
         fmt::format("Runs next to each other took {:.2f} times as long as alone. All times here are longer by "
-                    "about this factor, alike for all settings.",
+                    "about this factor, which is similar for all settings.",
                     timing.slowdown));
 }
 
@@ -89,11 +90,11 @@ std::vector<std::string> caveat_lines(const SceneReport& report) {
   const Findings& found = report.found;
   if (!report.ended_by.empty())
     lines.push_back("This comparison is not complete (" + report.ended_by +
-                    "): it shows what was done until then; --resume goes on.");
+                    "). It shows what was done until then, and --resume continues it.");
   say_coverage(report, lines);
   say_reference(report, lines);
   if (!found.horizon.known)
-    lines.emplace_back("How long motions can be predicted is not known: no perturbed run is done.");
+    lines.emplace_back("How long motions can be predicted is not known, because no perturbed run is done.");
   for (const auto& m : found.merits)
     if (m.failed > 0)
       lines.push_back(

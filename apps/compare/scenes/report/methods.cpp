@@ -12,7 +12,8 @@ void say_reference(const SceneReport& report, std::vector<std::string>& lines) {
   const SceneStudy& study = report.study;
   const Findings& found = report.found;
   if (!found.judges.stand_in.empty()) {
-    lines.push_back("The reference is " + found.judges.stand_in + ", since no run of the intended reference is done.");
+    lines.push_back("The reference is " + found.judges.stand_in +
+                    ", because no run of the intended reference is done.");
   } else if (study.reference != "auto") {
     lines.push_back("The reference is the run in " + study.reference + ".");
   } else if (study.event_driven) {
@@ -50,18 +51,18 @@ void say_ablation(const SceneStudy& study, std::vector<std::string>& lines) {
                                   meaning_of(setting.simplifications.front())));
   for (const auto& one : study.absent) lines.push_back(fmt::format("There is no row \"{}\": {}.", one.what, one.why));
   for (const Inexpressible& one : inexpressible_simplifications())
-    lines.push_back(
-        fmt::format("There is no row \"{}\", since Nilas makes this simplification itself: {}.", one.name, one.reason));
+    lines.push_back(fmt::format("There is no row \"{}\" because Nilas makes this simplification itself: {}.", one.name,
+                                one.reason));
 }
 
 std::string realisations_line(const SceneReport& report) {
   const Plan& plan = report.study.plan;
   if (plan.realisations == 1) return "Each setting has one realisation, the scene itself.";
   const std::string others =
-      report.found.same_ice
-          ? "starts 1e-12 m aside. The scene draws no other ice by its seed, so that the result holds for this ice only"
-      : plan.vary_seed ? "other seeds and starts 1e-12 m aside, the same ones for every setting"
-                       : "starts 1e-12 m aside";
+      report.found.same_ice ? "perturbed starts up to 1e-12 m away. The seed does not change the ice of this scene, so "
+                              "the result holds for this ice only"
+      : plan.vary_seed      ? "other seeds and perturbed starts up to 1e-12 m away, the same ones for every setting"
+                            : "perturbed starts up to 1e-12 m away";
   return fmt::format("Each setting has {} realisations: the scene itself, then {}.", plan.realisations, others);
 }
 
@@ -78,12 +79,12 @@ void say_loads(const SceneReport& report, std::vector<std::string>& lines) {
                   "Its mean is over the same time in all runs of a realisation: {}.",
                   found.headline, windows));
   if (std::isnan(found.chance.run_N)) {
-    lines.emplace_back("The effect of chance on mean loads was not measured, since no perturbed run is done.");
+    lines.emplace_back("The effect of chance on mean loads was not measured, because no perturbed run is done.");
     return;
   }
   lines.push_back(fmt::format(
       "A run's mean load over {} scatters by {} (standard deviation) by chance. This comes from perturbed runs, which "
-      "begin 1e-12 m aside, and from the realisations. An error is significant above Student's 95 % limit of it.",
+      "begin up to 1e-12 m away, and from the realisations. An error above Student's 95 % limit of it is significant.",
       found.same_ice ? "this ice" : "ice of this kind", quantity_text(found.chance.run_N, "N")));
   lines.emplace_back(
       "Within one realisation, chance is the larger of two: the difference of its perturbed run, and the scatter of "
@@ -119,12 +120,13 @@ std::vector<std::string> method_lines(const SceneReport& report) {
     say_reference(report, lines);
   lines.push_back(realisations_line(report));
   say_loads(report, lines);
-  lines.push_back(
-      !found.horizon.known ? "How long motions can be predicted was not measured, since no perturbed run is done."
-      : found.horizon.ends ? fmt::format("Motions are compared until {:.4g} s. Then two runs that begin 1e-12 m "
-                                         "apart first differ by {}.",
-                                         found.horizon.until_s, quantity_text(found.horizon.threshold_m, "m"))
-                           : "Motions are compared over the whole time, since perturbed runs do not part.");
+  lines.push_back(!found.horizon.known
+                      ? "How long motions can be predicted was not measured, because no perturbed run is done."
+                  : found.horizon.ends
+                      ? fmt::format("Motions are compared until {:.4g} s. Then two runs that begin 1e-12 m "
+                                    "apart first differ by {}.",
+                                    found.horizon.until_s, quantity_text(found.horizon.threshold_m, "m"))
+                      : "Motions are compared over the whole time, because the perturbed runs stay close to the runs.");
   say_times(report, lines);
   for (const auto& list : by_reason(study.plan.omissions)) lines.push_back("Left out for " + list + ".");
   for (const auto& refused : study.refused)

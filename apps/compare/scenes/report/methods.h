@@ -1,5 +1,5 @@
 #pragma once
-/// How a comparison was measured, in words.
+/// The method of a comparison in words.
 #include <string>
 #include <vector>
 
@@ -7,10 +7,11 @@
 
 namespace nilas {
 
-/// What judged the settings, over which ice and time, how chance and times were measured, and what was left out.
+/// The reference, the ice and the time of the comparison, how chance and times were measured, and what was left out.
 std::vector<std::string> method_lines(const SceneReport& report);
 
-/// "setting", "perturbed run", "reference", "reference at twice its step".
+/// The name of a kind of run in the table of all runs: "setting", "reference", "reference at twice its step" or
+/// "perturbed run of the scene's own setting".
 const char* plain_name_of(RunKind kind);
 
 }  // namespace nilas

@@ -13,9 +13,9 @@ namespace nilas {
 
 namespace {
 
-constexpr double k_reserve = 1.15;  // runs take a little more than others did
+constexpr double k_reserve = 1.15;  // runs may take a little longer than others did
 
-/// Wall time as a budget: with a reserve, in two digits, rounded up.
+/// A wall time [s] as a budget: with a reserve, rounded up to two digits.
 double budget_for(double seconds) {
   const double wanted = k_reserve * seconds + k_closing_s;
   const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(wanted)) - 1));
@@ -27,7 +27,7 @@ int missing_runs(const Findings& found) {
                                         [](const RunRow& row) { return !row.result.done() && !row.result.failed(); }));
 }
 
-/// Least number of realisations from `from` on that make differences of k_target significant.
+/// The least number of realisations, at least `from`, that makes differences of k_target significant.
 std::optional<int> realisations_for_target(const Findings& found, int from) {
   constexpr int k_most = 1000;
   for (int n = from; n <= k_most; ++n)
@@ -80,7 +80,7 @@ Outlook outlook(const SceneStudy& study, const Findings& found, const std::files
   return view;
 }
 
-/// How much smaller the significant differences would be.
+/// A sentence about the differences that would then be significant.
 static std::string gain_text(const MoreTime& more, const Findings& found) {
   const bool known = std::isfinite(found.common_floor) && found.measure.scale > 0;
   if (!found.measure.is_load() || (known && found.common_floor <= k_target * found.measure.scale)) return "";
@@ -101,7 +101,7 @@ std::vector<std::string> outlook_lines(const Outlook& view, const SceneStudy& st
     lines.push_back(fmt::format("With about {} more, all {} settings would have {} realisation{}{}.{}",
                                 duration_text(more.seconds), study.plan.settings.size(), more.realisations,
                                 more.realisations == 1 ? "" : "s", now, gain_text(more, found)));
-    lines.emplace_back("To go on:");
+    lines.emplace_back("To continue:");
     lines.push_back("  " + more.command);
   }
   if (view.for_target)

@@ -26,7 +26,7 @@ std::string number(double value, const char* format = "{:.3g}") {
 std::string with_error(double value, double error, const char* format = "{:.4g}") {
   return number(value, format) + (std::isfinite(value) && std::isfinite(error) ? fmt::format(" ± {:.2g}", error) : "");
 }
-/// "+-" of the terminal as one sign.
+/// The text with each "+-", as terminals have it, replaced by one sign.
 std::string typeset(std::string text) {
   const std::string ascii = "+-", sign = "±";
   for (std::size_t at = 0; (at = text.find(ascii, at)) != std::string::npos; at += sign.size())
@@ -48,7 +48,7 @@ const char* caption_of(const std::string& picture) {
            "chance: their true error may lie anywhere below the mark.";
   if (picture == "motion")
     return "The same, with the distance from the reference's motion as the error, as long as motions can be predicted.";
-  if (picture == "steps") return "Error over the time step, everything else being the same.";
+  if (picture == "steps") return "Error over the time step for settings that differ in nothing else.";
   return "Left: change that each simplification makes, alone and all together, with the standard error over the "
          "realisations. Right: computing time that it saves.";
 }
@@ -80,7 +80,7 @@ Json load_cells(const Merit& m) {
           {"max", number(m.load_max.mean)}};
 }
 
-/// Error with its share of the scale; one that may be chance is told apart.
+/// The error with its share of the scale, or a remark if it may be chance.
 std::string error_text(const Merit& m, const Measure& measure) {
   if (!std::isfinite(m.error)) return "";
   if (!m.significant)
@@ -166,7 +166,7 @@ Json reference_view(const SceneReport& report) {
           {"max", number(reference.max.mean)}};
 }
 
-/// The labels of settings name only what they change.
+/// A sentence about the first setting, because labels name only the differences from it.
 std::string own_setting(const SceneStudy& study) {
   if (study.plan.settings.empty()) return "";
   const std::string own = full_label(study.plan.settings.front());
@@ -230,7 +230,7 @@ std::string write_report(const std::filesystem::path& folder, const SceneReport&
   write_whole(folder / "loads.csv", loads_csv(report));
   write_json(folder / "compare.json", report_json(report));
   const Json view = view_of(report);
-  write_page(folder, view, {}, "The pictures are not drawn yet.");  // without them it still says all there is
+  write_page(folder, view, {}, "The pictures are not drawn yet.");  // the page is complete even if drawing fails
   const std::vector<Picture> pictures = pictures_of(report);
   const Drawings drawings = draw(folder, pictures);
   const std::string missing = !drawings.trouble.empty() ? "Pictures are missing: " + drawings.trouble

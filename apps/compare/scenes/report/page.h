@@ -1,5 +1,5 @@
 #pragma once
-/// The page of a comparison, and all that it leaves on disk.
+/// Writes the page of a comparison and all its other files.
 #include <filesystem>
 #include <string>
 
@@ -7,11 +7,11 @@
 
 namespace nilas {
 
-/// Writes compare.html without pictures, before they are drawn or anything was run. Throws FileError.
+/// Writes compare.html without pictures, before anything was run. Throws FileError.
 void write_first_page(const std::filesystem::path& folder, const SceneReport& report);
 
 /// Writes compare.csv, settings.csv, loads.csv, compare.json, then pictures and compare.html. Returns why pictures are
-/// missing, or nothing. Throws FileError where a table or the page cannot be written.
+/// missing, or an empty text. Throws FileError if a table or the page cannot be written.
 std::string write_report(const std::filesystem::path& folder, const SceneReport& report);
 
 }  // namespace nilas

@@ -21,7 +21,7 @@ std::string amount(const PairedDifference& d, double scale) {
   return fmt::format("{}{} ({:+.2g} %)", signed_force(d.mean), width, 100 * d.mean / scale);
 }
 
-/// Those of one certainty, the largest mean first.
+/// The merits whose difference has this certainty, the largest mean first.
 std::vector<const Merit*> of_certainty(const Findings& found, PairedDifference Merit::*member, Certainty certainty) {
   std::vector<const Merit*> list;
   for (const auto& m : found.merits)
@@ -32,7 +32,7 @@ std::vector<const Merit*> of_certainty(const Findings& found, PairedDifference M
   return list;
 }
 
-/// Those that matter by name, the others by their number.
+/// The settings in words: those with a difference above k_target by name, up to a limit, and the number of the others.
 template <class Text>
 std::string named(const std::vector<const Merit*>& list, const Findings& found, PairedDifference Merit::*member,
                   const Text& text) {
@@ -49,7 +49,7 @@ std::string named(const std::vector<const Merit*>& list, const Findings& found, 
   return names;
 }
 
-/// The widest of the realisations that differences were taken over, as far as it was measured.
+/// The widest chance limit of the realisations [N], of those that were measured; 0 if none was.
 double widest_limit(const Findings& found, PairedDifference Merit::*member) {
   double widest = 0;
   for (const auto& m : found.merits)
@@ -67,7 +67,7 @@ std::string by_setting(const std::vector<const Merit*>& list, const Findings& fo
   });
 }
 
-/// In every realisation, by Student's t on the mean.
+/// The sentence about differences whose mean over the realisations is significant by Student's t.
 std::string everywhere_line(const std::vector<const Merit*>& list, const Findings& found, Member member,
                             const std::string& other, const std::vector<std::string>& labels) {
   return fmt::format(
@@ -90,8 +90,7 @@ std::string some_realisations_line(const std::vector<const Merit*>& list, const 
                                    const std::string& other, const std::vector<std::string>& labels) {
   return fmt::format(
       "In some of the realisations the mean ice load differs from that of {} by more than chance makes (95 %), "
-      "although "
-      "the mean over the realisations does not: {}.",
+      "although the mean over the realisations does not: {}.",
       other, named(list, found, member, [&](const Merit& m) {
         const PairedDifference& d = m.*member;
         return fmt::format("\"{}\" in {} of {}, by {} on average", labels[m.setting], d.beyond_chance,

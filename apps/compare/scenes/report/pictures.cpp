@@ -20,16 +20,16 @@ using Json = nlohmann::ordered_json;
 
 constexpr double k_room = 1.6;  // factor between what is shown and the end of a logarithmic axis
 
-constexpr std::size_t k_least_steps = 3;  // of a line that shows how an error falls
+constexpr std::size_t k_least_steps = 3;  // of a line of errors over the step
 
-/// In double quotes, as gnuplot reads words in data.
+/// The text in double quotes, as gnuplot reads texts in data.
 std::string quoted(const std::string& text) {
   std::string out = "\"";
   for (const char c : text) out += c == '"' ? "'" : std::string(1, c);
   return out + "\"";
 }
 
-/// Smallest and largest of what is shown.
+/// The smallest and largest value that is shown.
 struct Extent {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   void add(double x) {
@@ -38,8 +38,8 @@ struct Extent {
   }
 };
 
-/// Ends and labels of a logarithmic axis: labels at 1, 2 and 5 of each decade where there are few of these, else at the
-/// decades.
+/// Adds the ends and labels of a logarithmic axis. The labels are at 1, 2 and 5 of each decade if there are few
+/// decades, else at the decades.
 void add_log_axis(const std::string& axis, const Extent& extent, Json& data) {
   const double low = extent.low / k_room, high = extent.high * k_room;
   const int first = static_cast<int>(std::floor(std::log10(low))), last = static_cast<int>(std::ceil(std::log10(high)));
@@ -53,7 +53,7 @@ void add_log_axis(const std::string& axis, const Extent& extent, Json& data) {
   data[axis + "_tics"] = tics;
 }
 
-/// Null leaves a section of the template out.
+/// The value, or null if it is not known. Null leaves a section of the template out.
 Json number_if(bool known, double value) { return known ? Json(value) : Json(nullptr); }
 
 std::string quantity_of(const Measure& measure) {
@@ -61,7 +61,7 @@ std::string quantity_of(const Measure& measure) {
   return measure.name == "turn" ? "attitude" : "positions (rms)";
 }
 
-/// Where the picture shows a setting: at its error, or at its floor where the error may be chance.
+/// The place of a setting in the picture: at its error, or at its floor if the error may be chance.
 struct FrontPoint {
   const Merit* merit;
   double error, spread;
@@ -78,7 +78,7 @@ std::vector<FrontPoint> front_points(const Findings& found) {
   return points;
 }
 
-/// Numbers of settings whose marks stand at one height, where numbers side by side would lie over each other.
+/// The numbers of settings whose marks are at one height, on several levels so that they do not overlap.
 Json stacked_numbers(std::vector<FrontPoint> points) {
   constexpr std::size_t k_levels = 4;
   std::erase_if(points, [](const FrontPoint& p) { return p.merit->significant; });
@@ -97,7 +97,7 @@ Json stacked_numbers(std::vector<FrontPoint> points) {
 }
 
 std::optional<Picture> front(const std::string& name, const Findings& found, const std::vector<std::string>& labels) {
-  constexpr double k_out_of_sight = 1e-3;  // logarithms know no 0
+  constexpr double k_out_of_sight = 1e-3;  // stands for 0, which a logarithmic axis cannot show
   const std::vector<FrontPoint> points = front_points(found);
   if (points.empty()) return std::nullopt;
   std::map<std::string, std::string> blocks{{"best", ""},   {"beaten", ""},  {"hidden", ""},
@@ -127,12 +127,12 @@ std::optional<Picture> front(const std::string& name, const Findings& found, con
   data["names"] = names;
   data["quantity"] = quantity_of(found.measure);
   data["unit"] = found.measure.unit;
-  // else it lies below all that is shown
+  // a smaller change lies below all that is shown
   data["reference_moves"] = number_if(found.check.moves && *found.check.moves > least, found.check.moves.value_or(0));
   return Picture{.name = name, .script = "front.gnuplot", .data = data};
 }
 
-/// Over the step, a line per way to solve.
+/// The error over the step, with a line for each group of settings that differ in the step alone.
 std::optional<Picture> steps(const Plan& plan, const Findings& found) {
   struct Line {
     std::string rows;
@@ -163,7 +163,7 @@ std::optional<Picture> steps(const Plan& plan, const Findings& found) {
                              {"dash", 1 + (k - 1) % k_dashes},
                              {"label", label}});
   }
-  constexpr double k_far = 1e-2;  // so far below all errors it would only flatten them
+  constexpr double k_far = 1e-2;  // a floor this far below all errors would flatten the picture
   const bool floor =
       found.measure.is_load() && found.common_floor > k_far * error.low && std::isfinite(found.common_floor);
   if (floor) error.add(found.common_floor);
@@ -174,7 +174,7 @@ std::optional<Picture> steps(const Plan& plan, const Findings& found) {
   return Picture{.name = "steps", .script = "steps.gnuplot", .height = k_height, .data = data};
 }
 
-/// Bars with standard errors: what each simplification changes, and how much time it saves.
+/// Bars with standard errors of the change by each simplification and of the time that it saves.
 std::optional<Picture> ablation(const Findings& found, const std::vector<std::string>& labels) {
   std::string changes, saved;
   const Merit& full = found.merits.front();
@@ -200,7 +200,8 @@ std::optional<Picture> ablation(const Findings& found, const std::vector<std::st
                                                           found.measure.unit)}}};
 }
 
-/// One row of the picture of differences: over the setting's realisations, and their mean.
+/// One row of the picture of differences: the values of a setting, one per realisation [N], and the interval of their
+/// mean.
 struct DifferenceRow {
   std::string label;
   std::vector<double> values;
@@ -229,7 +230,7 @@ std::vector<DifferenceRow> difference_rows(const Findings& found, const std::vec
   return rows;
 }
 
-/// The widest of what chance alone does, as far as it was measured; infinite where it was not.
+/// The widest chance limit [N], of those that were measured; infinite if none was.
 double chance_band(const Findings& found) {
   double widest = std::numeric_limits<double>::infinity();
   for (const auto& m : found.merits)
@@ -238,7 +239,7 @@ double chance_band(const Findings& found) {
   return widest;
 }
 
-/// Marks of the means, by how far they are significant.
+/// The marks of the means, in layers by their significance.
 Json mean_layers(const std::vector<DifferenceRow>& rows, const std::vector<double>& widths) {
   struct Layer {
     const char *name, *colour, *title;
@@ -277,7 +278,7 @@ std::optional<Picture> differences(const Findings& found, const std::vector<std:
   std::vector<double> widths;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const DifferenceRow& row = rows[k];
-    constexpr std::size_t k_least = 3;  // of two the interval is too wide to be drawn
+    constexpr std::size_t k_least = 3;  // the interval of two values is too wide to be drawn
     widths.push_back(row.values.size() >= k_least && std::isfinite(row.half_width) ? row.half_width : 0);
     const double mean = mean_of(row.values);
     for (const double end : {mean - widths.back(), mean + widths.back()}) shown.add(end);
@@ -301,7 +302,7 @@ std::optional<Picture> differences(const Findings& found, const std::vector<std:
                  .data = data};
 }
 
-/// The front once more, with the distance from the reference as the error.
+/// The front with the distance from the reference as the error.
 std::optional<Picture> motion_front(Findings found, const std::vector<std::string>& labels) {
   const bool moves =
       std::any_of(found.merits.begin(), found.merits.end(), [](const Merit& m) { return m.motion.mean > 0; });

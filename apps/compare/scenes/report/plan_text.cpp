@@ -28,8 +28,8 @@ std::vector<std::string> plan_lines(const SceneStudy& study) {
 
 std::string shorter_line(const Plan& plan, double before, double factor) {
   return fmt::format(
-      "runs take {:.2g} times what was measured: to keep the budget, all are compared over {:g} s of simulated time "
-      "instead of {:g} s",
+      "Runs take {:.2g} times as long as measured. To keep the budget, all are compared over {:g} s of simulated time "
+      "instead of {:g} s.",
       factor, plan.end - plan.start, before - plan.start);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// A comparison's plan in words, before it starts.
+/// The plan of a comparison in words, for the terminal before it starts.
 #include <string>
 #include <vector>
 
@@ -7,11 +7,11 @@
 
 namespace nilas {
 
-/// A line per sentence.
+/// The plan, one statement per line.
 std::vector<std::string> plan_lines(const SceneStudy& study);
 
-/// States that all runs are compared over less simulated time than until `before`, since they take `factor` times what
-/// was measured.
+/// States that all runs are compared over less simulated time than up to `before` [s], because they take `factor` times
+/// as long as measured.
 std::string shorter_line(const Plan& plan, double before, double factor);
 
 }  // namespace nilas

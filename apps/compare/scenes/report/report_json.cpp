@@ -1,4 +1,4 @@
-/// compare.json
+/// The JSON object of compare.json.
 #include "apps/compare/scenes/report/answer.h"
 #include "apps/compare/scenes/report/paired_text.h"
 #include "apps/compare/scenes/report/tables.h"
@@ -80,7 +80,7 @@ Json omissions_json(const std::vector<Omission>& omissions) {
   return list;
 }
 
-/// Simplifications that an ablation has no row for: the scene has nothing that they change, or Nilas cannot do without.
+/// The simplifications that have no row in an ablation: they change nothing in the scene, or Nilas makes them itself.
 Json absent_json(const SceneStudy& study) {
   Json list = omissions_json(study.absent);
   for (const Inexpressible& one : inexpressible_simplifications())

@@ -1,5 +1,5 @@
 #pragma once
-/// All that the report of a comparison is made from.
+/// The input of the report of a comparison.
 #include <cmath>
 #include <limits>
 #include <string>
@@ -14,13 +14,13 @@ namespace nilas {
 /// How the runs shared the machine.
 struct StudyTiming {
   int jobs = 1;
-  int cores = 1;  ///< that the jobs could use
+  int cores = 1;  ///< cores that the jobs could use
   double elapsed_s = 0;
-  double busy = std::numeric_limits<double>::quiet_NaN();  ///< jobs that were at work, on average
-  /// Time of the first setting's first steps beside neighbours over their time alone; NaN: not measured.
+  double busy = std::numeric_limits<double>::quiet_NaN();  ///< mean number of jobs that were at work; NaN: not known
+  /// The ratio of the time of the first setting's first steps with other runs to their time alone; NaN: not measured.
   double slowdown = std::numeric_limits<double>::quiet_NaN();
 
-  /// Share of the work of as many cores that was done; NaN where neighbours were not measured.
+  /// The parallel efficiency: the share of the work of `jobs` free cores that was done; NaN if `slowdown` is not known.
   double efficiency() const { return busy / jobs / slowdown; }
 };
 
@@ -28,22 +28,22 @@ struct SceneReport {
   SceneStudy study;
   Findings found;
   StudyTiming timing;
-  std::vector<std::string> late;  ///< runs that the budget left no time to begin
-  std::string trouble;            ///< of the probe, where it made no step
-  std::string ended_by;           ///< why the comparison did not come to its end; empty: it did
+  std::vector<std::string> late;  ///< runs for which the budget had no time
+  std::string trouble;            ///< why the probe made no step; empty: it did
+  std::string ended_by;           ///< why the comparison is not complete; empty: it is
   Outlook outlook;
 
   std::string label(std::size_t setting) const;
   std::vector<std::string> labels() const;
   /// Whether the error of any setting is known.
   bool compared() const;
-  /// There is a vessel, and the ice did not load it.
+  /// Whether there is a vessel and the ice did not load it.
   bool untouched() const { return !found.measure.is_load() && !found.headline.empty(); }
 };
 
-/// "1.23 N", "0.45 mm": a length, force or angle with a readable unit.
+/// A length, force or angle with a readable unit: "1.23 N", "0.45 mm".
 std::string quantity_text(double value, const std::string& unit);
-/// "3.21 %"
+/// A share in percent: "3.21 %".
 std::string percent_text(double share);
 
 }  // namespace nilas

@@ -21,13 +21,13 @@ constexpr std::array<NamedStatistic, 4> k_statistics{{{"mean", &LoadStatistics::
                                                       {"max", &LoadStatistics::max},
                                                       {"p99", &LoadStatistics::p99}}};
 
-/// contact_fx_N with mean gives contact_fx_mean_N.
+/// The column of a statistic: contact_fx_N with mean gives contact_fx_mean_N.
 std::string statistic_column(const std::string& channel, const std::string& statistic) {
   const auto unit = channel.rfind('_');
   return channel.substr(0, unit) + "_" + statistic + channel.substr(unit);
 }
 
-/// Those of the first run that has any.
+/// The load channels of the first run that has any.
 std::vector<std::string> channels_of(const RunTable& rows) {
   std::vector<std::string> channels;
   for (const auto& row : rows) {
@@ -37,7 +37,7 @@ std::vector<std::string> channels_of(const RunTable& rows) {
   return channels;
 }
 
-/// The columns of a setting; `setting` gives that of a row, empty where it has none.
+/// Adds the columns of a setting. `setting` returns the setting of a row, which is empty if it has none.
 template <class Row, class Setting>
 void add_setting(std::vector<CsvColumn<Row>>& columns, const Setting& setting) {
   columns.push_back({"solver", [=](const Row& r, CsvCell cell) { cell = setting(r).solver; }});
@@ -130,7 +130,7 @@ void add_summary(const std::vector<std::string>& channels, RunColumns& columns) 
           [=](const RunRow& r) { return load_statistics_of(r, channel).*statistic.member; });
 }
 
-/// Figures of a difference; empty of none.
+/// The figures of a difference; NaN or empty without one.
 double mean_difference(const PairedDifference& d) { return d.realisations.empty() ? k_nan : d.mean; }
 double half_width(const PairedDifference& d) { return d.realisations.empty() ? k_nan : d.half_width; }
 std::string certainty_of(const PairedDifference& d) { return d.realisations.empty() ? "" : name_of(d.certainty); }

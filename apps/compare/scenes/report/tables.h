@@ -7,13 +7,13 @@
 
 namespace nilas {
 
-/// compare.csv: a row per run.
+/// The text of compare.csv: a row per run.
 std::string runs_csv(const SceneReport& report);
-/// settings.csv: a row per setting.
+/// The text of settings.csv: a row per setting.
 std::string settings_csv(const SceneReport& report);
-/// loads.csv: a row per setting, load channel and statistic.
+/// The text of loads.csv: a row per setting, load channel and statistic.
 std::string loads_csv(const SceneReport& report);
-/// compare.json
+/// The JSON object of compare.json.
 nlohmann::ordered_json report_json(const SceneReport& report);
 
 }  // namespace nilas

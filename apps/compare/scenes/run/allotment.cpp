@@ -9,8 +9,8 @@ namespace nilas {
 
 namespace {
 
-constexpr double k_long_s = 30;       // budgets below it keep less than k_closing_s
-constexpr double k_least_steps = 20;  // of the coarsest setting that a mean can be told over
+constexpr double k_long_s = 30;       // shorter budgets keep less than k_closing_s for the end [s]
+constexpr double k_least_steps = 20;  // of the coarsest setting, over which a mean is meaningful
 constexpr double k_rounding = 1e-6;   // of a step
 constexpr double k_infinity = std::numeric_limits<double>::infinity();
 
@@ -20,7 +20,7 @@ double coarsest(const Plan& plan) {
   return step;
 }
 
-/// Of what is left, that the first may take: with one core another comes behind it.
+/// The share of the time left that the first run may take. With one job another run must follow it.
 double first_share(int jobs) {
   constexpr double k_alone = 0.45, k_beside = 0.8;
   return jobs > 1 ? k_beside : k_alone;
@@ -66,7 +66,7 @@ double Allotment::left_s(double elapsed_s) const {
   return budget_s_ - k_closing_s * std::min(1.0, budget_s_ / k_long_s) - elapsed_s;
 }
 
-/// Without these nothing can be told.
+/// Whether nothing can be compared without this run.
 bool Allotment::essential(const PlannedRun& run) const {
   if (run.kind == RunKind::reference) return true;
   return run.kind == RunKind::grid && run.setting <= 1 && (run.setting == 0 || run.realisation == 0);
@@ -92,7 +92,8 @@ double Allotment::least_end() const {
   return std::isnan(window_from_) ? k_infinity : window_from_ + k_least_steps * coarsest(plan_);
 }
 
-/// Where another setting is done over more than twice that time, all are not cut to it.
+/// Whether all runs may be cut to the time that one has reached: not if another setting is done over more than twice
+/// that time.
 bool Allotment::worth_telling(double reached_s) const {
   constexpr double k_half = 0.5;
   if (!(reached_s >= least_end())) return false;
@@ -111,9 +112,9 @@ void Allotment::end_at(double t) {
                           fmt::format("the budget of {:g} s", stated_budget_s_)});
 }
 
-/// Rather less simulated time for all than a setting less, down to a quarter of the window. Then settings go, the last
-/// first. For those without which nothing can be told the time falls on; for the twin, which tells whether chance makes
-/// a difference, where that helps.
+/// Shortens the simulated time of all runs rather than leave out a setting, down to a quarter of the window. Below
+/// that, settings are left out, the last first. The time is shortened further for the essential runs, and for the
+/// perturbed run, which shows the effect of chance, if that run then fits.
 void Allotment::shorten(double elapsed_s) {
   constexpr double k_reserve = 0.9, k_quarter = 0.25;
   const double room = k_reserve * std::max(0.0, left_s(elapsed_s)), least = least_end();
@@ -141,11 +142,11 @@ RunStart Allotment::begin(const PlannedRun& run, double elapsed_s) {
   if (!(expected < left) && !(essential(run) && first && left > 0)) return {false, false, 0};
   RunStart start{true, false, left};
   if (!essential(run)) {
-    // one that is far slower than thought must not take what the others need
+    // a run that is far slower than expected must not take the time that the others need
     start.limit_s = std::min(left, std::max(k_patience * expected, k_share * budget_s_));
     if (start.limit_s < left) patient_[run.id] = expected;
   } else if (first && !pace_known_) {
-    // nor must those that all others are set against leave nothing to be set against them
+    // the runs with which others are compared must leave time for some to be compared with them
     const double part = first_share(jobs_) * left;
     start.limit_s = expected < left ? std::min(left, std::max(k_twice * expected, part)) : part;
   }

@@ -1,6 +1,6 @@
 #pragma once
-/// How a comparison's budget goes to its runs while they are made: what begins, how long it may take, and how much
-/// simulated time all of them are told over where the machine is slower than it was thought.
+/// Shares the budget of a comparison among its runs while they are made. It decides which run begins and how long it
+/// may take, and shortens the simulated time over which all are compared if the machine is slower than expected.
 #include <functional>
 #include <limits>
 #include <map>
@@ -16,48 +16,50 @@ namespace nilas {
 /// How a run begins.
 struct RunStart {
   bool begins = true;
-  bool too_slow = false;  ///< why it does not: another realisation of its setting was ended for its time
-  double limit_s = 0;     ///< wall time after which it is ended; 0: none [s]
+  bool too_slow = false;  ///< it does not begin, because another realisation of its setting was ended as too slow
+  double limit_s = 0;     ///< wall time after which it is ended [s]; 0: none
 };
 
 /// How a run ended.
 struct RunEnd {
-  double wall_s = 0;  ///< [s]
+  double wall_s = 0;  ///< wall time [s]
   bool done = false, timed_out = false;
-  double reached_s = 0;                                             ///< simulated [s]
-  double window_from_s = std::numeric_limits<double>::quiet_NaN();  ///< of its mean load; NaN: no load yet [s]
+  double reached_s = 0;  ///< simulated time that it reached [s]
+  double window_from_s =
+      std::numeric_limits<double>::quiet_NaN();  ///< start of its mean load's window [s]; NaN: no load yet
 };
 
-/// `start`: of the scene [s].
+/// The end of a run from its result. `start`: start time of the scene [s].
 RunEnd run_end(const RunResult& result, double start);
 
-/// Wall time that a new comparison needs for the first setting and one beside it over the least that a mean can be told
-/// over, or over the plan's whole time where no ice was met yet; with a reserve, in two digits. `measuring_s`: what
-/// went before the runs. Nothing where the run made no way.
+/// The wall time [s] that a new comparison needs for the first setting and one other, with a reserve and in two digits.
+/// It is for the shortest simulated time that gives a mean, or for the plan's whole time if no ice was met yet.
+/// `measuring_s`: wall time before the runs [s]. Nothing if the run did not advance.
 std::optional<double> needed_budget(const Plan& plan, const RunEnd& first, double measuring_s, int jobs);
 
 enum class RunVerdict {
   as_it_ended,
-  far_enough,  ///< ended at its limit, but all are told over no more than it reached
-  too_slow     ///< ended long before the budget, as it took far more than was expected of it
+  far_enough,  ///< ended at its limit, but all runs are compared over no more than it reached
+  too_slow     ///< ended long before the budget, because it took far more time than expected
 };
 
 class Allotment {
  public:
-  /// `budget_s`: wall time; 0: no limit. `first_pace`: what runs take over their estimates before any is done. May move
-  /// the plan's end forward and add the omission that says so.
+  /// `budget_s`: wall time [s]; 0: no limit. `stated_budget_s`: the budget that messages name [s]. `first_pace`: ratio
+  /// of the time of runs to their estimates, before any is done. May make the plan's end earlier and add an omission
+  /// for it.
   Allotment(Plan& plan, double budget_s, double stated_budget_s, int jobs, double first_pace);
-  /// Of runs of an earlier session.
+  /// Takes notice of the runs of an earlier session.
   void took(const std::map<std::string, RunResult>& results);
 
-  /// Called in the plan's order. The runs that all others are set against, and the first beside them, may take what
-  /// there is, but leave room for each other.
+  /// Decides how a run begins; called in the plan's order. The runs with which all others are compared, and the first
+  /// other setting, may take all time that is left, but leave room for each other.
   RunStart begin(const PlannedRun& run, double elapsed_s);
   RunVerdict ended(const PlannedRun& run, const RunEnd& end);
 
-  /// What runs are expected to take over what remains of the simulated time.
+  /// The time that runs are expected to take up to the planned end of the simulated time.
   const Pace& pace() const { return pace_; }
-  /// Wall time that a run was expected to take when it was ended as too slow [s].
+  /// The wall time that a run was expected to take when it was ended as too slow [s].
   double expected_of(const std::string& id) const { return patient_.at(id); }
   double left_s(double elapsed_s) const;
 
@@ -65,9 +67,9 @@ class Allotment {
   bool essential(const PlannedRun& run) const;
   double share() const;
   double expected_s(const PlannedRun& run) const { return share() * pace_.expected_s(run); }
-  /// Wall time of those runs of the first realisation that have not begun.
+  /// The expected wall time [s] of those runs of the first realisation that have not begun and that `counts` selects.
   double missing_s(const std::function<bool(const PlannedRun&)>& counts) const;
-  /// Below it no mean can be told; infinite where that is not known [s].
+  /// The earliest end of the simulated time that gives a mean load [s]; infinite if it is not known.
   double least_end() const;
   bool worth_telling(double reached_s) const;
   void shorten(double elapsed_s);
@@ -76,14 +78,15 @@ class Allotment {
   Plan& plan_;
   double budget_s_, stated_budget_s_;
   int jobs_;
-  double planned_end_;                                             ///< [s]
-  double window_from_ = std::numeric_limits<double>::quiet_NaN();  ///< of the first setting; NaN: not known [s]
-  bool pace_known_ = false;                                        ///< the first setting ran once
-  bool beside_done_ = false;                                       ///< another setting is done in the first realisation
-  Pace pace_;                                                      ///< as if every run went on to the planned end
-  std::map<std::string, double> patient_;    ///< runs that end before the budget does, and what they should take [s]
-  std::map<std::string, double> begun_end_;  ///< of runs that began, the plan's end then [s]
-  std::set<std::size_t> slow_;               ///< settings that had a run which was too slow
+  double planned_end_;  ///< end of the simulated time as planned [s]
+  double window_from_ =
+      std::numeric_limits<double>::quiet_NaN();  ///< start of the first setting's window [s]; NaN: not known
+  bool pace_known_ = false;                      ///< the first setting has run once
+  bool beside_done_ = false;                     ///< another setting is done in the first realisation
+  Pace pace_;                                    ///< times as if every run went to the planned end
+  std::map<std::string, double> patient_;        ///< expected times of runs that have a limit below the budget [s]
+  std::map<std::string, double> begun_end_;      ///< the plan's end at the time when each run began [s]
+  std::set<std::size_t> slow_;                   ///< settings with a run that was too slow
 };
 
 }  // namespace nilas

@@ -11,9 +11,9 @@
 namespace nilas {
 
 void demand_reference_run(const std::filesystem::path& from, const Scene& scene) {
-  const std::string allowed = "; allowed: auto, or a folder in which `nilas run` of this scene came to its end";
+  const std::string allowed = "; allowed: auto, or the folder of a run of this scene that is done";
   if (!std::filesystem::exists(from / "summary.json"))
-    throw InputError("--reference: " + from.string() + " is no run folder (there is no summary.json)" + allowed);
+    throw InputError("--reference: " + from.string() + " is no run folder, because it has no summary.json" + allowed);
   const RunResult run = read_run(from, {}, ChildResult{.exit_code = 0});
   if (run.summary.status != "done")
     throw InputError("--reference: the run in " + from.string() + " is not done" + allowed);

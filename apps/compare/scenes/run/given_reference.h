@@ -1,5 +1,5 @@
 #pragma once
-/// A run folder of the user's, in place of the reference that a comparison would make.
+/// A run folder that the user gives in place of the reference that a comparison would make.
 #include <filesystem>
 #include <map>
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace nilas {
 
-/// Throws InputError where the folder does not hold a whole run of the scene, of the same seed and length.
+/// Throws InputError if the folder does not hold a whole run of the scene with the same seed and length.
 void demand_reference_run(const std::filesystem::path& from, const Scene& scene);
 
-/// Makes it the run that every realisation of the study is judged by: in the study's plan, its folder and `results`.
+/// Makes that run the reference of every realisation of the study, in the study's plan, its folder and `results`.
 /// Throws FileError.
 void take_reference(SceneStudy& study, const SceneStore& folder, std::map<std::string, RunResult>& results);
 

@@ -19,7 +19,7 @@ std::vector<std::string> columns() {
   return names;
 }
 
-/// A run that was ended while it began left a file without its header.
+/// Whether a file holds anything. A run that was ended while it began leaves a file without its header.
 bool holds_rows(const std::filesystem::path& file) {
   return std::filesystem::exists(file) && std::filesystem::file_size(file) > 0;
 }

@@ -15,7 +15,7 @@ Quat turned(const Quat& q, const Vec3& angle) {
   return size > 0 ? Quat(Eigen::AngleAxisd(size, angle / size)) * q : q;
 }
 
-/// Nothing where no body is in both.
+/// The distance between two samples; nothing if no body is in both.
 std::optional<Distance> distance(const Sample& a, const Sample& b) {
   Distance apart;
   apart.t = a.t;

@@ -1,5 +1,5 @@
 #pragma once
-/// Where the bodies of a run were at its samples.
+/// The positions and attitudes of the bodies of a run at its samples.
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -25,21 +25,21 @@ using Motion = std::vector<Sample>;
 /// Reads bodies.csv. Throws FileError where it cannot be read.
 Motion read_motion(const std::filesystem::path& bodies_csv);
 
-/// How far two motions are apart.
+/// The distance between two motions at one time.
 struct Distance {
-  double t = 0;              ///< of the sample [s]
-  double largest = 0;        ///< over bodies, between centres of mass [m]
-  double rms = 0;            ///< [m]
+  double t = 0;              ///< time of the sample [s]
+  double largest = 0;        ///< largest distance between centres of mass over the bodies [m]
+  double rms = 0;            ///< root mean square distance over the bodies [m]
   Vec3 axes = Vec3::Zero();  ///< largest per axis [m]
   double turn = 0;           ///< largest angle between attitudes [rad]
-  bool same_bodies = true;   ///< the ids are the same; otherwise it is of those in both
+  bool same_bodies = true;   ///< the ids are the same; otherwise only bodies in both count
 };
 
-/// One per sample of `a` that `b` has too. Times may differ by less than half the distance between samples: what is
-/// left is bridged with b's velocities.
+/// The distances, one per sample of `a` that `b` has too. Times may differ by up to half the interval between samples;
+/// the remainder is extrapolated with b's velocities.
 std::vector<Distance> distances(const Motion& a, const Motion& b);
 
-/// Longest path of any body between the first sample and a later one [m].
+/// The longest straight distance of any body from its place in the first sample [m].
 double longest_path(const Motion& motion);
 
 }  // namespace nilas

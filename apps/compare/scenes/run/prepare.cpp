@@ -12,7 +12,7 @@ namespace nilas {
 
 namespace {
 
-/// What the measurements share.
+/// The input that all measurements share.
 struct Workbench {
   const Scene& scene;
   const SceneStore& store;
@@ -20,7 +20,7 @@ struct Workbench {
   const std::function<bool()>& stop;
   double started_s;
 
-  /// Of the budget [s]; 0: there is none.
+  /// The time that is left of the budget [s]; 0: there is no budget.
   double left_s() const {
     constexpr double k_least_s = 1e-3;
     return study.budget_s > 0 ? std::max(k_least_s, study.budget_s - (steady_seconds() - started_s)) : 0;
@@ -38,13 +38,13 @@ struct Workbench {
 
 bool needs_reference(const SceneStudy& study) { return !study.ablation && study.reference == "auto"; }
 
-/// How long each measurement may take [s].
+/// The wall time that each measurement may take [s].
 double probe_limit(double budget_s) {
   constexpr double k_share = 0.05, k_most_s = 30, k_least_s = 1;
   return budget_s > 0 ? std::clamp(k_share * budget_s, k_least_s, k_most_s) : k_most_s;
 }
 
-/// One that makes no step in its time has four times as long.
+/// Measures the first setting. If it makes no step in its time, it is tried again with four times as much.
 Probe probe_first(const Workbench& bench, const CompareSetting& first, double limit_s) {
   constexpr double k_patience = 4;
   Probe found = bench.probe_setting(first, "probe", bench.at_most(limit_s), bench.scene.time.end);
@@ -89,16 +89,16 @@ void add_reference(const Workbench& bench, const Grid& grid, const PlanWishes& w
   }
 }
 
-/// Later steps cost more, and runs slow each other down: the first setting once more over the whole time of the plan,
-/// next to as many runs as there will be, and the plan anew by what that took.
+/// Runs the first setting over the whole time of the plan, next to as many runs as there will be, and makes the plan
+/// again with the cost of that: later steps cost more, and runs slow each other down.
 void rehearse(const Workbench& bench, const Narrator& narrator, PlanInput& input, SceneStudy& study) {
   constexpr double k_share = 0.15, k_least_ms = 20;
   const double length = study.plan.end - study.plan.start;
   const bool known = input.request.jobs == 1 && input.cost.rate.back().until >= length;
   const double expected = input.cost.setup_s + input.cost.steps_seconds(length);
   if (known || study.probe_ms < k_least_ms || expected > k_share * bench.left_s() || bench.stop()) return;
-  narrator.sentences(fmt::format("measuring a whole run next to {} other{}, about {:.2g} s ...", input.request.jobs - 1,
-                                 input.request.jobs == 2 ? "" : "s", expected));
+  narrator.sentences(fmt::format("Measuring a whole run next to {} other{}, which takes about {:.2g} s ...",
+                                 input.request.jobs - 1, input.request.jobs == 2 ? "" : "s", expected));
   const Probe whole = bench.probe_setting(input.settings.front(), "probe-whole", 2 * k_share * bench.left_s(),
                                           study.plan.end, input.request.jobs - 1);
   if (whole.steps == 0) return;
@@ -115,7 +115,7 @@ std::string prepare(const Scene& scene, const Grid& grid, const PlanWishes& wish
                     const Narrator& narrator, const std::function<bool()>& stop, SceneStudy& study) {
   const Workbench bench{scene, store, study, stop, wishes.started_s};
   const double limit_s = probe_limit(study.budget_s);
-  narrator.sentences(fmt::format("measuring the time of a step {}, about {:.2g} s each, alone on the machine ...",
+  narrator.sentences(fmt::format("Measuring the time of a step {}, alone on the machine, for about {:.2g} s each ...",
                                  study.ablation           ? "without simplifications"
                                  : needs_reference(study) ? "of the scene's own setting and of the reference"
                                                           : "of the scene's own setting",
@@ -131,8 +131,8 @@ std::string prepare(const Scene& scene, const Grid& grid, const PlanWishes& wish
     study.event_driven = !input.request.check;
   }
   if (first.steps == 0)
-    Narrator::warning("the time that runs take is not known, so all of them are planned: " +
-                      (first.trouble.empty() ? "no step was done in the time for measuring" : first.trouble));
+    Narrator::warning("The time that runs take is not known, so all of them are planned: " +
+                      (first.trouble.empty() ? "no step was done in the time for the measurement" : first.trouble));
   input.request.budget_s = bench.left_s();
   input.settings = grid.settings;
   input.core = wishes.core;

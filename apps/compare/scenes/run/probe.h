@@ -1,5 +1,5 @@
 #pragma once
-/// What a scene costs, from the first seconds of a run that has the machine for itself.
+/// The cost of a scene, measured on the first seconds of a run that has the machine for itself.
 #include <limits>
 #include <optional>
 
@@ -9,27 +9,28 @@
 namespace nilas {
 
 struct Probe {
-  std::size_t steps = 0;                                          ///< that it made
-  double length = 0;                                              ///< simulated [s]
-  double window_from = std::numeric_limits<double>::quiet_NaN();  ///< of its mean load; NaN: no ice touched [s]
-  double setup_s = 0;                         ///< wall time beside the steps: reading, packing ice, writing, starting
-  std::vector<double> time_s, ms, solver_ms;  ///< per step
-  std::string trouble;                        ///< why it made none, or ended by itself before its end
+  std::size_t steps = 0;  ///< number of steps that it made
+  double length = 0;      ///< simulated time [s]
+  double window_from =
+      std::numeric_limits<double>::quiet_NaN();  ///< start of its mean load's window [s]; NaN: no ice touched
+  double setup_s = 0;                            ///< wall time of reading, packing ice, writing and starting [s]
+  std::vector<double> time_s, ms, solver_ms;     ///< end [s], time and solver time [ms] of each step
+  std::string trouble;                           ///< why it made no step, or ended by itself before its end
   int exit_code = 0;
 
   double total_ms() const;
-  /// Of the solver in the steps up to a simulated time.
+  /// The time of the solver in the steps up to a simulated time [s], in milliseconds.
   double solver_ms_until(double t) const;
 };
 
-/// Runs until `limit_s` of wall time have gone, with `beside` more of the same at once, each on a core of its own.
-/// `start`: of the scene [s].
+/// Makes a run for `limit_s` of wall time, with `beside` more of the same at once, each on a core of its own. `start`:
+/// start time of the scene [s].
 Probe probe(const SceneRun& run, double start, double limit_s, int beside, const std::function<bool()>& stop);
 
-/// From the probe of the first setting.
+/// The cost model from the probe of the first setting. `start`: start time of the scene [s].
 CostModel cost_model(const Probe& first, double start);
-/// Time of a step's solve of the reference over the first setting's, over the simulated time that both reached; nothing
-/// where that is none or without contact.
+/// The ratio of the time of a step's solve of the reference to the first setting's, over the simulated time that both
+/// reached. Nothing if there is no such time, or no solver time in it.
 std::optional<double> reference_weight(const Probe& first, const Probe& reference, double first_step,
                                        double reference_step, double start);
 

@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
 
-/// The last line of a log that says what went wrong.
+/// The last line of a log that is no warning, cut to 300 characters.
 std::string last_words(const std::filesystem::path& log) {
   std::ifstream in(log);
   std::string line, last;
@@ -53,7 +53,7 @@ double RunResult::ms_per_step() const {
   double ms = 0;
   for (int p = 0; p < k_num_phases; ++p)
     if (static_cast<Phase>(p) != Phase::output) ms += summary.phase_ms[p];
-  // the phases are timed by the wall clock: what the run waited for is taken out in proportion
+  // the phases are timed by the wall clock, so the time that the run waited is removed in proportion
   return cpu_s > 0 && cpu_s < wall_s ? ms * cpu_s / wall_s : ms;
 }
 
@@ -95,9 +95,9 @@ RunResult read_run(const std::filesystem::path& folder, const std::filesystem::p
   result.summary = read_run_summary(folder);
   if (result.done() && !result.summary.exists()) {
     result.status = "failed";
-    result.cause = "left no summary.json";
+    result.cause = "the run left no summary.json";
   }
-  // a run that was ended while it began left a file without its header
+  // a run that was ended while it began leaves a file without its header
   if (!std::filesystem::exists(folder / "steps.csv") || std::filesystem::file_size(folder / "steps.csv") == 0)
     return result;
   const auto columns = csv_columns(folder / "steps.csv", {"stabilisation_J", "penetration_mean_m"});

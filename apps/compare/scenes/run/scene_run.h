@@ -7,15 +7,15 @@
 
 namespace nilas {
 
-/// What a run of a comparison is made with.
+/// The input of a run of a comparison.
 struct SceneRun {
   std::filesystem::path scene, folder, log;
-  Overrides overrides;      ///< of the user, the setting and the realisation, in this order
-  double end = 0;           ///< simulated [s]
-  double sample_every = 0;  ///< between stored states of all bodies; 0: none are stored [s]
+  Overrides overrides;      ///< overrides of the user, the setting and the realisation, in this order
+  double end = 0;           ///< end of the simulated time [s]
+  double sample_every = 0;  ///< time between stored states of all bodies [s]; 0: none are stored
 };
 
-/// `nilas run`, one thread, without the outputs that a comparison does not read.
+/// The process of a run: `nilas run` on one thread, without the outputs that a comparison does not read.
 ChildTask task_of(const SceneRun& run);
 
 }  // namespace nilas

@@ -107,13 +107,14 @@ Plan plan_of(const Json& json) {
   plan.realisations = json.at("realisations");
   plan.vary_seed = json.at("vary_seed");
   plan.estimate_s = json.at("estimate_s");
-  plan.whole_s = json.at("whole_s").is_number() ? json.at("whole_s").get<double>() : 0;  // no limit: not known
+  plan.whole_s = json.at("whole_s").is_number() ? json.at("whole_s").get<double>()
+                                                : 0;  // without a limit it is infinite and stored as null
   return plan;
 }
 
 constexpr const char* k_study = "study.json";
 
-/// Names of the entries that a comparison writes.
+/// The names of the entries that a comparison writes.
 StudyFiles own_files() {
   static const std::set<std::string> names{k_study,        "compare.json", "compare.html", "compare.csv",
                                            "settings.csv", "loads.csv",    "runs",         "results"};
@@ -162,7 +163,7 @@ SceneStudy SceneStore::read() const {
   const Json json = read_json(path() / k_study);
   if (!json.is_discarded() && json.contains("version") && !json.contains("plan"))
     throw InputError("--resume: the comparison in " + path().string() +
-                     " was ended before it had a plan; begin it again with --force");
+                     " ended before it had a plan; begin it again with --force");
   try {
     if (json.is_discarded() || json.at("version") != k_version) throw InputError("");
     SceneStudy study;
@@ -183,7 +184,7 @@ SceneStudy SceneStore::read() const {
     study.plan = plan_of(json.at("plan"));
     return study;
   } catch (const std::exception&) {
-    throw InputError((path() / k_study).string() + ": not a comparison that this version can go on with");
+    throw InputError((path() / k_study).string() + ": this version cannot continue the comparison");
   }
 }
 
@@ -204,7 +205,7 @@ std::map<std::string, RunResult> SceneStore::results(const Plan& plan) const {
     try {
       if (!json.is_discarded()) all[run.id] = run_result_from(json);
     } catch (const nlohmann::json::exception&) {
-      continue;  // not ours, or of another version: the run is made again
+      continue;  // the run is made again
     }
   }
   return all;

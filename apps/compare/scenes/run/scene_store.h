@@ -1,9 +1,9 @@
 #pragma once
-/// The folder of a comparison of one scene: what was asked, what was planned, and what each run gave.
+/// The folder of a comparison of one scene, with its request, its plan and the result of each run.
 ///
-///   study.json          what was asked, the plan; its version alone until there is a plan
-///   results/<id>.json   of a run that ended, written whole
-///   runs/<id>/          its folder
+///   study.json          the request and the plan; its version alone until there is a plan
+///   results/<id>.json   the result of a run that ended, written whole
+///   runs/<id>/          the folder of the run
 #include <filesystem>
 #include <map>
 #include <string>
@@ -18,21 +18,21 @@ class SceneStore {
  public:
   /// Takes a folder for a new comparison. Throws as StudyFolder::claim.
   SceneStore(const std::filesystem::path& path, bool force);
-  /// Opens that of an earlier one. Throws as StudyFolder::open.
+  /// Opens the folder of an earlier comparison. Throws as StudyFolder::open.
   explicit SceneStore(const std::filesystem::path& path);
 
-  /// For a comparison that could not begin.
+  /// Removes all that the comparison wrote; for one that could not begin.
   void abandon() { folder_.abandon(); }
   const std::filesystem::path& path() const { return folder_.path(); }
   std::filesystem::path run_folder(const std::string& id) const { return path() / "runs" / id; }
 
   void write(const SceneStudy& study) const;
-  /// Throws InputError where the folder holds no study of this version.
+  /// Reads the study. Throws InputError if the folder holds no study of this version.
   SceneStudy read() const;
   void write_result(const std::string& id, const RunResult& result) const;
-  /// The run is made again when the comparison goes on.
+  /// Removes the result of a run, which is then made again when the comparison is resumed.
   void forget(const std::string& id) const;
-  /// Of all runs that ended.
+  /// The stored results by run. Those that cannot be read are left out.
   std::map<std::string, RunResult> results(const Plan& plan) const;
 
  private:

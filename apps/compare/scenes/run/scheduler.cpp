@@ -13,7 +13,7 @@ namespace nilas {
 
 namespace {
 
-/// Status of a run that took far longer than was expected of it.
+/// The status of a run that took far longer than expected.
 constexpr const char* k_too_slow = "too slow";
 
 class Scheduler {
@@ -54,7 +54,7 @@ class Scheduler {
  private:
   double elapsed() const { return steady_seconds() - started_s_; }
 
-  /// Results on disk, and those of this session that are not kept.
+  /// The results on disk and those of this session that are not stored.
   std::map<std::string, RunResult> all_results() const {
     auto results = store_.results(study_.plan);
     for (const auto& [id, result] : made_) results[id] = result;
@@ -78,7 +78,7 @@ class Scheduler {
     if (start.too_slow) {
       RunResult& result = made_[run.id];
       result.status = k_too_slow;
-      result.cause = "not begun: another realisation of this setting was ended for its time";
+      result.cause = "not begun, because another realisation of this setting was too slow";
       ++ended_;
     } else if (!start.begins) {
       session_.late.push_back(run.id);
@@ -101,7 +101,7 @@ class Scheduler {
     if (result.done() && !kept([&] { keep_load_series(folder); })) result.status = "interrupted";
     made_[run.id] = result;
     if (result.status == "budget") session_.late.push_back(run.id);
-    // what was interrupted or ended by the budget runs again when the comparison goes on
+    // runs that were interrupted or that the budget ended are made again when the comparison is resumed
     if (result.done() || result.failed()) kept([&] { store_.write_result(run.id, result); });
     if (!study_.keep_runs) thin_out(folder);
     ++ended_;
@@ -110,7 +110,7 @@ class Scheduler {
     if (!result.cause.empty()) narrator_.line("    " + result.cause);
   }
 
-  /// Time of the steps that the probe made too [ms]; 0 where the run made fewer.
+  /// The time of the steps that the probe made too [ms]; 0 if the run made fewer.
   double first_steps_ms(const std::filesystem::path& folder) const {
     const StepTimes times = read_step_times(folder);
     if (times.ms.size() < study_.probe_steps) return 0;
@@ -119,7 +119,8 @@ class Scheduler {
     return sum;
   }
 
-  /// A run that was ended at its limit counts as done where all runs are compared over no more than it reached.
+  /// Sets the status of a run that was ended at its limit. It is done if all runs are compared over no more than it
+  /// reached.
   void judge_end(const PlannedRun& run, RunResult& result) {
     const RunEnd end = run_end(result, study_.plan.start);
     const double before = study_.plan.end;
@@ -133,7 +134,7 @@ class Scheduler {
         break;
       case RunVerdict::too_slow:
         result.status = k_too_slow;
-        result.cause = fmt::format("ended after {:.3g} s, where {:.3g} s were expected", result.wall_s,
+        result.cause = fmt::format("ended after {:.3g} s, although {:.3g} s were expected", result.wall_s,
                                    allotment_.expected_of(run.id));
         break;
     }
@@ -146,7 +147,7 @@ class Scheduler {
     narrator_.sentences(words_.shorter(study_.plan, before, allotment_.pace().factor()));
   }
 
-  /// Once, after the first realisation: whether the budget has room for the others, by what runs really took.
+  /// States once, after the first realisation, if the budget has no room for the others, from the times of the runs.
   void note_room() {
     if (room_noted_ || made_.empty()) return;
     room_noted_ = true;
@@ -155,16 +156,16 @@ class Scheduler {
                  room = std::max(k_least_s, study_.budget_s - elapsed());
     if (wanted > room)
       narrator_.sentences(
-          fmt::format("The other realisations need about {}, and {} are left of the budget: their runs are made in "
-                      "order as far as it "
-                      "reaches.",
+          fmt::format("The other realisations need about {}, but {} of the budget are left. Their runs are made in "
+                      "order until it is used up.",
                       duration_text(wanted), duration_text(room)));
   }
 
   void note_file_error(const std::string& error) {
     if (session_.file_error.empty()) session_.file_error = error;
   }
-  /// A disk that is full ends the comparison, but not before it has shown what is done.
+  /// Writes, and returns whether that worked. A full disk ends the comparison, but only after the report on what is
+  /// done.
   bool kept(const std::function<void()>& write) {
     try {
       write();
@@ -183,7 +184,7 @@ class Scheduler {
   const std::function<bool()>& stop_;
   Allotment allotment_;
   std::vector<PlannedRun> runs_;
-  std::map<std::string, RunResult> made_;  ///< in this session
+  std::map<std::string, RunResult> made_;  ///< results of this session
   SessionEnd session_;
   bool room_noted_ = false;
   std::size_t ended_ = 0;

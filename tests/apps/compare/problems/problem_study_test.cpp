@@ -61,7 +61,8 @@ TEST(ProblemStudy, JudgesByTheYardstickAndListsFailuresByCause) {
   EXPECT_EQ(find(rows, "particle", "enumerate").sliding, 1);
   EXPECT_EQ(find(rows, "broken", "").outcome, RunOutcome::unreadable);
   const std::string page = read_text(folder.path() / "out/compare.html");
-  for (const char* word : {"newton solved all 4 problems", "stalled", "broken", "<svg", "How this was measured"})
+  for (const char* word :
+       {"newton solved all 4 problems", "stalled", "broken", "<svg", "How the solvers were compared"})
     EXPECT_TRUE(mentions(page, word)) << word;
   const auto json = nlohmann::json::parse(read_text(folder.path() / "out/compare.json"));
   EXPECT_EQ(json["status"], "done");
@@ -134,9 +135,9 @@ TEST(ProblemStudy, ABudgetOfTwoSecondsSaysWhatItLeftOut) {
   write_problems(folder);
   const auto run = run_nilas(study("--budget 2"), folder.path());
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_TRUE(mentions(run.out, "no room within 2 s for")) << run.out;
+  EXPECT_TRUE(mentions(run.out, "the budget of 2 s has no time for")) << run.out;
   const std::string page = read_text(folder.path() / "out/compare.html");
-  EXPECT_TRUE(mentions(page, "Left out for lack of time"));
+  EXPECT_TRUE(mentions(page, "The budget had no time for"));
   EXPECT_GT(rows_of(folder).size(), 5U);
   EXPECT_FALSE(nlohmann::json::parse(read_text(folder.path() / "out/compare.json"))["dropped"].empty());
 }
