@@ -279,13 +279,13 @@ TEST(HullCommand, FlagsThatWouldDoNothingAreRefused) {
          {"--scale 0.001", "--forward y", "--up y", "--gap 1e-3", "--fill-holes 1", "--tolerance 0.1", "--parts 3"}) {
       const auto refused = run_nilas("hull " + beside + " " + flag + " --out made", folder.path());
       EXPECT_EQ(refused.exit_code, 2) << beside << ' ' << flag;
-      for (const std::string& word : {"found " + flag.substr(0, flag.find(' ')) + " beside", std::string("allowed: ")})
+      for (const std::string& word : {"found " + flag.substr(0, flag.find(' ')) + " with ", std::string("allowed: ")})
         EXPECT_NE(refused.err.find(word), std::string::npos) << beside << ' ' << flag << ": " << refused.err;
       EXPECT_FALSE(fs::exists(folder / "made"));
     }
   const auto form = run_nilas("hull box.obj --stem-angle 30 --out made", folder.path());
   EXPECT_EQ(form.exit_code, 2);
-  EXPECT_NE(form.err.find("found --stem-angle-deg beside MESH"), std::string::npos) << form.err;
+  EXPECT_NE(form.err.find("found --stem-angle-deg with MESH"), std::string::npos) << form.err;
 }
 
 TEST(HullCommand, AHullFolderIsReportedAtAnotherDraught) {
