@@ -28,9 +28,8 @@ struct DragCoefficients {
 };
 /// Makes the module of quadratic drag. limit() keeps an explicit step stable for slivers at great speeds: it scales the
 /// wrench W of a free body down to W P / (h W . M^-1 W) where that is less than W. P is the power that the drag takes
-/// from the motion through the water. The scaled drag takes at most h P in a step, half of it where limit() acts, and
-/// never gives energy. With `order_free` the bits do not depend on the order of faces, and mirrored bodies take
-/// mirrored loads.
+/// from the motion through the water. The scaled drag takes at most half of h P, and never gives energy. With
+/// `order_free` the bits do not depend on the order of faces, and mirrored bodies take mirrored loads.
 std::unique_ptr<ForceModule> make_drag(const Water& water, const DragCoefficients& coefficients, int threads,
                                        bool order_free = false);
 
