@@ -11,19 +11,19 @@ namespace nilas {
 
 namespace {
 
-/// A starter crack this short, of the crack's whole length, leaves the floe its largest strength [-].
+/// Length of the starter crack over that of the whole crack: so short that the floe has its largest strength [-].
 constexpr double k_starter_share = 1e-3;
 
 double angle_of(const Vec2& direction) { return std::atan2(direction.y(), direction.x()); }
 
-/// Where stress does not yet spread through the thickness, a load counts as wider than it is: Westergaard's equivalent
-/// radius (1926), for loads of less than 1.724 h.
+/// Westergaard's equivalent length (1926) of a load shorter than 1.724 h, from which stress has not yet spread through
+/// the thickness. Its use for loads at an edge is a choice of this program.
 double equivalent_length(double length, double h) {
   constexpr double k_thin = 1.724;
   return length < k_thin * h ? std::sqrt(1.6 * length * length + h * h) - 0.675 * h : length;
 }
 
-/// Extent of the outline across a direction [m].
+/// The extent of the outline across a direction [m].
 double breadth(const std::vector<Vec2>& outline, const Vec2& direction) {
   const Vec2 across(-direction.y(), direction.x());
   double low = across.dot(outline.front()), high = low;
@@ -34,7 +34,7 @@ double breadth(const std::vector<Vec2>& outline, const Vec2& direction) {
   return high - low;
 }
 
-/// Whether the ice goes farther from the apex than the circumferential crack in the middle of one of the wedges.
+/// Whether the ice reaches beyond the circumferential crack in the middle of at least one wedge.
 bool reaches_beyond(const std::vector<Vec2>& outline, const BendingState& state) {
   const WedgeFan& fan = state.fan;
   for (int i = 0; i < fan.wedges; ++i) {
@@ -114,7 +114,8 @@ CrackPath FailureRules::path_from(const Vec2& start, const std::vector<Vec2>& ou
                     *ice.around);
 }
 
-/// Largest force on the crack's way; H alone is least somewhere, so that of a segment lies at its ends or there.
+/// The largest growth force along the crack [N]. Within a segment of one toughness it is at an end, or where H is
+/// least.
 double FailureRules::bearable_force(const CrackPath& path, const SplittingFloe& floe) const {
   const double all = path.length(), easiest = splitting_->least(floe.width / floe.length).crack;
   SplittingFloe segment = floe;
@@ -138,7 +139,7 @@ std::optional<FailureRules::SplittingState> FailureRules::splitting_state(const 
   if (!chord) return std::nullopt;
   const double L = chord->length();
   const SplittingFloe floe{L, breadth(outline, contact.inward), ice.thickness, ice.fracture_toughness};
-  // the table's widest floe is all but half infinite; a chord across a corner is none of it
+  // The table's widest floe is almost a half-plane. A wider one means that the chord only cuts off a corner.
   if (floe.width > splitting_table::widest * L) return std::nullopt;
   if (!curves(ice))
     return SplittingState{contact.opening / splitting_force(*splitting_, floe, k_starter_share * L),
@@ -167,7 +168,7 @@ double FailureRules::link(const IceAtContact& ice) const { return 0.5 * beam_cha
 std::vector<Failure> FailureRules::failures(const std::vector<Vec2>& outline, const EdgeContact& contact,
                                             const IceAtContact& ice, double least) const {
   std::vector<Failure> found;
-  // in the middle of the ice it is no load on an edge
+  // Such a load is in the middle of the ice, not on its edge.
   if (contact.from_edge > link(ice) + 0.5 * contact.depth) return found;
   const BendingState state = bending_state(outline, contact, ice);
   if (settings_.splitting == SplittingModel::geometric)

@@ -1,5 +1,5 @@
 #pragma once
-/// Whether a floe breaks under what presses on its edge, and along which cracks. docs/theory/fracture.md
+/// Rules that say whether a floe breaks under a load on its edge, and along which cracks. docs/theory/fracture.md
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,81 +25,82 @@ struct FailureSettings {
   double gravity = defaults::k_gravity;              ///< [m/s^2]
   bool bending = false;
   double wedge_angle = defaults::k_wedge_angle_deg * k_deg;  ///< alpha_wedge [rad]
-  SpeedRule speed;                                           ///< of the breaking length
+  SpeedRule speed;                                           ///< The rule of the breaking length at speed.
   std::optional<SplittingModel> splitting;
-  double multiplier = defaults::k_split_multiplier;  ///< S_k of splitting by geometry
-  double min_area = 0;                               ///< of a piece that splitting leaves [m^2]
-  double max_aspect = defaults::k_max_aspect;        ///< R_size, of the same
-  bool curved = false;                               ///< cracks go where the ice around the contact is weak
+  double multiplier = defaults::k_split_multiplier;  ///< S_k of the rule `geometric`.
+  double min_area = 0;                               ///< Least area of a piece that splitting leaves [m^2].
+  double max_aspect = defaults::k_max_aspect;        ///< R_size: largest aspect of such a piece.
+  bool curved = false;                               ///< Cracks follow the weak ice around the contact.
   double segment = defaults::k_segment_thicknesses;  ///< longest segment of curved splitting cracks [thicknesses]
 };
 
-/// What a floe bears near a contact.
+/// Thickness and strengths of a floe near a contact.
 struct IceAtContact {
   double thickness = 0;              ///< [m]
   double flexural_strength = 0;      ///< [Pa]
   double fracture_toughness = 0;     ///< [Pa sqrt(m)]
-  const LocalIce* around = nullptr;  ///< for curved cracks; none: alike everywhere
+  const LocalIce* around = nullptr;  ///< The ice around, for curved cracks; null: uniform.
 };
 
 enum class FailureKind { bending, splitting, crushing };
 std::string name_of(FailureKind kind);
 
-/// A way to break.
+/// A failure mode of a floe under a load, with its cracks.
 struct Failure {
   FailureKind kind = FailureKind::bending;
-  double ratio = 0;           ///< load over what the ice bears; it breaks from 1 on
-  Vec2 point = Vec2::Zero();  ///< of the edge where it starts, in B; of crushing the middle of what goes [m]
-  double radius = 0;          ///< of the circumferential crack, where it is farthest [m]; 0 of splitting by lefm
-  std::vector<std::vector<Vec2>> cracks;  ///< for cut_floe
-  CrushedIce crushed = {};                ///< for cut_floe; none but of crushing
+  double ratio = 0;  ///< The load over the load that the ice bears; the floe breaks from 1 on.
+  /// The point of the edge where the break starts, in B; for crushing the centroid of the ice that leaves [m].
+  Vec2 point = Vec2::Zero();
+  double radius = 0;  ///< Largest radius of the circumferential crack [m]; 0 for splitting by `lefm`.
+  std::vector<std::vector<Vec2>> cracks;  ///< The cracks for cut_floe, in B [m].
+  CrushedIce crushed = {};                ///< The crushed ice for cut_floe; empty unless `kind` is crushing.
 };
 
-/// Stresses at an edge under a load, over what the ice bears.
+/// Stresses at an edge under a load, over the flexural strength.
 struct BendingState {
-  double radial = 0;  ///< largest stress of the whole sheet over the flexural strength: radial cracks from 1 on
-  double wedges = 0;  ///< of the wedges between radial cracks: the circumferential crack from 1 on
+  double radial = 0;  ///< Largest stress of the uncracked sheet over the strength; radial cracks from 1 on.
+  double wedges = 0;  ///< The same for the wedges between radial cracks; circumferential crack from 1 on.
   double radius = 0;  ///< R_bending [m]
   WedgeFan fan;
-  std::vector<double> radii;  ///< of the circumferential crack where it is curved, as wedge_cracks takes them [m]
+  std::vector<double> radii;  ///< Radii of a curved circumferential crack, for wedge_cracks [m]; else empty.
 };
 
-/// Tables of the models that are asked for, built once; then pure.
+/// The failure rules of a scene. The constructor builds the tables of the models in use; all else is pure.
 class FailureRules {
  public:
   explicit FailureRules(const FailureSettings& settings);
 
-  /// Two stages [Nevel; the order of Metrikin 2014]: the floe's edge as that of a half-infinite plate under the
-  /// vertical load P, spread over the contact's width, cracks radially at its flexural strength (EdgeLoad); then the
-  /// wedges between those cracks, as many as span the ice from edge to edge in angles nearest to `wedge_angle`, share P
-  /// over the contact's depth and break at x_max (WedgeTable, bending_radius). Half the width, and the depth, are
-  /// Westergaard's equivalent lengths of loads narrower than 1.724 h, sqrt(1.6 x^2 + h^2) - 0.675 h. With curved cracks
-  /// each wedge breaks at its weakest section (weakest_sections), once the edge has cracked.
+  /// The two stages of bending (docs/theory/fracture-breaking.md). First the edge of a half-infinite plate under the
+  /// vertical load P, spread over the contact's width, cracks radially at its flexural strength (EdgeLoad). Then the
+  /// wedges between those cracks share P over the contact's depth and break at x_max (WedgeTable, bending_radius). The
+  /// wedges span the ice from edge to edge, with angles nearest to `wedge_angle`. Half widths and depths below 1.724 h
+  /// become Westergaard's equivalent length sqrt(1.6 x^2 + h^2) - 0.675 h (1926; Huang 2004, eq. 4.19). With curved
+  /// cracks each wedge breaks at its weakest section (weakest_sections), once the edge has cracked.
   BendingState bending_state(const std::vector<Vec2>& outline, const EdgeContact& contact,
                              const IceAtContact& ice) const;
-  /// F_Y over the largest force that a floe with the crack's length and the width across it bears (splitting_force of a
-  /// short starter crack), and the crack. None where no line leads through the ice,
-  /// or where it is more than eight times wider than long: there a corner is cut off, no floe split. A curved crack
-  /// (crack_path) runs through at the largest force that its ice bears on the way: of K_IC(A) h sqrt(L) / H(A/L, W/L),
-  /// A measured along it, L its straight length.
+  /// Splitting by `lefm`: the crack, and F_Y over the force that the floe bears.
   struct SplittingState {
     double ratio = 0;
     std::vector<Vec2> crack;
   };
+  /// Returns the state of splitting by `lefm`. The floe has the crack's length L and the width W across it. It bears
+  /// the splitting_force of a short starter crack. A curved crack (crack_path) runs through at the largest value of
+  /// K_IC(A) h sqrt(L) / H(A/L, W/L), with A measured along the crack and L straight. Returns nothing where no line
+  /// leads through the ice. Also where W > 8 L, since the crack would only cut off a corner of the floe.
   std::optional<SplittingState> splitting_state(const std::vector<Vec2>& outline, const EdgeContact& contact,
                                                 const IceAtContact& ice) const;
 
   bool has_curved_cracks() const { return settings_.curved; }
 
-  /// Loads on the edge this near to each other act as one: half of the wedges' characteristic length [m].
+  /// The distance within which loads on the edge act as one [m]: half of the wedges' characteristic length.
   double link(const IceAtContact& ice) const;
-  /// Ways to break of a ratio of `least` or more, the largest ratio first. None under a load whose middle is farther
-  /// from the edge than link() and half its depth.
-  ///   bending: both stages at their strength, where the ice goes farther than R_bending from the contact in the
-  ///     middle of one of the wedges at least (a tongue breaks off, however narrow it is across the load);
-  ///   geometric: radial cracks, and a chord along the load's direction that split_along takes; bending then
-  ///     only where that cut is refused;
-  ///   lefm: F_Y at what the floe bears. It competes with bending by the ratios: small floes split first.
+  /// The failure modes with a ratio of `least` or more, the largest ratio first. There are none under a load whose
+  /// middle is farther from the edge than link() and half its depth.
+  ///   bending: both stages reach the strength, and the ice reaches farther than R_bending from the contact in the
+  ///     middle of at least one wedge. A tongue therefore breaks off, however narrow it is across the load.
+  ///   geometric: the edge cracks radially, and split_along takes the chord along the load's direction. The floe then
+  ///     bends only where that cut is refused.
+  ///   lefm: F_Y reaches the force that the floe bears. The larger ratio wins against bending: small floes split first.
   std::vector<Failure> failures(const std::vector<Vec2>& outline, const EdgeContact& contact, const IceAtContact& ice,
                                 double least = 1) const;
 

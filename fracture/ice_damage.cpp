@@ -7,7 +7,7 @@
 
 namespace nilas {
 
-/// What is left of the strength stays above nothing, for ratios of it.
+/// The largest damage. Some strength must remain, since loads are divided by it.
 constexpr double k_most_damage = 0.999;
 
 IceDamage::IceDamage(const DamageRule& rule) : rule_(rule) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Damage of ice by loads below its strength, summed where they act. docs/theory/fracture-breaking.md
+/// Damage of ice by loads below its strength, summed at the places where they act. docs/theory/fracture-breaking.md
 #include <cstdint>
 #include <map>
 #include <vector>
@@ -10,45 +10,45 @@
 namespace nilas {
 
 struct DamageRule {
-  double exponent = 13.5;  ///< m of N = S^-m loads of a share S of the strength that break [-]
-  double endurance = 0.6;  ///< shares below it do no harm [-]
+  double exponent = 13.5;  ///< m: N = S^-m loads of the share S of the strength break the ice [-].
+  double endurance = 0.6;  ///< Loads of a smaller share do no harm [-].
 };
 
-/// A load counts once, with its largest share S, from where it rises to the endurance until it falls below: then it
-/// adds S^m to the damage D of its place [Miner 1945]. Ice of damage D bears 1 - D of its strength, a thousandth at
-/// least.
+/// The damage D of the loaded places of all floes. A load lasts from where its share S of the strength rises to the
+/// endurance until it falls below. It counts once, with its largest S: it adds S^m to D at its place, a linear sum as
+/// in Miner (1945). Ice of damage D bears 1 - D of its strength, at least a thousandth.
 class IceDamage {
  public:
   /// Throws ContractError unless the exponent is positive and the endurance within 0 to 1.
   explicit IceDamage(const DamageRule& rule);
 
   double endurance() const { return rule_.endurance; }
-  /// D at a place in the frame of a floe, named by its id: the largest within `reach` [m], 0 where nothing was loaded.
+  /// The largest D within `reach` [m] of a place in the frame of the floe with this id, 0 where nothing was loaded.
   double at(std::int64_t floe, const Vec2& place, double reach) const;
-  /// A share of the strength that is borne in this step. It belongs to the nearest place within `reach` [m] that was
-  /// loaded before.
+  /// Notes that the ice bears a load of this share of its strength in this step. The load belongs to the nearest place
+  /// within `reach` [m] that was loaded before, else to a new one.
   void load(std::int64_t floe, const Vec2& place, double reach, double share);
-  /// Loads that this step does not name, or named below the endurance, have ended.
+  /// Ends the loads that this step did not note, or noted below the endurance.
   void end_step();
 
-  /// A piece of the floe, its frame moved by `place` [m], has the damage within `radius` [m] of its centre.
+  /// Gives a piece of the floe the damage within `radius` [m] of its centre. Its frame is moved by `place` [m].
   void hand_on(std::int64_t floe, std::int64_t piece, const Vec2& place, double radius);
   void forget(std::int64_t floe) { marks_.erase(floe); }
 
   void save(StateWriter out) const;
-  /// Throws InputError for a state that is not whole.
+  /// Throws InputError for an incomplete state.
   void restore(const StateReader& in);
 
  private:
   struct Mark {
     Vec2 place = Vec2::Zero();  ///< [m]
     double damage = 0;
-    double peak = 0;  ///< of the load that has not ended, 0 without one
+    double peak = 0;  ///< Largest share S of the present load; 0 without one.
     bool is_loaded = false;
   };
 
   DamageRule rule_;
-  std::map<std::int64_t, std::vector<Mark>> marks_;  ///< by floe
+  std::map<std::int64_t, std::vector<Mark>> marks_;  ///< The loaded places by the id of the floe.
 };
 
 }  // namespace nilas

@@ -13,12 +13,13 @@ namespace {
 
 using Group = std::vector<PointLoad>;
 
-/// A load that leans less is vertical: its direction in the plane is chance [-].
+/// The least horizontal share of a force. Below it the load is vertical, since its direction in the plane is random
+/// [-].
 constexpr double k_least_level = 0.05;
-/// Points of less force than this share of the strongest count for nothing [-].
+/// The least force of a point that counts, over that of the strongest [-].
 constexpr double k_least_force = 1e-12;
 
-/// The strongest load that is in no group yet, with all others within `link` of it.
+/// The groups of loads: the strongest load that is in no group yet, with all others within `link` [m] of it.
 std::vector<Group> linked(const std::vector<PointLoad>& loads, double link) {
   double strongest_force = 0;
   for (const PointLoad& load : loads) strongest_force = std::max(strongest_force, load.force.norm());
@@ -42,7 +43,7 @@ std::vector<Group> linked(const std::vector<PointLoad>& loads, double link) {
   return groups;
 }
 
-/// Length of an even load along a direction.
+/// The length of an even load along a direction [m]. `whole` is the sum of the forces [N].
 double extent(const Group& group, const Vec2& along, double whole) {
   const bool of_areas = std::all_of(group.begin(), group.end(), [](const PointLoad& p) { return p.of_area; });
   double low = std::numeric_limits<double>::infinity(), high = -low, mean = 0, square = 0;
@@ -57,7 +58,7 @@ double extent(const Group& group, const Vec2& along, double whole) {
   return std::sqrt(12 * square);
 }
 
-/// Where the load came in: against its direction to the edge, or, of a vertical one, to the nearest edge.
+/// Finds the edge point where the load came in: against its direction, or the nearest one for a vertical load.
 void find_edge(const std::vector<Vec2>& outline, const Vec2& middle, double whole, EdgeContact& contact) {
   const EdgePlace nearest = nearest_edge_place(outline, middle);
   contact.edge_point = nearest.point;

@@ -13,8 +13,8 @@ namespace {
 
 using Rule = boost::math::quadrature::gauss<double, 16>;
 
-/// Ends of the panels: fine enough for sin(20 a) up to 60, where the rest has fallen below 1e-9; the growing panels
-/// beyond serve small u, for which it does not oscillate there.
+/// The ends of the panels. They are fine enough for sin(20 a) up to a = 60, where the integrand has fallen below 1e-9.
+/// The growing panels beyond serve small u, for which the integrand does not oscillate there.
 std::vector<double> panel_ends() {
   std::vector<double> ends;
   for (double a = 0; a < 12; a += 0.5) ends.push_back(a);
@@ -36,7 +36,7 @@ void for_each_node(const Use& use) {
   }
 }
 
-/// Equal to 1/a^2 up to a^-6 for large a.
+/// The part of the integrand that decays slowly: 1/a^2 but for terms of the order a^-6 for large a.
 double slow_part(double a) { return 4 / (3 * (a * a + 1)) - 1 / (3 * (a * a + 4)); }
 
 /// int_0^inf sin(a u) / (a^2 + s^2) da, u > 0.
@@ -57,7 +57,7 @@ EdgeIntegral::EdgeIntegral(double nu) : nu_(nu) {
 
 double EdgeIntegral::transfer(double a) const {
   const double s = (1 - nu_) * a * a;
-  // sqrt(a^2 + i), its imaginary part without cancellation.
+  // m = sqrt(a^2 + i), with the imaginary part computed without cancellation.
   const double re = std::sqrt(0.5 * (std::hypot(a * a, 1) + a * a)), im = 0.5 / re;
   return 1 / (2 * s * re + (1 - s * s) * im);
 }
@@ -76,7 +76,7 @@ double EdgeIntegral::moment(double u) const {
 double EdgeIntegral::deflection() const {
   double sum = 0;
   for_each_node([&](double a, double weight) { sum += weight * transfer(a); });
-  // Beyond the panels G = 2 / ((1 - nu) (3 + nu) a^3).
+  // The rest of the integral beyond the panels, where G = 2 / ((1 - nu) (3 + nu) a^3).
   const double end = panel_ends().back();
   return (sum + 1 / ((1 - nu_) * (3 + nu_) * end * end)) / k_pi;
 }

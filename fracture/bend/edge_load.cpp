@@ -11,15 +11,15 @@ namespace nilas {
 
 namespace {
 
-constexpr double k_least = 1e-3, k_most = 10;  ///< b/l in the tables
+constexpr double k_least = 1e-3, k_most = 10;  ///< Range of b/l in the tables.
 
-/// u where S is largest.
+/// The place u where S is largest.
 double peak(const TableSpline& moment) {
   return boost::math::tools::brent_find_minima([&](double u) { return -moment(u); }, 0.3, 3.0, 40).first;
 }
 
-/// Where S'' changes its sign behind the peak: half a load's length at which the stress at its middle stops being the
-/// largest one.
+/// The place behind the peak where S'' changes its sign. It is the half length b/l of a load beyond which the stress at
+/// the middle is no longer the largest.
 double inflection(const TableSpline& moment, double from) {
   const auto curvature = [&](double u) { return moment.double_prime(u); };
   std::uintmax_t steps = 60;
@@ -28,7 +28,7 @@ double inflection(const TableSpline& moment, double from) {
       .first;
 }
 
-/// Largest 3 (S(b + y) + S(b - y)) / b off the middle.
+/// The largest 3 (S(b + y) + S(b - y)) / b away from the middle of the load.
 double split_factor(const TableSpline& moment, double b, double peak_at) {
   const auto lack = [&](double y) { return -(moment(b + y) + moment(b - y)); };
   return -3 / b * boost::math::tools::brent_find_minima(lack, 0.0, b - 0.9 * peak_at, 40).second;

@@ -12,7 +12,7 @@ static void check(const IcePlate& plate) {
   NILAS_DEMAND(plate.poisson >= 0 && plate.poisson <= 0.5);
 }
 
-/// E h^3 / 12 [N m].
+/// The bending stiffness of a beam per width, E h^3 / 12 [N m].
 static double beam_rigidity(const IcePlate& plate) { return plate.youngs_modulus * std::pow(plate.thickness, 3) / 12; }
 
 static double foundation_modulus(const IcePlate& plate) { return plate.water_density * plate.gravity; }

@@ -13,12 +13,13 @@ struct IcePlate {
   double gravity = defaults::k_gravity;              ///< [m/s^2]
 };
 
-/// All three throw ContractError unless thickness, modulus, density and gravity are positive and 0 <= nu <= 0.5.
-/// D = E h^3 / (12 (1 - nu^2)) [N m].
+/// The bending stiffness D = E h^3 / (12 (1 - nu^2)) [N m]. This and the next two functions throw ContractError unless
+/// thickness, modulus, density and gravity are positive and 0 <= nu <= 0.5.
 double flexural_rigidity(const IcePlate& plate);
-/// l = (D / (rho_w g))^(1/4) [m] of a plate; one for sheets and their edges (Hertz 1884).
+/// The characteristic length of a plate, l = (D / (rho_w g))^(1/4) [m] (Hertz 1884), for sheets and their edges.
 double characteristic_length(const IcePlate& plate);
-/// l = (E h^3 / (12 rho_w g))^(1/4) [m] of a beam, one for wedges: without (1 - nu^2), as beams bend (Nevel 1961).
+/// The characteristic length of a beam, l = (E h^3 / (12 rho_w g))^(1/4) [m], for wedges. They bend as beams, without
+/// (1 - nu^2).
 double beam_characteristic_length(const IcePlate& plate);
 
 }  // namespace nilas

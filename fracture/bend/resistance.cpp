@@ -21,7 +21,7 @@ void check(const IcebreakingHull& hull) {
   NILAS_DEMAND(hull.waterline_angle > 0 && hull.waterline_angle < k_pi / 2);
 }
 
-/// psi, the bow's slope across its waterline.
+/// The angle psi of the bow's surface from the horizontal, in the plane normal to the waterline [rad].
 double flare(const IcebreakingHull& hull) {
   return std::atan(std::tan(hull.stem_angle) / std::sin(hull.waterline_angle));
 }

@@ -27,7 +27,7 @@ void check(const Rubble& rubble, double slope) {
   NILAS_DEMAND(rubble.angle > 0 && rubble.angle <= slope);
 }
 
-/// The quantities that several parts of Croasdale's load share.
+/// Quantities that several components of Croasdale's load share.
 struct Croasdale {
   SlopingStructure structure;
   LevelIce ice;

@@ -9,12 +9,14 @@ namespace nilas {
 
 namespace {
 
-constexpr double k_first = 0.1, k_last = 3;  ///< of the fan's radius: beyond, stresses are a few per cent
-constexpr int k_samples = 59;                ///< each 0.05
+constexpr double
+    k_first = 0.1,
+    k_last = 3;  ///< Range of the samples over the fan's radius; beyond it stresses are a few per cent of the largest.
+constexpr int k_samples = 59;  ///< Steps of 0.05.
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Distances from `from` along the unit vector `d` at which the weak line is crossed [m].
+/// The distances from `from` along the unit vector `d` at which the ray's line crosses the weak line [m].
 std::vector<double> crossings(const WeakLine& line, const Vec2& from, const Vec2& d) {
   std::vector<double> found;
   for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
@@ -27,7 +29,7 @@ std::vector<double> crossings(const WeakLine& line, const Vec2& from, const Vec2
   return found;
 }
 
-/// Candidates along one ray and the weakest of them.
+/// One ray of the fan, with the weakest of the sections that were judged on it.
 class Ray {
  public:
   Ray(const WedgeFan& fan, int k, double strength, const LocalIce& ice)
@@ -36,7 +38,7 @@ class Ray {
         strength_(strength),
         ice_(ice) {}
 
-  /// Places where weak lines cross, over the fan's radius, with what is left of the strength there.
+  /// The places where weak lines cross, over the fan's radius, with the share of the strength that each line leaves.
   std::vector<std::pair<double, double>> lines() const {
     std::vector<std::pair<double, double>> found;
     for (const WeakLine& line : ice_.weak_lines)
@@ -45,7 +47,7 @@ class Ray {
           found.emplace_back(distance / fan_.radius, line.strength);
     return found;
   }
-  /// Strength over stress, that of the ice at the load being 1 where the stress is largest.
+  /// Judges a section by strength over stress. The ratio is 1 for the ice at the load where the stress is largest.
   void judge(double at, double stress, double share) {
     if (stress <= 0) return;
     const Vec2 x = fan_.apex + at * fan_.radius * direction_;

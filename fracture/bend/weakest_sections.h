@@ -1,5 +1,5 @@
 #pragma once
-/// Where wedges of ice that is not alike everywhere break.
+/// The sections at which wedges of ice break whose strength varies from place to place.
 #include <vector>
 
 #include "fracture/bend/wedge_series.h"
@@ -9,14 +9,15 @@
 namespace nilas {
 
 struct WeakestSections {
-  double strength = 1;        ///< of all wedges together, over that of wedges as strong as the ice at the load
-  std::vector<double> radii;  ///< distance from the apex of the weakest section of each ray of wedge_cracks [m]
+  double strength = 1;        ///< Load of all wedges, over that of wedges as strong as the ice at the load.
+  std::vector<double> radii;  ///< Distance of the weakest section of each ray of wedge_cracks from the apex [m].
 };
 
-/// A wedge breaks where its stress over the local strength is largest, judged along its middle: stress as in Nevel's
-/// wedge loaded over a / l, with its x_max at the fan's radius, by samples each twentieth of that from 0.1 to 3 of it,
-/// and where weak lines cross. The rays between them say where the crack runs, not when. `flexural_strength` [Pa] is
-/// that at the load, > 0. Throws ContractError as wedge_curvatures.
+/// Finds the weakest sections. A wedge breaks where its stress over the local strength is largest along its middle. The
+/// stress is that of a wedge loaded over a / l, with x_max at the fan's radius. It is sampled at each twentieth of the
+/// radius, from 0.1 to 3 of it, and where weak lines cross. The rays between the wedges decide where the crack runs,
+/// not when the wedges break. `flexural_strength` [Pa] is that at the load. Throws ContractError unless it is positive,
+/// and where wedge_curvatures does.
 WeakestSections weakest_sections(const WedgeFan& fan, double a_over_l, double flexural_strength, const LocalIce& ice);
 
 }  // namespace nilas

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int k_intervals = 200;
 
-/// Place in the tables.
+/// The argument (a/l)^(1/3) of the tables.
 double argument(double a_over_l) {
   NILAS_DEMAND(a_over_l >= 0);
   return std::cbrt(std::min(a_over_l, k_longest_tip_load));
@@ -25,7 +25,7 @@ WedgeTable::WedgeTable(TipLoad load) {
     const auto at = [&](double t) { return value(solve_wedge(load, std::min(t * t * t, k_longest_tip_load))); };
     return tabulate(at, 0, std::cbrt(k_longest_tip_load), k_intervals, first_slope);
   };
-  // Short loads: w'' = 1 - c a / x - w(0) x^2 / 6 behind the load, whose centroid is at c a.
+  // Behind a short load, whose centroid is at c a, w'' = 1 - c a / x - w(0) x^2 / 6.
   const double centroid = load == TipLoad::pressure ? 2.0 / 3 : 0.5;
   const double first_rise = std::cbrt(3 * centroid / solve_wedge(load, 0).tip_deflection);
   load_factor_ = spline(0, [](const WedgeResponse& response) { return 1 / response.curvature; });

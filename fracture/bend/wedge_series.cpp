@@ -11,12 +11,12 @@ namespace nilas {
 
 namespace {
 
-/// w, w', w'', w''' at one point.
+/// The values w, w', w'', w''' at one point.
 using Jet = Eigen::Vector4d;
 
-constexpr double k_far = 20;  ///< where the growing solutions are cut off
+constexpr double k_far = 20;  ///< Place where the growing solutions are removed, in l.
 
-/// r (r-1) ... (r-k+1) and its derivative with respect to r.
+/// The product r (r-1) ... (r-k+1), and its derivative with respect to r.
 struct Falling {
   double value = 1, slope = 0;
   explicit Falling(double r, int k) {
@@ -27,9 +27,9 @@ struct Falling {
   }
 };
 
-/// Sum of c_m x^(r + 4m), c_0 = 1, c_m = -c_(m-1) / (p (p-1)^2 (p-2)) with p = r + 4m: it solves (x w'')'' + x w = 0
-/// where the root r is 0, 1 or 2; (x w'')'' + x w is 12 for r = 3 and 72 x for r = 4. `logarithm`: its derivative with
-/// respect to r, at the double root 1 the second solution.
+/// The sum of c_m x^(r + 4m), with c_0 = 1 and c_m = -c_(m-1) / (p (p-1)^2 (p-2)), p = r + 4m. It solves
+/// (x w'')'' + x w = 0 where the root r is 0, 1 or 2. For r = 3 and r = 4, (x w'')'' + x w is 12 and 72 x. With
+/// `logarithm` it is the derivative with respect to r, which at the double root 1 is the second solution.
 Jet series(int root, bool logarithm, double x) {
   Jet sum = Jet::Zero();
   double c = 1, c_slope = 0;  // d ln c / dr
@@ -51,8 +51,8 @@ Jet series(int root, bool logarithm, double x) {
   return sum;
 }
 
-/// The two solutions that vanish at infinity, as shares of the series of 0 and 1 that are added to those of 2 and of
-/// the logarithm.
+/// The two solutions that vanish at infinity. Each member holds the shares of the series of the roots 0 and 1 that are
+/// added to the series of the root 2, or to the one with the logarithm.
 struct Decaying {
   Eigen::Vector2d with_square, with_logarithm;
 };
@@ -67,7 +67,7 @@ const Decaying& decaying() {
   return shares;
 }
 
-/// Solution for one load, in shares of the series.
+/// The solution for one load, as shares of the series.
 class Wedge {
  public:
   Wedge(TipLoad load, double a) : load_(load), a_(a) {
@@ -77,7 +77,7 @@ class Wedge {
     }
     Eigen::Matrix4d join;
     join << series(0, false, a), series(1, false, a), -square(a), -logarithmic(a);
-    const Jet orders(1, a, a * a, a * a * a);  // makes the rows comparable for short loads
+    const Jet orders(1, a, a * a, a * a * a);  // scales the rows alike for short loads
     const Eigen::Vector4d shares = (orders.asDiagonal() * join).fullPivLu().solve(-orders.cwiseProduct(particular(a)));
     inner_ = shares.head<2>();
     outer_ = shares.tail<2>();
@@ -100,7 +100,8 @@ class Wedge {
     const Eigen::Vector2d& s = decaying().with_logarithm;
     return series(1, true, x) + s(0) * series(0, false, x) + s(1) * series(1, false, x);
   }
-  /// q = 2 x / a^2 of a pressure, 1 / a of a line load; nought at the tip with its slope and curvature.
+  /// The particular solution, for q = 2 x / a^2 (pressure) or q = 1 / a (line load). It is zero at the tip, with its
+  /// slope and curvature.
   Jet particular(double x) const {
     if (load_ == TipLoad::pressure) return series(4, false, x) / (36 * a_ * a_);
     return series(3, false, x) / (12 * a_);
@@ -111,7 +112,7 @@ class Wedge {
   Eigen::Vector2d inner_ = Eigen::Vector2d::Zero(), outer_;
 };
 
-/// Where the curvature is largest: beyond the load, as long as that is not longer than k_longest_tip_load.
+/// The place of the largest curvature. It is beyond a load that is not longer than k_longest_tip_load.
 double steepest(const Wedge& wedge, double a) {
   const auto growth = [&](double x) { return wedge.at(x)(3); };
   const double step = 0.25 * std::cbrt(a);

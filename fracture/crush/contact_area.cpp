@@ -12,12 +12,12 @@ namespace {
 
 using Loop = std::vector<Vec3>;
 
-/// Heights above a plane within this share of the size are rounding.
+/// Heights above a plane below this share of the size are rounding [-].
 constexpr double k_rounding = 1e-13;
-/// Smaller areas are rounding [of the piece's radius squared].
+/// Areas below this share of the square of the piece's radius are rounding [-].
 constexpr double k_least_area = 1e-20;
 
-/// Of a convex loop with normal n.
+/// Area, centroid and second moments of a convex loop with normal n.
 struct Moments {
   double area = 0;
   Vec3 centroid = Vec3::Zero();
@@ -45,7 +45,7 @@ Moments moments(const Loop& loop, const Vec3& n) {
   return m;
 }
 
-/// Keeps of a convex loop what is not above the plane n . x = offset.
+/// Cuts off the part of a convex loop above the plane n . x = offset.
 void clip(const Vec3& n, double offset, Loop& loop, Loop& room) {
   room.clear();
   for (std::size_t k = 0; k < loop.size(); ++k) {
@@ -57,13 +57,14 @@ void clip(const Vec3& n, double offset, Loop& loop, Loop& room) {
   loop.swap(room);
 }
 
-/// Whether a loop lies in the plane and faces the same way: nothing of the solid below the plane is in front of it.
+/// Whether a loop lies in the plane and has the same normal. Then no part of the solid below the plane is in front of
+/// it.
 bool lies_in(const Loop& loop, const Vec3& normal, const Vec3& n, double offset, double rounding) {
   return n.dot(normal) > 0 &&
          std::all_of(loop.begin(), loop.end(), [&](const Vec3& x) { return std::abs(n.dot(x) - offset) <= rounding; });
 }
 
-/// Leaves of the loop, in the solid's frame and with this normal, what lies inside the solid.
+/// Cuts the loop, given in the solid's frame with its normal, down to its part inside the solid.
 void clip_by(const ConvexPolytope& solid, const Vec3& normal, double rounding, Loop& loop, Loop& room) {
   for (std::size_t f = 0; f < solid.normals.size() && loop.size() >= 3; ++f) {
     if (lies_in(loop, normal, solid.normals[f], solid.offsets[f], rounding)) loop.clear();
@@ -100,7 +101,7 @@ std::optional<FaceInIce> face_in_ice(const HullFace& face, const Placement& hull
   const Vec3 apart = centre - piece.centre;
   if (apart.squaredNorm() > reach * reach || misses(piece, centre, face.radius)) return std::nullopt;
   const Vec3 normal = hull_in_floe.R * face.normal;
-  if (std::abs(normal.dot(apart)) > piece.radius) return std::nullopt;  // its plane passes by
+  if (std::abs(normal.dot(apart)) > piece.radius) return std::nullopt;  // its plane misses the piece
   Loop loop, room;
   for (const Vec3& x : face.loop) loop.push_back(hull_in_floe.point(x));
   clip_by(piece, normal, k_rounding * (reach + centre.norm()), loop, room);
@@ -131,7 +132,7 @@ double total_area(const std::vector<FaceInIce>& faces) {
 }
 
 PressurePoints pressure_points(const FaceInIce& face, double least) {
-  const Eigen::SelfAdjointEigenSolver<Mat3> axes(face.spread);  // eigenvalues rise; the first belongs to the normal
+  const Eigen::SelfAdjointEigenSolver<Mat3> axes(face.spread);  // in ascending order; the first belongs to the normal
   const double wide = std::sqrt(std::max(0.0, axes.eigenvalues()[2]));
   const double narrow = std::sqrt(std::max(0.0, axes.eigenvalues()[1]));
   PressurePoints out;

@@ -10,12 +10,12 @@ namespace nilas {
 
 namespace {
 
-/// A face's normal and a piece of it agree to this, the sine of an angle.
+/// The normals of a face and of a piece of it agree within this sine of the angle between them [-].
 constexpr double k_same_normal = 1e-6;
-/// Below this share of the whole a normal has no part in the plane: the rounding of a turned frame.
+/// A normal counts as vertical where its horizontal part is below this: the rounding of a turned frame [-].
 constexpr double k_level = 1e-12;
 
-/// What of a polygon lies where n . x <= offset; where that is several pieces, edges there and back join them.
+/// The part of a polygon where n . x <= offset. Pairs of opposite edges join it where it has several pieces.
 std::vector<Vec2> clipped(const std::vector<Vec2>& polygon, const Vec2& n, double offset) {
   std::vector<Vec2> kept;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -28,7 +28,7 @@ std::vector<Vec2> clipped(const std::vector<Vec2>& polygon, const Vec2& n, doubl
   return kept;
 }
 
-/// Of an outline and a convex polygon.
+/// The common part of an outline and a convex polygon.
 std::vector<Vec2> common_part(std::vector<Vec2> outline, const std::vector<Vec2>& convex) {
   for (std::size_t i = 0; i < convex.size() && !outline.empty(); ++i) {
     const Vec2 edge = convex[(i + 1) % convex.size()] - convex[i];
@@ -46,7 +46,7 @@ double common_area(const std::vector<std::vector<Vec2>>& polygons, const std::ve
 
 }  // namespace
 
-/// Polygons that overlap count once; where more than two do, a little less.
+/// Counts the overlap of two polygons once. Where more than two overlap, the sum is a little too small.
 ColumnArea column_area(const std::vector<std::vector<Vec2>>& columns, const std::vector<Vec2>& outline) {
   ColumnArea sum;
   const auto add = [&](const std::vector<Vec2>& column, double sign) {
@@ -106,7 +106,8 @@ bool trim_corners(std::vector<Vec2>& outline, std::vector<bool>& is_new, double 
   for (std::size_t i = 0, unseen = kept.size(); unseen > 0 && kept.size() > 3;) {
     const std::size_t n = kept.size(), last = (i + n - 1) % n, next = (i + 1) % n;
     const Vec2 chord = kept[next] - kept[last], arm = kept[i] - kept[last];
-    const double out = (arm.x() * chord.y() - arm.y() * chord.x()) / chord.norm();  // of the ice
+    const double out =
+        (arm.x() * chord.y() - arm.y() * chord.x()) / chord.norm();  // distance by which the corner sticks out [m]
     if (!(fresh[last] || fresh[i]) || !(std::abs(out) <= k_straight * size || (out > 0 && out < least))) {
       i = next;
       --unseen;
@@ -115,7 +116,7 @@ bool trim_corners(std::vector<Vec2>& outline, std::vector<bool>& is_new, double 
     fresh[last] = true;
     kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(i));
     fresh.erase(fresh.begin() + static_cast<std::ptrdiff_t>(i));
-    i = (i + kept.size() - 1) % kept.size();  // the corner before it has a new edge
+    i = (i + kept.size() - 1) % kept.size();  // the corner before it has a new edge, so that it is judged again
     unseen = kept.size();
   }
   if (kept.size() == outline.size() || !is_simple(kept)) return false;
@@ -125,7 +126,7 @@ bool trim_corners(std::vector<Vec2>& outline, std::vector<bool>& is_new, double 
 }
 
 bool is_squeezed_out(const CrushedIce& ice, const std::vector<Vec2>& piece) {
-  constexpr double k_most = 0.5, k_all = 1 - 1e-6;  // shares of a piece that is, but for rounding, in or out as a whole
+  constexpr double k_most = 0.5, k_all = 1 - 1e-6;  // thresholds for a piece that is in or out as a whole
   const double area = polygon_moments(piece).area;
   return common_area(ice.columns, piece) > k_most * area || common_area(ice.sections, piece) > k_all * area;
 }
@@ -137,7 +138,7 @@ std::vector<Vec2> columns_inside(const ConvexPolytope& part, const std::vector<c
   for (std::size_t f = 0; f < part.normals.size() && polygon.size() >= 3; ++f) {
     const Vec3 n = hull_in_floe.R * part.normals[f];
     const Vec2 plan = n.head<2>();
-    // from the end of the column that is nearest to the face
+    // The end of the column that is nearest to an outer face decides.
     const double middle = part.offsets[f] + n.dot(hull_in_floe.p), half = 0.5 * thickness * std::abs(n.z());
     if (plan.norm() <= k_level) {
       if (middle < half) return {};
