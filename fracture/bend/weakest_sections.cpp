@@ -9,9 +9,8 @@ namespace nilas {
 
 namespace {
 
-constexpr double
-    k_first = 0.1,
-    k_last = 3;  ///< Range of the samples over the fan's radius; beyond it stresses are a few per cent of the largest.
+/// The range of the samples over the fan's radius. Beyond it stresses are a few per cent of the largest.
+constexpr double k_first = 0.1, k_last = 3;
 constexpr int k_samples = 59;  ///< Steps of 0.05.
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }

@@ -1,4 +1,4 @@
-/// Includes CGAL, whose kernels need directed rounding: see fracture/CMakeLists.txt.
+/// This file includes CGAL, whose kernels need directed rounding: see fracture/CMakeLists.txt.
 #include "fracture/cut/crack_faces.h"
 
 #include <CGAL/Arr_extended_dcel.h>
@@ -19,11 +19,11 @@ namespace nilas {
 
 namespace {
 
-// Lines meet at common end points only, so that predicates suffice and these are exact.
+// Lines meet at common end points only. Predicates therefore suffice, and those of this kernel are exact.
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Traits = CGAL::Arr_non_caching_segment_basic_traits_2<Kernel>;
-/// Vertices know their point, halfedges with the inside on their left their place in the outline (else -1), and faces
-/// whether they are inside.
+/// The data of vertices are the indices of their points. Those of halfedges along the outline, with the inside on their
+/// left, are their places in the outline, else -1. Those of faces say whether they are inside.
 using Arrangement = CGAL::Arrangement_2<Traits, CGAL::Arr_extended_dcel<Traits, int, int, bool>>;
 using Halfedge = Arrangement::Halfedge_handle;
 using Face = Arrangement::Face_handle;
@@ -60,7 +60,7 @@ class FaceFinder {
     remove_if([](Halfedge h) { return !h->face()->data() && !h->twin()->face()->data(); });
   }
 
-  /// Joins one face that is too thin to a neighbour; false when there is none.
+  /// Joins one face that is thinner than `least_width` [m] to a neighbour. Returns false where there is none.
   bool join_sliver(double least_width) {
     for (Face face : inside())
       if (is_thin(face, least_width))
@@ -87,7 +87,8 @@ class FaceFinder {
     return all;
   }
 
-  /// Points with two edges left of one kind, other than the outline's own and those where a crack turns.
+  /// A flag per point: only two edges are left there, both outline or both crack. The outline's own vertices and the
+  /// turns of a crack have none.
   std::vector<char> needless(double resolution) const {
     std::vector<char> found(lines_.points.size(), 0);
     for (auto v = plane_.vertices_begin(); v != plane_.vertices_end(); ++v) {
@@ -126,7 +127,7 @@ class FaceFinder {
     }
   }
 
-  /// Spreads from the outline's edges over the cracks.
+  /// Marks the faces inside, from the outline's edges across the cracks.
   void mark_inside() {
     for (auto f = plane_.faces_begin(); f != plane_.faces_end(); ++f) f->set_data(false);
     std::vector<Halfedge> open;
@@ -175,7 +176,7 @@ class FaceFinder {
     return 2 * polygon_moments(outline).area < least_width * perimeter;
   }
 
-  /// The first of equals along the boundary.
+  /// The neighbour that shares most crack length, the first along the boundary of equal ones.
   Face longest_neighbour(Face face) const {
     const std::vector<Halfedge> edges = around(face);
     Face best{};

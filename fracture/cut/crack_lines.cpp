@@ -16,8 +16,9 @@ namespace {
 
 Vec2 direction_of(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
-/// Where the line crosses the outline's edges, as distances from `point`, sorted: even in number, since vertices on the
-/// line count as left of it. A vertex that it passes within `resolution` counts twice more, as an end and a start.
+/// The sorted distances from `point` at which the line crosses the outline's edges. Their number is even, since
+/// vertices on the line count as left of it. A vertex that the line passes within `resolution` adds two, an end and a
+/// start.
 std::vector<double> crossings(const std::vector<Vec2>& outline, const Vec2& point, const Vec2& along,
                               double resolution) {
   double reach = 0;
@@ -46,7 +47,7 @@ SplitVerdict judge_pieces(const std::vector<CutPiece>& pieces, const SplitRule& 
   return SplitVerdict::splits;
 }
 
-/// Chords per wedge that keep to the circle: a chord over the angle a stands off by radius (1 - cos(a / 2)).
+/// The number of chords per wedge that keep the tolerance: a chord over the angle a is off by radius (1 - cos(a / 2)).
 int chords_per_wedge(const WedgeFan& fan) {
   if (fan.arc_tolerance >= fan.radius * (1 - std::cos(fan.wedge_angle / 2))) return 1;
   const double largest = 2 * std::acos(1 - fan.arc_tolerance / fan.radius);

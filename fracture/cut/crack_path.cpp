@@ -11,21 +11,21 @@ namespace nilas {
 
 namespace {
 
-constexpr double k_turn = 5 * k_deg;  ///< between the ways through whole ice
-constexpr int k_turns = 12;           ///< to each side
-constexpr double k_as_good = 1e-9;    ///< relative difference of merits that is rounding
-constexpr double k_beyond = 1e-6;     ///< of a segment: how far the last point lies outside
-constexpr double k_look = 1e-3;       ///< of a segment: a way that has left the ice by then is none
+constexpr double k_turn = 5 * k_deg;  ///< Angle between neighbouring directions through whole ice [rad].
+constexpr int k_turns = 12;           ///< Number of these directions to each side.
+constexpr double k_as_good = 1e-9;    ///< Relative differences of merits below this are rounding.
+constexpr double k_beyond = 1e-6;     ///< Distance of the last point from the ice, over a segment.
+constexpr double k_look = 1e-3;       ///< Directions that leave the ice within this share of a segment are dropped.
 constexpr int k_most_segments = 100000;
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 Vec2 direction_of(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
-/// A way on from where the crack stands.
+/// A candidate for the next segment of the crack.
 struct Way {
   Vec2 direction = Vec2::UnitX();
   double length = 0;     ///< [m]
-  double omega = 0;      ///< from the angle of the load, with its sign [rad]
+  double omega = 0;      ///< Signed angle from that of the load [rad].
   double toughness = 0;  ///< [Pa sqrt(m)]
   double merit() const { return kink_release_rate(omega) / (toughness * toughness); }
 };
@@ -47,14 +47,14 @@ class Growth {
       const double on = ends ? out + k_beyond * segment_ : first_line(at, way.direction, way.length);
       path.points.emplace_back(at + on * way.direction);
       path.toughness.push_back(way.toughness);
-      // an edge may also be missed by a rounding
+      // Rounding may have made the crack miss an edge.
       if (ends || !contains(outline_, path.points.back())) break;
     }
     return path;
   }
 
  private:
-  /// Points nearer than this are one [m].
+  /// The distance below which two points are the same [m].
   double same() const { return 1e-9 * size_; }
 
   double toughness_at(const Vec2& x) const { return ice_.fracture_toughness ? ice_.fracture_toughness(x) : toughness_; }
@@ -65,7 +65,7 @@ class Growth {
     return {d, segment_, omega, toughness_at(at + 0.5 * segment_ * d)};
   }
 
-  /// Along the line towards `end`, when it leads onward.
+  /// Adds the candidate along the weak line towards `end` where it turns by less than 90 degrees.
   void add_along(const Vec2& at, const Vec2& end, double strength, std::vector<Way>& ways) const {
     const Vec2 span = end - at;
     const double length = std::min(span.norm(), segment_);
@@ -119,7 +119,7 @@ class Growth {
     return (p - a - share * span).norm();
   }
 
-  /// How far along `d` the segment from a to b is crossed or touched; infinite when it is not.
+  /// The distance along `d` at which the segment from a to b is crossed or touched [m]; infinite where it is not.
   double meets(const Vec2& at, const Vec2& d, const Vec2& a, const Vec2& b) const {
     constexpr double k_none = std::numeric_limits<double>::infinity();
     const Vec2 span = b - a;
@@ -130,7 +130,7 @@ class Growth {
     return on > same() && share >= -slack && share <= 1 + slack ? on : k_none;
   }
 
-  /// How far along `d` the crack comes out of the ice: not where it only passes a corner.
+  /// The distance along `d` at which the crack leaves the ice [m]. A corner that it only touches does not count.
   double leaves(const Vec2& at, const Vec2& d) const {
     std::vector<double> edges;
     for (std::size_t i = 0; i < outline_.size(); ++i)

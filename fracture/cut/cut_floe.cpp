@@ -12,7 +12,7 @@ namespace nilas {
 
 namespace {
 
-/// Demands a uniform plate about its centroid.
+/// Throws ContractError unless the floe is a uniform plate about its centroid.
 void check(const FloeState& floe) {
   constexpr double k_rounding = 1e-9;
   NILAS_DEMAND(floe.thickness > 0 && floe.mass > 0);
@@ -25,8 +25,8 @@ void check(const FloeState& floe) {
 }
 
 struct PieceShape {
-  std::vector<Vec2> outline;  ///< about its centroid
-  MassProperties unit;        ///< at density 1, its centre in the floe's B
+  std::vector<Vec2> outline;  ///< The outline about its centroid [m].
+  MassProperties unit;        ///< Properties at density 1; the centre is in the floe's B.
 };
 
 PieceShape shape_of(const CutPiece& piece, double thickness) {
@@ -57,7 +57,7 @@ Vec3 common_centre(const std::vector<PieceShape>& shapes, const std::vector<doub
   return centre;
 }
 
-/// The floe's properties and motion at `from_centre`, the piece's place in the floe's B.
+/// The piece of this mass with the floe's motion at its centre, `from_centre` [m] in the floe's B.
 FloePiece piece_of(const FloeState& floe, PieceShape shape, double mass, const Vec3& from_centre) {
   const Vec3 r = floe.pose.q.normalized() * from_centre;
   FloePiece piece;
@@ -85,7 +85,7 @@ bool too_narrow(const FloePiece& piece, const PieceLimits& limits) {
   return smallest_box(piece.state.outline).aspect() > limits.max_aspect;
 }
 
-/// Takes little corners that crushing left off a piece; their mass and motion go with what was squeezed out.
+/// Removes small corners that crushing left on a piece. Their mass and motion go to the account of extruded ice.
 void trim(FloePiece& piece, MotionAccount& extruded, const Vec3& about_G) {
   constexpr double k_corner = 0.02;  // in thicknesses
   FloeState& state = piece.state;
@@ -104,7 +104,7 @@ void trim(FloePiece& piece, MotionAccount& extruded, const Vec3& about_G) {
                before.angular_momentum - after.angular_momentum, before.kinetic_energy - after.kinetic_energy};
 }
 
-/// Puts every piece where the limits say.
+/// Sorts the pieces by the limits into pieces, brash and extruded ice, or refuses the cut.
 FloeCut sorted(std::vector<FloePiece> all, const CutResult& cut, const PieceLimits& limits, const Vec3& about_G,
                const CrushedIce& crushed) {
   FloeCut result;
@@ -123,7 +123,7 @@ FloeCut sorted(std::vector<FloePiece> all, const CutResult& cut, const PieceLimi
     if ((small || narrow) && limits.small == SmallPieces::refuse)
       return small ? refused(FloeCutStatus::too_small, cut, "a piece is smaller than min_area")
                    : refused(FloeCutStatus::too_narrow, cut, "a piece is longer than max_aspect");
-    // moved to its own centroid, a piece was rounded once more
+    // The shift to its own centroid rounded the piece once more.
     if (!small && !narrow && !is_simple(piece.state.outline))
       return refused(FloeCutStatus::geometry, cut, "a piece is not simple about its own centroid");
     if (small || narrow) result.brash_account += motion_account(piece.state, about_G);

@@ -1,5 +1,5 @@
 #pragma once
-/// Cutting of a floe into pieces that carry its mass and motion on.
+/// The cutting of a floe into pieces that keep its mass and motion.
 #include <limits>
 #include <string>
 #include <vector>
@@ -13,63 +13,64 @@ namespace nilas {
 
 /// A floe of uniform thickness and density.
 struct FloeState {
-  std::vector<Vec2> outline;      ///< in B, counter-clockwise about its centroid [m]
+  std::vector<Vec2> outline;      ///< Outline in B, counter-clockwise, about its centroid [m].
   double thickness = 0;           ///< [m]
   double mass = 0;                ///< [kg]
-  Mat3 inertia_B = Mat3::Zero();  ///< about the centre of mass [kg m^2]
-  Pose pose;                      ///< of the centre of mass in G
-  Vec3 v_GB = Vec3::Zero();       ///< of the centre of mass [m/s]
-  Vec3 w_GB = Vec3::Zero();       ///< in G [rad/s]
+  Mat3 inertia_B = Mat3::Zero();  ///< Inertia about the centre of mass [kg m^2].
+  Pose pose;                      ///< Pose of the centre of mass in G.
+  Vec3 v_GB = Vec3::Zero();       ///< Velocity of the centre of mass in G [m/s].
+  Vec3 w_GB = Vec3::Zero();       ///< Angular velocity in G [rad/s].
 };
 
-/// What breaking must not change, in G.
+/// The sums over bodies that breaking must not change, in G.
 struct MotionAccount {
   double mass = 0;                       ///< [kg]
   Vec3 momentum = Vec3::Zero();          ///< [N s]
-  Vec3 angular_momentum = Vec3::Zero();  ///< about the point asked for [N m s]
+  Vec3 angular_momentum = Vec3::Zero();  ///< Angular momentum about the chosen point [N m s].
   double kinetic_energy = 0;             ///< [J]
   MotionAccount& operator+=(const MotionAccount& o);
 };
 MotionAccount motion_account(const FloeState& floe, const Vec3& about_G);
 
 struct PieceLimits {
-  double min_area = 0;                                          ///< [m^2]
-  double max_aspect = std::numeric_limits<double>::infinity();  ///< of the smallest box around a piece
-  SmallPieces small = SmallPieces::refuse;                      ///< what becomes of pieces beyond these limits
+  double min_area = 0;  ///< [m^2]
+  double max_aspect =
+      std::numeric_limits<double>::infinity();  ///< Largest aspect of the smallest box around a piece [-].
+  SmallPieces small = SmallPieces::refuse;      ///< Treatment of pieces beyond these limits.
 };
 
 enum class FloeCutStatus {
-  cut,        ///< pieces and brash take the floe's place
-  uncut,      ///< the cracks separate nothing
-  geometry,   ///< refused: see outline_status
-  too_small,  ///< refused: a piece is below min_area
-  too_narrow  ///< refused: a piece is longer than max_aspect
+  cut,        ///< Pieces and brash take the floe's place.
+  uncut,      ///< The cracks separate nothing.
+  geometry,   ///< Refused: see outline_status.
+  too_small,  ///< Refused: a piece is below min_area.
+  too_narrow  ///< Refused: the aspect of a piece is above max_aspect.
 };
 
 struct FloePiece {
   FloeState state;
-  std::vector<bool> crack;  ///< edge i of its outline is a new one
+  std::vector<bool> crack;  ///< Edge i of its outline is new.
   double area = 0;          ///< [m^2]
 };
 
 struct FloeCut {
   FloeCutStatus status = FloeCutStatus::uncut;
   CutStatus outline_status = CutStatus::uncut;
-  std::string message;              ///< why it was refused
-  std::vector<FloePiece> pieces;    ///< empty unless cut
-  std::vector<FloePiece> brash;     ///< pieces that the limits turn into brash
-  MotionAccount brash_account;      ///< of `brash`, angular momentum about the floe's centre of mass
-  std::vector<FloePiece> extruded;  ///< of crushed ice, whatever its size
-  MotionAccount extruded_account;   ///< of `extruded`, likewise
+  std::string message;              ///< The reason of a refusal.
+  std::vector<FloePiece> pieces;    ///< The pieces; empty unless cut.
+  std::vector<FloePiece> brash;     ///< Pieces that the limits turn into brash.
+  MotionAccount brash_account;      ///< Account of `brash`, about the floe's centre of mass.
+  std::vector<FloePiece> extruded;  ///< Pieces of crushed ice of any size.
+  MotionAccount extruded_account;   ///< Account of `extruded`, about the floe's centre of mass.
   double crack_length = 0;          ///< [m]
 };
 
-/// Cuts along `cracks`, polylines in B. Masses are shares of the floe's by area, the largest piece taking what rounding
-/// leaves, and the pieces lie about the floe's centre of mass, which their common centroid misses by a rounding; each
-/// moves as the floe did, v + w x r and w. Mass, momentum, angular momentum and energy are thus kept to rounding.
-/// Pieces that `crushed` squeezes out leave; where that is all of the floe no crack needs to cut it.
-/// Throws ContractError when thickness or mass is not positive, or when the inertia or centroid are not those of a
-/// uniform plate (1e-9 of its own).
+/// Cuts a floe along `cracks`, polylines in B [m]. Each piece gets its share of the mass by area; the largest takes
+/// what rounding leaves. The pieces are shifted together so that their common centre is the floe's, from which it
+/// differs by a rounding. Each moves as the floe did, with v + w x r and w. Mass, momentum, angular momentum and energy
+/// are therefore kept to rounding. Pieces that `crushed` squeezes out leave the floe. Where the whole floe leaves no
+/// crack needs to cut it. Throws ContractError unless thickness and mass are positive, and inertia and centroid are
+/// those of a uniform plate (within 1e-9).
 FloeCut cut_floe(const FloeState& floe, const std::vector<std::vector<Vec2>>& cracks, const PieceLimits& limits,
                  const CrushedIce& crushed = {});
 

@@ -1,4 +1,4 @@
-/// Includes CGAL, whose kernels need directed rounding: see fracture/CMakeLists.txt.
+/// This file includes CGAL, whose kernels need directed rounding: see fracture/CMakeLists.txt.
 #include "fracture/cut/cut_outline.h"
 
 #include <CGAL/assertions.h>
@@ -33,15 +33,15 @@ bool visits_a_point_twice(const CrackFace& face) {
   return points.size() < face.points.size();
 }
 
-/// A face with the points kept, from its first edge along the outline on, or from its lowest point.
+/// A face with the points that are kept. It begins with its first edge along the outline, else at its lowest point.
 struct Loop {
-  int place = std::numeric_limits<int>::max();  ///< of its first edge along the outline
+  int place = std::numeric_limits<int>::max();  ///< Place of its first edge along the outline.
   CutPiece piece;
 };
 
 Loop loop_of(const CrackFace& face, const SnappedLines& lines, const std::vector<char>& left_out) {
   struct Corner {
-    int place;  ///< as in Loop
+    int place;  ///< Place of its first edge, as in Loop.
     Vec2 point;
     bool crack;
   };
@@ -71,8 +71,9 @@ bool comes_before(const Loop& a, const Loop& b) {
   return std::pair(p.x(), p.y()) < std::pair(q.x(), q.y());
 }
 
-/// Where the outline and all pieces are simple and counter-clockwise, the pieces fill the outline without overlap: the
-/// inner edges are walked both ways, so that the pieces' winding numbers add up to the outline's, which is one.
+/// Whether the outline and all pieces are simple and counter-clockwise. Then the pieces fill the outline without
+/// overlap: each inner edge is walked once each way, so that the winding numbers of the pieces add up to the outline's,
+/// one.
 bool is_partition(const std::vector<CutPiece>& pieces, const SnappedLines& lines, const std::vector<char>& left_out) {
   std::vector<Vec2> outline;
   for (const int p : lines.outline)
@@ -94,7 +95,7 @@ std::vector<CutPiece> pieces_of(const CrackFaces& found, const SnappedLines& lin
   return pieces;
 }
 
-/// Each crack edge is an edge of two pieces.
+/// The length of all cracks [m]. Each crack edge belongs to two pieces and counts once.
 double crack_length(const std::vector<CutPiece>& pieces) {
   double both = 0;
   for (const CutPiece& piece : pieces)
@@ -113,7 +114,7 @@ CutResult result_of(const CrackFaces& found, const std::vector<Vec2>& outline, c
   for (const CrackFace& face : found.faces)
     if (visits_a_point_twice(face)) return refused(CutStatus::pinched, "a piece would touch itself at a vertex");
   if (found.faces.size() < 2) return uncut(outline, found.slivers);
-  // Leaving points out straightens edges by a rounding, which may spoil what is as thin as that.
+  // Points that are left out straighten edges by a rounding, which may spoil a piece that is as thin.
   for (const auto& left_out : {found.needless, std::vector<char>(lines.points.size(), 0)}) {
     std::vector<CutPiece> pieces = pieces_of(found, lines, left_out);
     if (pieces.empty() || !is_partition(pieces, lines, left_out)) continue;

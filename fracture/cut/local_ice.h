@@ -1,5 +1,5 @@
 #pragma once
-/// What the ice of a floe bears from place to place.
+/// The strengths of a floe's ice as functions of the place.
 #include <functional>
 #include <vector>
 
@@ -8,13 +8,13 @@
 
 namespace nilas {
 
-/// In the floe's frame B. A function that is empty means that the strength is the same everywhere.
+/// The strengths in the floe's frame B. An empty function means that the strength is the same everywhere.
 struct LocalIce {
-  std::function<double(const Vec2&)> flexural_strength;   ///< off the weak lines [Pa]
-  std::function<double(const Vec2&)> fracture_toughness;  ///< off the weak lines [Pa sqrt(m)]
+  std::function<double(const Vec2&)> flexural_strength;   ///< Flexural strength off the weak lines [Pa].
+  std::function<double(const Vec2&)> fracture_toughness;  ///< Fracture toughness off the weak lines [Pa sqrt(m)].
   std::vector<WeakLine> weak_lines;
 
-  /// A crack has no reason to leave its straight way.
+  /// Whether the ice is the same everywhere, so that cracks are straight.
   bool is_uniform() const { return !flexural_strength && !fracture_toughness && weak_lines.empty(); }
 };
 

@@ -14,7 +14,7 @@ SmallestBox smallest_box(const std::vector<Vec2>& points) {
   const std::vector<Vec2> hull = convex_hull(points);
   SmallestBox best;
   double least = std::numeric_limits<double>::infinity();
-  // Every hull edge in turn, since calipers that walk the hull lose their place at edges of a few roundings.
+  // All hull edges are tried: rotating calipers lose their place at edges of a few roundings.
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const Vec2 along = (hull[(i + 1) % hull.size()] - hull[i]).normalized(), across(-along.y(), along.x());
     Vec2 low = Vec2::Zero(), high = low;

@@ -1,4 +1,4 @@
-/// Includes CGAL, whose kernels need directed rounding: see fracture/CMakeLists.txt.
+/// This file includes CGAL, whose kernels need directed rounding: see fracture/CMakeLists.txt.
 #include "fracture/cut/snap_lines.h"
 
 #include <CGAL/Exact_rational.h>
@@ -17,7 +17,7 @@ constexpr int k_max_passes = 16;
 
 double cross2(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Foot of p on the segment a b, as a share of it in [0, 1].
+/// The foot of p on the segment a b, as a share of it in [0, 1].
 double foot_share(const Vec2& a, const Vec2& b, const Vec2& p) {
   const Vec2 along = b - a;
   return std::clamp(along.dot(p - a) / along.squaredNorm(), 0.0, 1.0);
@@ -27,11 +27,11 @@ double distance_to_segment(const Vec2& a, const Vec2& b, const Vec2& p) {
   const double share = foot_share(a, b, p);
   if (share <= 0) return (p - a).norm();
   if (share >= 1) return (p - b).norm();
-  // from the nearer end, where the difference loses less
+  // The difference to the nearer end loses fewer digits.
   return std::abs(cross2(b - a, p - (share < 0.5 ? a : b))) / (b - a).norm();
 }
 
-/// Where the lines a b and c d, which cross, meet: exact, then rounded.
+/// The point where the lines a b and c d cross, computed exactly, then rounded.
 Vec2 crossing_point(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   using Exact = CGAL::Exact_rational;
   const Exact ax(a.x()), ay(a.y()), cx(c.x()), cy(c.y());
@@ -47,9 +47,9 @@ bool cross_properly(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) 
 }
 
 struct Segment {
-  int line;  ///< -1: the outline, else the crack
+  int line;  ///< The index of the crack, or -1 for the outline.
   int a, b;
-  std::vector<int> through;  ///< points to put between a and b
+  std::vector<int> through;  ///< Points to be put between a and b.
 };
 
 class Snapper {
@@ -84,7 +84,7 @@ class Snapper {
     if (line.empty() || line.back() != point) line.push_back(point);
   }
 
-  /// Nearest of the points within the resolution that a line may go through, or -1.
+  /// The nearest point within the resolution that is `allowed`, or -1.
   template <class Allowed>
   int near_point(const Vec2& p, const Allowed& allowed) const {
     int best = -1;
@@ -106,7 +106,7 @@ class Snapper {
     return static_cast<int>(out_.points.size()) - 1;
   }
 
-  /// A point that is there already, or one on the outline's edge, or p itself.
+  /// Returns the index of a known point near p, else of a new one, which is on the outline's edge where that is near.
   int add_crack_vertex(const Vec2& p) {
     if (const int known = near_point(p); known >= 0) return known;
     for (int i = 0; i < num_corners_; ++i) {
@@ -119,7 +119,7 @@ class Snapper {
     return add(p);
   }
 
-  /// The outline visits a point once only, else it would fold.
+  /// Whether a segment may go through p. The outline visits a point only once, else it would fold.
   bool may_visit(const Segment& s, int p) const {
     if (s.line >= 0 || p == s.a || p == s.b) return true;
     return !is_on_outline(p) || std::find(s.through.begin(), s.through.end(), p) != s.through.end();
@@ -133,7 +133,7 @@ class Snapper {
     if (s.line < 0) on_outline_.insert(p);
   }
 
-  /// The crossing's point: an end of either segment where one is near, else another point near by, else a new one.
+  /// Returns the point of a crossing: a near end of either segment, else another near point, else a new one.
   int crossing(const Segment& s, const Segment& t) {
     const Vec2 p = crossing_point(at(s.a), at(s.b), at(t.a), at(t.b));
     const auto allowed = [&](int i) { return may_visit(s, i) && may_visit(t, i); };
@@ -175,7 +175,7 @@ class Snapper {
     return all;
   }
 
-  /// Points of a segment in their order along it.
+  /// Sorts the points of a segment along it.
   void sort_through(Segment& s) const {
     const Vec2 along = at(s.b) - at(s.a);
     std::sort(s.through.begin(), s.through.end());
@@ -184,7 +184,7 @@ class Snapper {
                      [&](int i, int j) { return along.dot(at(i) - at(s.a)) < along.dot(at(j) - at(s.a)); });
   }
 
-  /// True when a line got another point.
+  /// Splits the segments at the points that `find` puts through them. Returns whether a line got another point.
   bool split(void (Snapper::*find)(std::vector<Segment>&)) {
     std::vector<Segment> all = segments();
     (this->*find)(all);

@@ -41,7 +41,7 @@ IceAtContact Breaking::ice_at(const Bodies& bodies, const IceProperties& ice, st
   return {bodies.shape[b]->thickness, ice.flexural_strength[b].at(place), ice.fracture_toughness[b].at(place), around};
 }
 
-/// What the floe's ice is like beyond the load, where cracks may follow it.
+/// The strengths and weak lines of a floe, for cracks that follow them.
 static LocalIce local_ice(const IceProperties& ice, std::size_t b) {
   const auto in_plane = [](const FloeStrength& strength) {
     std::function<double(const Vec2&)> at;
@@ -51,7 +51,7 @@ static LocalIce local_ice(const IceProperties& ice, std::size_t b) {
   return {in_plane(ice.flexural_strength[b]), in_plane(ice.fracture_toughness[b]), ice.weak_lines[b]};
 }
 
-/// Damaged ice fails at what is left of its strength; a load that it bears damages it.
+/// The failure modes under a load. Damaged ice fails at the strength that is left. A load that it bears damages it.
 std::vector<Failure> Breaking::ways_under(const EdgeContact& contact, std::int64_t floe,
                                           const std::vector<Vec2>& outline, const IceAtContact& ice) {
   if (!damage_) return rules_.failures(outline, contact, ice);

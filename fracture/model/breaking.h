@@ -1,6 +1,5 @@
 #pragma once
-/// Breaking of floes under what presses on them: loads of a step, and the ways to break under them.
-/// docs/theory/fracture.md
+/// Breaking of floes: the loads of a step, and the failure modes under them. docs/theory/fracture-breaking.md
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -18,24 +17,25 @@ namespace nilas {
 
 struct BreakingSettings {
   FailureSettings failure;
-  std::optional<DamageRule> damage;  ///< none: loads below the strength leave no trace
+  std::optional<DamageRule> damage;  ///< Rule of damage. Without it loads below the strength leave no trace.
 };
 
 class Breaking {
  public:
   explicit Breaking(const BreakingSettings& settings);
 
-  /// Notes what the vessel and bodies (never floes or walls) press with on breakable floes in this part of a step.
+  /// Notes the impulses of the vessel and of bodies on breakable floes in this substep. Those of floes and walls do not
+  /// count.
   void note_loads(const Bodies& bodies, const IceProperties& ice, const StepMotion& motion);
 
-  /// Floes that the loads noted since the last call break, their means taken over `step` [s], in the order of their
-  /// ids. A floe loaded at several places breaks at the one that is worst.
+  /// Returns the floes that break under the impulses noted since the last call, as forces over `step` [s]. They are in
+  /// the order of their ids. The worst load of a floe comes first among its failure modes.
   std::vector<FloeBreak> take_breaks(const Bodies& bodies, const IceProperties& ice, double step);
 
-  /// Pieces, all of whose floes are gone, inherit what loads below the strength did to these.
+  /// Gives pieces the damage of their floes, which have left the bodies.
   void follow(const Bodies& bodies, const std::vector<NewPiece>& pieces);
 
-  /// Largest damage D of the places of a floe, 0 without <damage>.
+  /// The largest damage D of the places of a floe; 0 without <damage>.
   double damage(std::int64_t floe) const;
 
   void save(StateWriter out) const;
@@ -49,7 +49,8 @@ class Breaking {
 
   FailureRules rules_;
   std::optional<IceDamage> damage_;
-  std::map<std::int64_t, std::vector<PointLoad>> loads_;  ///< by floe; forces as impulses [N s]
+  std::map<std::int64_t, std::vector<PointLoad>>
+      loads_;  ///< Loads by the id of the floe; the forces are impulses [N s].
 };
 
 }  // namespace nilas

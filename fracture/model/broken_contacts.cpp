@@ -11,12 +11,12 @@ namespace nilas {
 
 namespace {
 
-/// Points of pieces lie no farther from those of the floe that they take impulses from [of the ice's thickness].
+/// The largest distance of a piece's point from the floe's point whose impulse it takes, over the ice's thickness [-].
 constexpr double k_reach_share = 2;
-/// Distances nearer to each other than this are equal [of the reach].
+/// Distances that differ by less than this share of the reach are equal [-].
 constexpr double k_same = 1e-9;
 
-/// Where both bodies' motions brought a point from, within the time h before.
+/// The place of a contact point a time h [s] earlier, carried back by the mean of both bodies' velocities [m].
 Vec3 place_before(const Bodies& bodies, const ContactPoint& c, double h) {
   const auto velocity = [&](int body) -> Vec3 {
     if (bodies.motion[body] == Motion::fixed) return Vec3::Zero();
@@ -27,16 +27,16 @@ Vec3 place_before(const Bodies& bodies, const ContactPoint& c, double h) {
 
 }  // namespace
 
-/// A point of a piece.
+/// A contact point of a piece, which may take impulses of the floe.
 struct BrokenContacts::Taker {
   std::size_t point = 0;
-  std::int64_t a = 0, b = 0;  ///< ids of what its bodies were before the break
-  Vec3 p = Vec3::Zero();      ///< where it was then
+  std::int64_t a = 0, b = 0;  ///< Ids of its bodies before the break.
+  Vec3 p = Vec3::Zero();      ///< Its place before the last substep, in G [m].
   Vec3 n = Vec3::UnitX();
   double reach = 0;  ///< [m]
   OrderFreeVectorSum impulse = {};
 
-  /// On its body b; zero where it takes none of the load.
+  /// The impulse of the load on the point's body b [N s]. It is zero where the point does not take the load.
   Vec3 part_of(const Load& load) const {
     const bool same = load.a == a && load.b == b;
     if (!same && !(load.a == b && load.b == a)) return Vec3::Zero();

@@ -1,5 +1,5 @@
 #pragma once
-/// Impulses on floes that broke, as a first guess of those on their pieces. docs/theory/fracture-breaking.md
+/// The impulses on floes that broke, as a first guess for their pieces. docs/theory/fracture-breaking.md
 #include <cstdint>
 #include <map>
 #include <vector>
@@ -14,14 +14,15 @@ namespace nilas {
 
 class BrokenContacts {
  public:
-  /// Notes, in place of all that was noted, the impulses on floes that broke; `last`: contacts of the part of the step
-  /// that ended with the breaks.
+  /// Forgets what was noted, and notes the impulses on floes that broke. `last` has the contacts of the substep that
+  /// ended with the breaks.
   void note(const SolvedProblem& last, const std::vector<FractureEvent>& broken);
 
-  /// Adds what was noted to the guess (3 per contact, in the contacts' frames C; points first) [N s]. Each impulse goes
-  /// to the nearest point, within two thicknesses of the ice, between a piece of its floe and the same other body or a
-  /// piece of it, on which it presses; points equally near share it evenly. What finds none is left out. `bodies`: at
-  /// the poses of the points, with the velocities that they came there with.
+  /// Adds the noted impulses to the guess [N s], which has 3 entries per contact in the contacts' frames C, points
+  /// first. Each impulse goes to the nearest point within two thicknesses of the ice. The point is between a piece of
+  /// the floe and the same other body, or a piece of it, and the impulse presses on it. Points that are equally near
+  /// share it evenly. An impulse that finds no point is dropped. `bodies` are at the poses of the points, with the
+  /// velocities that brought them there.
   void add_to(const Bodies& bodies, const std::vector<ContactPoint>& points, const std::vector<Mat3>& C,
               VecX& guess) const;
 
@@ -31,19 +32,19 @@ class BrokenContacts {
   void restore(const StateReader& in);
 
  private:
-  /// Between two bodies, of which at least one broke.
+  /// An impulse between two bodies, of which at least one broke.
   struct Load {
-    std::int64_t a = 0, b = 0;    ///< ids
-    Vec3 p = Vec3::Zero();        ///< in G [m]
-    Vec3 impulse = Vec3::Zero();  ///< on b, in G [N s]
+    std::int64_t a = 0, b = 0;    ///< Ids of the bodies.
+    Vec3 p = Vec3::Zero();        ///< Place in G [m].
+    Vec3 impulse = Vec3::Zero();  ///< Impulse on b in G [N s].
   };
   struct Taker;
 
   std::int64_t broken_or_self(std::int64_t id) const;
   std::vector<Taker> takers(const Bodies& bodies, const std::vector<ContactPoint>& points) const;
 
-  double h_ = 0;                                  ///< of the part of the step that they acted in [s]
-  std::map<std::int64_t, std::int64_t> floe_of_;  ///< by piece
+  double h_ = 0;                                  ///< Length of the substep in which the impulses acted [s].
+  std::map<std::int64_t, std::int64_t> floe_of_;  ///< Id of the broken floe by that of its piece.
   std::vector<Load> loads_;
 };
 

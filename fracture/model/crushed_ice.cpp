@@ -1,4 +1,4 @@
-/// Ice that hulls have crushed through its whole thickness, and the cut that takes it out of its floe.
+/// Ice that hulls have crushed through the whole thickness of a floe, and the cut that removes it.
 #include <algorithm>
 
 #include "fracture/cut/cut_outline.h"
@@ -9,10 +9,10 @@ namespace nilas {
 
 namespace {
 
-/// Of the strip of crushed ice that stays along a hull's surface, in thicknesses, and in widths of a narrow hull: wide
-/// enough that faces which turn or back off a little stay in ice.
+/// The width of the strip of crushed ice that stays along a hull's surface, in thicknesses, and in widths of a narrow
+/// hull. Faces that turn or back off a little must stay in ice.
 constexpr double k_strip = 0.25, k_strip_of_width = 0.125;
-/// A share of the columns that rounding leaves outside an outline.
+/// The largest share of the columns that rounding may leave outside an outline [-].
 constexpr double k_rounding = 1e-9;
 
 using Polygons = std::vector<std::vector<Vec2>>;
@@ -37,7 +37,7 @@ void add_hull(const CrushingSurface& hull, const Placement& hull_in_floe, const 
   const double h = floe.thickness;
   Box around;
   around.extend(floe.outline);
-  const Vec2 beyond = 0.5 * (around.high - around.low);  // the box must cut no column within the outline
+  const Vec2 beyond = 0.5 * (around.high - around.low);  // so that the box cuts no column within the outline
   around.low -= beyond;
   around.high += beyond;
   const auto reaches = [&](const ConvexPolytope& part) {
@@ -73,7 +73,8 @@ Polygons closed(const Polygons& polygons) {
   return lines;
 }
 
-/// Whether more than one piece of the floe would stay: then a bridge of crushed ice, however small, must go.
+/// Whether more than one piece of the floe would stay. Then a bridge of crushed ice must be cut out, however small it
+/// is.
 bool parts_floe(const std::vector<Vec2>& outline, const Failure& way) {
   const CutResult cut = cut_outline(outline, way.cracks);
   return std::count_if(cut.pieces.begin(), cut.pieces.end(),

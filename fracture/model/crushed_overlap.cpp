@@ -1,4 +1,4 @@
-/// How far ice that was crushed still stands inside the hulls that crushed it.
+/// The overlap of hulls with the ice that they crushed.
 #include <algorithm>
 
 #include "fracture/model/crushing.h"
@@ -7,7 +7,7 @@ namespace nilas {
 
 namespace {
 
-/// Depth of a point inside a part, measured to the part's outer faces; 0 outside it or where it has none.
+/// The depth of a point inside a part, measured to the part's outer faces [m]; 0 outside it or where it has none.
 double depth_in(const ConvexPolytope& part, const std::vector<char>& outer, const Vec3& x) {
   double way_out = -1;
   for (std::size_t f = 0; f < part.normals.size(); ++f) {

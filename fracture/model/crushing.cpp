@@ -13,14 +13,14 @@ namespace nilas {
 
 namespace {
 
-/// An area narrower than this share of the square root of the pair's whole area is one line or point of force [-].
+/// An axis has one point where the radius of gyration is below this share of the square root of the whole area [-].
 constexpr double k_point_share = 0.1;
-/// Normal speeds below this share of the relative velocity are rest: the rounding of a face's normal [-].
+/// Normal speeds below this share of the relative velocity count as rest, since a face's normal is rounded [-].
 constexpr double k_rest_share = 1e-12;
-/// Halvings that find when a face first touches ice: to 1e-9 of the step.
+/// The number of halvings that find the time at which a face first touches ice, within 1e-9 of the step.
 constexpr int k_touch_halvings = 30;
 
-/// A body's motion, even over the step.
+/// The motion of a body with velocities that are constant over the step.
 struct Moving {
   Vec3 p, v, w;
   Mat3 R;
@@ -49,7 +49,7 @@ bool reaches(const std::vector<ConvexPolytope>& parts, const Vec3& centre, doubl
   });
 }
 
-/// x_b = R x_a + p.
+/// The placement of frame a in frame b: x_b = R x_a + p.
 Placement between(const Placement& a_in_G, const Placement& b_in_G) {
   return {b_in_G.R.transpose() * a_in_G.R, b_in_G.R.transpose() * (a_in_G.p - b_in_G.p)};
 }
@@ -60,8 +60,8 @@ Placement between(const Placement& a_in_G, const Placement& b_in_G) {
 struct Crushing::FaceLoad {
   const FaceInIce* now = nullptr;
   const FaceInIce* next = nullptr;
-  double pressure = 0;           ///< at the step's start, where there is no area at its end [Pa]
-  double force = 0, growth = 0;  ///< at the step's start, and until its end [N]
+  double pressure = 0;           ///< Pressure at the step's start, or at its end where only that has an area [Pa].
+  double force = 0, growth = 0;  ///< Force at the step's start, and its growth until the end [N].
 
   const FaceInIce& face() const { return now ? *now : *next; }
 };
@@ -72,11 +72,11 @@ struct Crushing::Pair {
   int floe;
   double h, ahead;
   Moving of_hull, of_floe;
-  Placement present, next;                   ///< of the hull in the floe now and at the step's end
-  std::vector<FaceInIce> faces, faces_next;  ///< there; the latter only with an implicit law
-  double area = 0, area_next = 0;            ///< of these [m^2]
-  double pressing = 0, pressing_next = 0;    ///< that the pressure depends on [m^2]
-  double least = 0;                          ///< radius of gyration of an area that has more than one point [m]
+  Placement present, next;                   ///< The hull in the floe now and at the step's end.
+  std::vector<FaceInIce> faces, faces_next;  ///< Faces in ice then; faces_next only with an implicit law.
+  double area = 0, area_next = 0;            ///< Areas of these faces [m^2].
+  double pressing = 0, pressing_next = 0;    ///< Areas that the pressure depends on [m^2].
+  double least = 0;                          ///< Least radius of gyration for two points on an axis [m].
   std::uint64_t key = 0;
 
   bool touches_now() const { return !faces.empty(); }
@@ -92,8 +92,8 @@ struct Crushing::Pair {
   ContactPoint point_on(const FaceInIce& face) const;
 };
 
-/// Faces that slide along the ice or back off share no load, so that they do not spread the pressure either. At rest
-/// all of them hold.
+/// The area that the pressure depends on [m^2]. Faces that slide along the ice or back off carry no load, and do not
+/// spread the pressure. Where no face presses, at rest, all of them count.
 double Crushing::Pair::pressing_area(const std::vector<FaceInIce>& in_ice) const {
   OrderFreeSum sum;
   for (const FaceInIce& face : in_ice) {
@@ -104,14 +104,15 @@ double Crushing::Pair::pressing_area(const std::vector<FaceInIce>& in_ice) const
   return sum.value() > 0 ? sum.value() : total_area(in_ice);
 }
 
-/// A point of the floe's frame now; where a face will only come to, it is carried back by both bodies.
+/// The place in G of a point of the floe's frame [m]. Where the face reaches the ice only at the step's end, the
+/// motions of both bodies carry the point back.
 Vec3 Crushing::Pair::place(const FaceLoad& load, const Vec3& x) const {
   const Vec3 with_floe = of_floe.p + of_floe.R * x;
   if (load.now) return with_floe;
   return 0.5 * (with_floe + of_hull.p + of_hull.R * (next.R.transpose() * (x - next.p)));
 }
 
-/// When a face that is out of the ice now, and in it at the step's end, comes in [s].
+/// The time at which a face touches ice that is out of it now and in it at the step's end [s].
 double Crushing::Pair::first_touch(const FaceInIce& face) const {
   double out = 0, in = ahead;
   for (int k = 0; k < k_touch_halvings; ++k) {
@@ -122,7 +123,7 @@ double Crushing::Pair::first_touch(const FaceInIce& face) const {
   return in;
 }
 
-/// With its bodies, normal, and the key of the face.
+/// A contact point with the bodies, the normal and the key of the face.
 ContactPoint Crushing::Pair::point_on(const FaceInIce& face) const {
   const HullFace& surface = hull.faces[face.face];
   const Vec3 into_ice = of_hull.R * surface.normal;
@@ -171,7 +172,7 @@ void Crushing::follow(const Bodies& bodies, const std::vector<NewPiece>& pieces)
   std::erase_if(near_hulls_, [&](const Ids& ids) { return !is_there(ids.second); });
 }
 
-/// Kept from step to step.
+/// The surface of a floe, computed once and kept.
 const CrushingSurface& Crushing::floe_surface(const Bodies& bodies, int floe) {
   CrushingSurface& surface = floes_[bodies.id[floe]];
   if (surface.parts.empty()) surface = crushing_surface(bodies, floe).value();
@@ -184,7 +185,7 @@ bool Crushing::crushes(int a, int b) const {
   return (is_hull(a) && ice_.is_breakable(b)) || (is_hull(b) && ice_.is_breakable(a));
 }
 
-/// A body's points go no farther than this in a time [m].
+/// The largest distance that a point of the body may move in a time [m].
 static double way(const Bodies& bodies, std::size_t b, double time) {
   if (bodies.motion[b] == Motion::fixed) return 0;
   return time * (bodies.v_GB[b].norm() + bodies.w_GB[b].norm() * bodies.shape[b]->bounding_radius);
@@ -201,7 +202,7 @@ const CrushingSurface& Crushing::hull_of(int body) const {
   return *std::find_if(hulls_.begin(), hulls_.end(), [&](const CrushingSurface& hull) { return hull.body == body; });
 }
 
-/// The floe's ball, with what both go until the step's end, against the hull's ball and its parts.
+/// Whether the floe's bounding ball, widened by both motions until the step's end, reaches a part of the hull.
 bool Crushing::may_meet(const Bodies& bodies, const CrushingSurface& hull, int floe, double ahead) {
   const auto k = static_cast<std::size_t>(hull.body), b = static_cast<std::size_t>(floe);
   if (bodies.motion[k] == Motion::fixed && bodies.motion[b] == Motion::fixed) return false;
@@ -263,7 +264,8 @@ void Crushing::add_pair(const Pair& pair, std::vector<ContactPoint>& points) {
   for (const FaceLoad& load : loads_of(pair)) add_face(pair, load, points);
 }
 
-/// A face's area that goes over from one piece of the floe to the next within the step is no growth.
+/// Leaves the net growth of a face. Area that moves from one piece of the floe to the next within the step is no
+/// growth.
 void Crushing::leave_net_growth(std::vector<FaceLoad>& loads, std::size_t first) {
   OrderFreeSum net, growing;
   for (std::size_t k = first; k < loads.size(); ++k) {
@@ -303,14 +305,14 @@ std::vector<Crushing::FaceLoad> Crushing::loads_of(const Pair& pair) const {
   return loads;
 }
 
-/// Whether the faces of the first of two floes count, by what they have in each other now; where that is nothing, at
-/// the step's end. Of equal areas those of the lighter floe, of equal masses those of the one that is easier to turn:
-/// only floes that are alike in all this leave it to their order.
+/// Whether the faces of the first of two floes count: those with the smaller area in the other floe now, or at the
+/// step's end where there is none now. Of equal areas the faces of the lighter floe count. Of equal masses those of the
+/// floe with the smaller sum of principal moments of inertia count. Only if these are equal too does the order decide.
 bool Crushing::first_counts(const Pair& of_first, const Pair& of_second) {
   constexpr double k_same = 1e-9;  // numbers nearer than this differ by rounding [-]
   const bool now = of_first.touches_now() || of_second.touches_now();
   const double a_in_b = now ? of_first.area : of_first.area_next, b_in_a = now ? of_second.area : of_second.area_next;
-  // what stands in the other with all its sides has none of the other's in it
+  // A floe that is wholly inside the other has no area of the other's surface in it.
   if (a_in_b == 0 || b_in_a == 0) return b_in_a == 0;
   const Bodies& bodies = of_first.bodies;
   const auto a = static_cast<std::size_t>(of_first.hull.body), b = static_cast<std::size_t>(of_second.hull.body);
@@ -320,7 +322,8 @@ bool Crushing::first_counts(const Pair& of_first, const Pair& of_second) {
   return true;
 }
 
-/// Remembered is the choice of floes that touch now alone: it does not depend on velocities, nor on the step's length.
+/// Adds the points of two floes. The choice of the faces is remembered only for floes that touch now, so that it
+/// depends neither on velocities nor on the step's length.
 void Crushing::add_floes(const Bodies& bodies, int a, int b, double h, double ahead,
                          std::vector<ContactPoint>& points) {
   const Ids ids(bodies.id[a], bodies.id[b]);
@@ -365,7 +368,7 @@ void Crushing::add_face(const Pair& pair, const FaceLoad& load, std::vector<Cont
   }
   const double closing = (pair.of_hull.R * pair.hull.faces[face.face].normal).dot(velocity);
   if (!(load.growth > 0 && closing > rest)) return;
-  // the way until the first touch is a gap, which closes in the same share of the step
+  // The distance until the first touch is a gap, which closes in the same share of the step.
   const double out = load.now ? 0 : pair.first_touch(face) / pair.ahead;
   add(face.centroid, load.growth, (1 - out) * closing / (load.growth * pair.h), 0);
   points.back().gap += out * closing * pair.h;

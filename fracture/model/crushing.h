@@ -1,6 +1,6 @@
 #pragma once
-/// Crushing of breakable floes by the vessel and by bodies: contact points whose force the ice's strength limits, in
-/// place of those that keep rigid bodies apart. docs/theory/fracture-crushing.md
+/// Crushing of breakable floes by the vessel and by bodies. The ice's strength limits the force of its contact points,
+/// which replace those of rigid contact. docs/theory/fracture-crushing.md
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -23,62 +23,66 @@ namespace nilas {
 
 struct CrushingSettings {
   CrushingLaw law;
-  bool between_floes = false;          ///< floes crush each other, too
-  std::optional<double> clear_volume;  ///< crushed ice is cut out of a floe from this volume on [m^3]
+  bool between_floes = false;          ///< Floes crush each other too.
+  std::optional<double> clear_volume;  ///< Volume of crushed ice above which it is cut out [m^3].
 };
 
 class Crushing {
  public:
-  /// Learns the surfaces of the vessel and of the bodies with flat faces; cylinders crush as their faceted surface,
-  /// spheres and planes stay rigid. `ice` must outlive this.
+  /// Computes the surfaces of the vessel and of the bodies with flat faces. Cylinders crush with their facets. Contacts
+  /// of spheres and planes stay rigid. `ice` must outlive this object.
   Crushing(const CrushingSettings& settings, const Bodies& bodies, const IceProperties& ice);
 
-  /// Counts the ice whose crushing took the work of the crush points' normal forces in this part of a step: work over
-  /// pressure is its volume.
+  /// Adds the mass of the ice that was crushed in this substep. Its volume is the work of the crush points' normal
+  /// forces over the pressure.
   void note_crushed(const Bodies& bodies, const StepMotion& motion);
-  /// After bodies came or went: finds its hulls again. In pieces hulls have been as deep as in the floe that broke.
+  /// Updates the indices of the hulls after bodies came or went. Pieces inherit the crushed depth of the broken floe.
   void follow(const Bodies& bodies, const std::vector<NewPiece>& pieces);
 
-  /// Whether the contact of two bodies is one of crushing: a breakable floe and the vessel or a body, or, where the
-  /// scene says so, two breakable floes.
+  /// Whether the contact of two bodies is crushing. It is for a breakable floe and the vessel or a body, and with
+  /// `between_floes` for two breakable floes.
   bool crushes(int a, int b) const;
 
-  /// The points of all such pairs at the present poses, for a step of length h whose motion after the impulses takes
-  /// `ahead` [s]. Each face of a hull inside ice carries its pressure times its area: at most so much while it closes,
-  /// any less at rest, nothing while it leaves. With an implicit law a point at its centroid adds what the area
-  /// grows by: compliant, u_N + c r_N >= 0 with c = c_0 / (dF h), dF being what the force grows by until the step's end
-  /// with the present velocities and c_0 the closing speed there; its force is at most dF. Of a face that comes into
-  /// the ice within the step the way until then is a gap, and c_0 the closing speed less what that takes. A face that
-  /// has backed off in ice it crushed has that as its gap. Remembers how deep the faces are: further calls at the same
-  /// poses remember the same, whatever velocities, h and `ahead`. `near`: pairs of bodies that crush and may touch
-  /// within the step, each once, the first before the second. Of two floes the one with the smaller area in the other
-  /// when they first touch has the faces that count, for as long as they do; by Gauss' theorem force and moment of an
-  /// even pressure are those of the other's faces too.
+  /// The contact points of pairs that crush, at the present poses, for a step of length h [s]. The motion after the
+  /// impulses takes `ahead` [s]. `near` are the pairs of bodies that crush and may touch within the step, each once,
+  /// the first body before the second.
+  ///
+  /// The points of a hull's face in ice together carry at most its pressure times its area. With an implicit law one
+  /// more point at the face's centroid carries the growth: u_N + c r_N >= 0 with c = c_0 / (dF h), and a force of at
+  /// most dF. dF is the growth of the force until the step's end with the present velocities, c_0 the closing speed of
+  /// the centroid. Where a face touches ice only within the step, the distance until then is a gap, and c_0 is reduced
+  /// by gap / h. A face that has backed off in ice that it crushed has that distance as its gap.
+  ///
+  /// Of two floes only the faces of one count, for as long as they touch: mostly the one with the smaller area in the
+  /// other (docs/theory/fracture-crushing.md). By Gauss' theorem force and moment of an even pressure are the same for
+  /// the faces of the other. The object remembers these choices and how deep the faces are. Further calls at the same
+  /// poses remember the same, whatever the velocities, h and `ahead`.
   std::vector<ContactPoint> points(const Bodies& bodies, const std::vector<std::pair<int, int>>& near, double h,
                                    double ahead);
 
-  /// Floes of which hulls have more than the scene's clear_volume within them through the whole thickness, in the order
-  /// of their ids, with the cut that takes it out. A strip along the hulls' surfaces stays, so that their faces stand
-  /// in ice as before. None while a hull stands in the midst of its floe, which `warnings` are told.
+  /// The floes of which hulls have crushed more than the scene's clear_volume through the whole thickness, in the order
+  /// of their ids, with the cut that removes this ice. A smaller volume counts where its cut would part the floe. A
+  /// strip along the hulls' surfaces stays, so that their faces remain in ice. A hull that is surrounded by its floe
+  /// cuts nothing, and `warnings` says so.
   std::vector<FloeBreak> floes_to_clear(const Bodies& bodies, WarningCounts& warnings) const;
 
-  /// How deep a corner of a breakable floe stands inside the vessel or a body that crushes it, at the present poses:
-  /// the shortest way out through an outer face of the convex part that it is in. 0 where none is inside [m].
+  /// The largest depth [m] of a corner of a breakable floe inside the vessel or a body that crushes it, at the present
+  /// poses. It is the least distance to an outer face of the convex part that the corner is in. 0 where none is inside.
   double deepest_overlap(const Bodies& bodies) const;
 
-  /// What points() hands from one search to the next: whose faces count, and how deep faces stood in the ice.
+  /// The state that points() keeps from one call to the next: whose faces count, and how deep faces were in the ice.
   struct Memory {
     std::map<std::pair<std::int64_t, std::int64_t>, char> faces_of_first;
     CrushedDepth depth;
   };
   Memory memory() const { return {faces_of_first_, depth_}; }
-  /// Back to what it was before a search at poses that are taken back.
+  /// Restores the memory from before a call of points() at poses that the time step took back.
   void set_memory(const Memory& memory) {
     faces_of_first_ = memory.faces_of_first;
     depth_ = memory.depth;
   }
 
-  /// Of the ice that was crushed since the start [kg].
+  /// The mass of the ice that was crushed since the start [kg].
   double crushed_mass() const { return crushed_mass_; }
 
   void save(StateWriter out) const;
@@ -108,14 +112,14 @@ class Crushing {
   CrushingLaw law_;
   const IceProperties& ice_;
   std::vector<CrushingSurface> hulls_;
-  std::vector<char> is_hull_;  ///< per body
+  std::vector<char> is_hull_;  ///< A flag per body.
   using Ids = std::pair<std::int64_t, std::int64_t>;
   bool between_floes_ = false;
   std::optional<double> clear_volume_;                       ///< [m^3]
-  std::map<std::int64_t, CrushingSurface> floes_;            ///< by id: those that came near another
-  std::map<Ids, char> faces_of_first_, new_faces_of_first_;  ///< of floes that touch: whose faces count
+  std::map<std::int64_t, CrushingSurface> floes_;            ///< Surfaces by id of floes that came near another.
+  std::map<Ids, char> faces_of_first_, new_faces_of_first_;  ///< Whose faces count, for floes that touch.
   CrushedDepth depth_;
-  std::set<Ids> near_hulls_;  ///< hulls and floes that may have met at the last points(), where ice is cut out
+  std::set<Ids> near_hulls_;  ///< Hulls and floes that may have met at the last points(); empty without clear_volume.
   double crushed_mass_ = 0;   ///< [kg]
 };
 

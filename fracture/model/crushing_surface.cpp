@@ -7,7 +7,7 @@ namespace nilas {
 
 namespace {
 
-/// A cylinder's facets are flat within this share of its radius [-].
+/// The facets of a cylinder are flat within this share of its radius [-].
 constexpr double k_facet_tolerance = 1e-9;
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-/// The outer faces of a body that ice crushes against, or of a floe.
+/// The outer faces of a floe, or of a body that crushes ice.
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -9,18 +9,18 @@
 
 namespace nilas {
 
-/// In the frame of the body. Faces, and parts of faces, inside or against other parts of the body are left out.
+/// The surface in the frame of the body. Faces, and pieces of faces, inside or against other parts are left out.
 struct CrushingSurface {
   int body = -1;
   std::int64_t id = 0;
   std::vector<HullFace> faces;
   std::vector<ConvexPolytope> parts;
-  std::vector<std::vector<char>> outer;  ///< per face of each part: whether the surface has pieces of it
+  std::vector<std::vector<char>> outer;  ///< A flag per face of each part: the surface has pieces of it.
 };
 
-/// Whether a shape has flat faces, or is a cylinder, which has its facets; spheres and planes have none.
+/// Whether a shape has flat faces, or the facets of a cylinder. Spheres and planes have none.
 bool has_crushing_surface(const Shape& shape);
-/// Of a body whose shape has one.
+/// The surface of a body, or nothing where its shape has none.
 std::optional<CrushingSurface> crushing_surface(const Bodies& bodies, int body);
 
 }  // namespace nilas

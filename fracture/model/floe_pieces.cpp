@@ -4,7 +4,7 @@ namespace nilas {
 
 namespace {
 
-/// As the piece at `place` of the floe has it.
+/// The strength of the floe in the frame of its piece at `place` [m].
 FloeStrength moved(const FloeStrength& strength, const Vec2& place) {
   if (!strength.at_xy) return strength;
   return {strength.mean, [at = strength.at_xy, place](double x, double y) { return at(x + place.x(), y + place.y()); }};
@@ -26,14 +26,14 @@ FloeState state_of(const Bodies& bodies, std::size_t b) {
 
 }  // namespace
 
-/// Whether a piece of a fixed floe that is not its largest is held as well.
+/// Whether a piece of a fixed floe stays fixed although it is not the largest.
 static bool is_held(const FloePiece& piece, const Failure& way) {
   if (way.kind == FailureKind::splitting) return false;
   const std::vector<Vec2>& outline = piece.state.outline;
   double of_old_edge = 0, of_cracks = 0;
   for (std::size_t i = 0; i < outline.size(); ++i)
     (piece.crack[i] ? of_cracks : of_old_edge) += (outline[(i + 1) % outline.size()] - outline[i]).norm();
-  constexpr double k_wedges = k_pi / 2;  // area of all that lies within R_bending of a straight edge, over R_bending^2
+  constexpr double k_wedges = k_pi / 2;  // area of a half circle of radius R_bending, over R_bending^2
   return of_old_edge > of_cracks && piece.area > k_wedges * way.radius * way.radius;
 }
 
@@ -53,7 +53,7 @@ FloePieces::Origin FloePieces::origin_of(std::int64_t id) const {
   return found == origins_.end() ? Origin{id, Vec2::Zero()} : found->second;
 }
 
-/// Appends the piece with the strengths of the scene's floe at its place.
+/// Appends the piece to the bodies, with the strengths of the scene's floe at its place.
 void FloePieces::add_body(BodySpec spec, const Origin& origin, Bodies& bodies, IceProperties& ice) {
   const Intact& intact = intact_.at(origin.floe);
   spec.name = intact.name + " piece " + std::to_string(bodies.next_id);
@@ -84,7 +84,7 @@ void FloePieces::add_piece(const FloePiece& piece, std::size_t floe, bool fixed,
   add_body(std::move(spec), origin, bodies, ice);
 }
 
-/// What is needed of a floe of the scene before it goes.
+/// Keeps the properties that pieces inherit from a floe of the scene, before it leaves.
 void FloePieces::keep_intact(std::size_t b, const Bodies& bodies, const IceProperties& ice) {
   if (origins_.count(bodies.id[b]) > 0) return;
   intact_[bodies.id[b]] = {bodies.name[b],

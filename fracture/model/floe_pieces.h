@@ -1,5 +1,5 @@
 #pragma once
-/// Pieces in the place of floes that break. docs/theory/fracture-breaking.md
+/// The pieces that replace floes that break. docs/theory/fracture-breaking.md
 #include <cstdint>
 #include <map>
 #include <string>
@@ -15,7 +15,7 @@
 
 namespace nilas {
 
-/// A floe that breaks, and the ways in which it may, the likeliest first.
+/// A floe that breaks, with its failure modes, the largest ratio first.
 struct FloeBreak {
   std::int64_t floe = 0;  ///< id
   std::vector<Failure> ways;
@@ -25,33 +25,34 @@ class FloePieces {
  public:
   explicit FloePieces(const PieceLimits& limits) : limits_(limits) {}
 
-  /// Puts pieces in the floe's place, in the first way that cuts it: after all other bodies, moving as it did, with its
-  /// strengths. Of a fixed floe the largest piece stays fixed, and others that have more of its old edge than of cracks
-  /// around them and a larger area than all wedges; the rest is free. Appends them to `pieces`. Without energy and time
-  /// in it, which the caller knows; no pieces and no brash where no way cuts it, which `warnings` are told.
+  /// Replaces the floe by pieces, by the first failure mode that cuts it. The pieces come after all other bodies, move
+  /// as the floe did, and have its strengths. They are also appended to `pieces`. Of a fixed floe the largest piece
+  /// stays fixed. So do others that have more old edge than cracks around them and a larger area than all wedges,
+  /// unless the floe splits. The rest is free. Returns the event without time and energy, which the caller knows. It
+  /// has no pieces and no brash where no failure mode cuts the floe, and `warnings` says so.
   FractureEvent put(const FloeBreak& broken, Bodies& bodies, IceProperties& ice, WarningCounts& warnings,
                     std::vector<NewPiece>& pieces);
 
-  double brash_mass() const { return brash_mass_; }        ///< since the start [kg]
-  double extruded_mass() const { return extruded_mass_; }  ///< of crushed ice that was cut out, since the start [kg]
+  double brash_mass() const { return brash_mass_; }        ///< Mass of brash since the start [kg].
+  double extruded_mass() const { return extruded_mass_; }  ///< Mass of crushed ice cut out since the start [kg].
 
-  /// Where the pieces of earlier breaks come from; between two steps.
+  /// Writes the pieces of earlier breaks and their origins. Call it between two steps.
   void save(const Bodies& bodies, StateWriter out) const;
-  /// Breaks the scene's floes as they were broken when saved: bodies with the same ids, at no pose in particular.
-  /// Throws InputError when the state is one of another scene.
+  /// Breaks the scene's floes as they were broken when saved. The bodies have the same ids; their poses are not set.
+  /// Throws InputError when the state belongs to another scene.
   void restore(const StateReader& in, Bodies& bodies, IceProperties& ice);
 
  private:
-  /// Of a floe of the scene that broke: what its pieces inherit.
+  /// The properties of a broken floe of the scene that its pieces inherit.
   struct Intact {
     std::string name, material;
     FloeStrength flexural, compressive, toughness;
     std::vector<WeakLine> weak_lines;
   };
-  /// A piece's frame in that of the scene's floe that it was cut from.
+  /// The frame of a piece in that of the scene's floe from which it was cut.
   struct Origin {
-    std::int64_t floe = 0;      ///< id
-    Vec2 place = Vec2::Zero();  ///< of the piece's centre [m]
+    std::int64_t floe = 0;      ///< Id of the floe.
+    Vec2 place = Vec2::Zero();  ///< Place of the piece's centre [m].
   };
 
   static std::vector<char> fixed_pieces(const FloeCut& cut, const Failure& way);
@@ -64,8 +65,8 @@ class FloePieces {
   void put_saved_pieces(const StateReader& in, Bodies& bodies, IceProperties& ice);
 
   PieceLimits limits_;
-  std::map<std::int64_t, Origin> origins_;  ///< of pieces that are there
-  std::map<std::int64_t, Intact> intact_;   ///< by id
+  std::map<std::int64_t, Origin> origins_;  ///< Origins of the present pieces, by id.
+  std::map<std::int64_t, Intact> intact_;   ///< Broken floes of the scene, by id.
   double brash_mass_ = 0, extruded_mass_ = 0;
 };
 

@@ -1,4 +1,4 @@
-/// What a checkpoint holds of floes that broke: the scene itself knows their floes only as they were.
+/// The state of broken floes in a checkpoint. The scene itself has these floes only unbroken.
 #include <algorithm>
 
 #include "fracture/model/floe_pieces.h"

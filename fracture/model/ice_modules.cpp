@@ -46,7 +46,7 @@ class CrushingModule : public Module {
   Crushing crushing_;
   WarningCounts& warnings_;
   Crushing::Memory memory_;
-  double deepest_ = 0;  ///< overlap of the step [m]
+  double deepest_ = 0;  ///< Largest overlap of the step [m].
 };
 
 class BreakingModule : public Module {
@@ -75,7 +75,8 @@ class BreakingModule : public Module {
   const IceProperties& ice_;
 };
 
-/// Of a floe that both breaks and has crushed ice to lose, the break comes first; the cut stands in where it fails.
+/// Cuts the floes that fail. A floe may both break and have crushed ice to be cut out. The break is then tried first,
+/// and the ice is cut out only where it fails.
 class PiecesModule : public Module {
  public:
   PiecesModule(const PieceLimits& limits, IceProperties& ice, WarningCounts& warnings)
@@ -113,7 +114,7 @@ class PiecesModule : public Module {
   FloePieces pieces_;
   IceProperties& ice_;
   WarningCounts& warnings_;
-  BrokenContacts broken_contacts_;  ///< of the step before, until the next impulses
+  BrokenContacts broken_contacts_;  ///< Impulses of the last step, until the next are solved.
 };
 
 }  // namespace

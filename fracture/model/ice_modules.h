@@ -10,16 +10,17 @@
 
 namespace nilas {
 
-/// "crushing": contacts of breakable floes with the vessel and with bodies are its own. Column crushed_overlap_max_m;
-/// total "crushed_mass" [kg].
+/// Makes the module "crushing". It owns the contacts of breakable floes with the vessel and with bodies, and with
+/// `between_floes` those of floes. It has the column crushed_overlap_max_m and the total "crushed_mass" [kg].
 std::unique_ptr<Module> make_crushing(const CrushingSettings& settings, const Bodies& bodies, const IceProperties& ice,
                                       WarningCounts& warnings);
 
-/// "breaking": notes loads on floes and names those that fail. Of a body "damage" [-].
+/// Makes the module "breaking". It notes loads on floes and names those that fail. Its number of a body is "damage"
+/// [-].
 std::unique_ptr<Module> make_breaking(const BreakingSettings& settings, const IceProperties& ice);
 
-/// "pieces": puts pieces in the place of floes that fail; must be listed after the modules that name failures. Totals
-/// "brash_mass", "extruded_mass" [kg].
+/// Makes the module "pieces". It replaces floes that fail by their pieces. It must be listed after the modules that
+/// name failures. Its totals are "brash_mass" and "extruded_mass" [kg].
 std::unique_ptr<Module> make_pieces(const PieceLimits& limits, IceProperties& ice, WarningCounts& warnings);
 
 }  // namespace nilas

@@ -1,5 +1,5 @@
 #pragma once
-/// The end of a step, when floes may break: an exchange between the modules that find failures and the one that cuts.
+/// The end of a step, when floes may break. Modules that find failures hand them to the one that cuts.
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -15,13 +15,14 @@ namespace nilas {
 struct StepEnd {
   Bodies& bodies;
   double t = 0;               ///< [s]
-  double step = 0;            ///< its length [s]
-  const SolvedProblem& last;  ///< the contacts of the last substep
-  /// Books what a break changed, with the bodies as they are now. Returns the energy that left them [J].
+  double step = 0;            ///< Length of the step [s].
+  const SolvedProblem& last;  ///< The contacts of the last substep.
+  /// Enters the change of a break into the energy account, with the present bodies. Returns the energy that left them
+  /// [J].
   std::function<double()> book_break;
-  std::map<std::int64_t, std::vector<Failure>> failures;  ///< by floe, the likeliest first
-  std::vector<FractureEvent> broken;                      ///< floes that broke
-  std::vector<NewPiece> pieces;                           ///< the pieces in their place
+  std::map<std::int64_t, std::vector<Failure>> failures;  ///< Failure modes by floe, in the order of trial.
+  std::vector<FractureEvent> broken;                      ///< Floes that broke.
+  std::vector<NewPiece> pieces;                           ///< The pieces in their place.
 };
 
 }  // namespace nilas

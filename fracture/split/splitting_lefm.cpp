@@ -14,11 +14,11 @@ namespace {
 
 constexpr double k_longest = splitting_table::longest, k_widest = splitting_table::widest;
 
-/// k-th of n + 1 Chebyshev points on [-1, 1], ascending.
+/// The k-th of n + 1 Chebyshev points on [-1, 1], in ascending order.
 double chebyshev_point(int n, int k) { return -std::cos(k * k_pi / n); }
 
-/// Shares of the values at the Chebyshev points in the polynomial's value at t (barycentric formula; Berrut &
-/// Trefethen 2004). `Points` is the number of points.
+/// The weights of the values at the Chebyshev points in the polynomial's value at t, by the barycentric formula (Berrut
+/// and Trefethen 2004). `Points` is the number of points.
 template <int Points>
 Eigen::Matrix<double, Points, 1> shares(double t) {
   static const auto points = [] {
@@ -34,11 +34,11 @@ Eigen::Matrix<double, Points, 1> shares(double t) {
   return out / out.sum();
 }
 
-/// Part of H that the table leaves out.
+/// The factor of H that the table leaves out.
 double outer_shape(double crack) { return 1 / (std::sqrt(crack) * std::pow(1 - crack, 1.5)); }
 
-/// H sqrt(A/L) of a half-plane: M = A J of Budiansky and Rice (1973) about the mouth, from Michell's solution of two
-/// quarter-planes that are loaded at their corners.
+/// H sqrt(A/L) of a half-plane. It follows from M = A J about the mouth (Budiansky and Rice 1973), with the radial
+/// stress of two quarter-planes that are loaded at their corners (docs/theory/fracture.md).
 double half_plane() { return 2 * std::sqrt(k_pi / (k_pi * k_pi - 4)); }
 
 void check(const SplittingFloe& floe, double A) {
@@ -50,7 +50,7 @@ double shape(const SplittingTable& table, const SplittingFloe& floe, double A) {
   return table.H(A / floe.length, floe.width / floe.length);
 }
 
-/// F_Y at K = K_IC.
+/// The force F_Y at K = K_IC [N].
 double critical_force(const SplittingFloe& floe, double H) {
   return floe.toughness * floe.thickness * std::sqrt(floe.length) / H;
 }
@@ -70,7 +70,7 @@ SplittingTable::SplittingTable() {
   least_H_ = tabulate([&](double t) { return search(t).second; }, -most, most, 96);
 }
 
-/// ln(W/L) within the table.
+/// ln(W/L), limited to the range of the table.
 static double clamped_log(double width) {
   NILAS_DEMAND(width > 0);
   return std::clamp(std::log(width), -std::log(k_widest), std::log(k_widest));
@@ -108,7 +108,7 @@ double splitting_force(const SplittingTable& table, const SplittingFloe& floe, d
   return critical_force(floe, A0 <= least.crack * floe.length ? least.H : shape(table, floe, A0));
 }
 
-/// F_X / F_Y.
+/// The ratio F_X / F_Y of a symmetric wedge.
 static double wedge_ratio(double psi, double mu) {
   NILAS_DEMAND(psi > 0 && psi < k_pi / 2 && mu >= 0 && mu * std::tan(psi) < 1);
   return 2 * (std::tan(psi) + mu) / (1 - mu * std::tan(psi));

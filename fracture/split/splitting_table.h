@@ -1,14 +1,15 @@
 #pragma once
-/// Made by tests/bench/split_table.cpp (plane-stress finite elements of the fifth order, graded to the crack tip and
-/// the load, J as a domain integral; refining them moves the values by less than 5e-5).
+/// The table of the splitting function H, computed by tests/bench/split_table.cpp. It uses plane-stress finite elements
+/// of the fifth order, graded to the crack tip and the load. J is a domain integral. Refining moves the values by less
+/// than 5e-5.
 
 namespace nilas::splitting_table {
 
-constexpr double longest = 0.9;  ///< largest A/L
-constexpr double widest = 8;     ///< largest W/L; the least is its inverse
+constexpr double longest = 0.9;  ///< Largest A/L.
+constexpr double widest = 8;     ///< Largest W/L; the least is its inverse.
 
-/// H sqrt(A/L) (1 - A/L)^(3/2). Row j: W/L = widest^(-cos(j pi / 20)), j = 0 ... 20. Column i, from 1 to 32: A/L =
-/// longest (1 - cos(i pi / 32)) / 2; at i = 0 stands the half-plane's limit, which is known exactly.
+/// The values H sqrt(A/L) (1 - A/L)^(3/2). Row j has W/L = widest^(-cos(j pi / 20)), j = 0 ... 20. Column i, from 1 to
+/// 32, has A/L = longest (1 - cos(i pi / 32)) / 2. At i = 0 H has the half-plane's limit, which is known exactly.
 constexpr double shape[21][32] = {
     {1.46823, 1.58417, 2.02721, 2.9764,  4.45667, 6.38487, 8.69203, 11.3211, 14.1872, 17.1729, 20.1395,
      22.9395, 25.4285, 27.4757, 28.9744, 29.8503, 30.0663, 29.6253, 28.5694, 26.9758, 24.9502, 22.6179,

@@ -5,17 +5,17 @@
 
 namespace nilas {
 
-/// Twice continuously differentiable.
+/// A cubic spline, twice continuously differentiable.
 using TableSpline = boost::math::interpolators::cardinal_cubic_b_spline<double>;
 
-/// f'(x) from values at x, x + h ... x + 4 h, to the fourth order in h.
+/// The derivative f'(x) from values at x, x + h ... x + 4 h, to the fourth order in h.
 template <class Function>
 double end_slope(const Function& f, double x, double h) {
   return (-25 * f(x) + 48 * f(x + h) - 36 * f(x + 2 * h) + 16 * f(x + 3 * h) - 3 * f(x + 4 * h)) / (12 * h);
 }
 
-/// Spline of f on from..to with the slope f'(from) given; f is asked for nothing outside. The other end's slope is
-/// given to it as well, as its own estimate is of lower order than the rest of it.
+/// The spline of f between `from` and `to`, with the given slope f'(from). f is evaluated nowhere else. The slope at
+/// `to` is computed from f, since the spline's own estimate is of lower order.
 template <class Function>
 TableSpline tabulate(const Function& f, double from, double to, int intervals, double first_slope) {
   const double step = (to - from) / intervals;
