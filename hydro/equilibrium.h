@@ -6,8 +6,8 @@
 
 namespace nilas {
 
-/// The height z [m] of the mesh origin at which a body of attitude R floats: rho V = mass [kg] within 1e-12. Throws
-/// InputError when the body would sink or the mass is not positive.
+/// The height z [m] of the mesh origin at which a body of attitude R floats: rho V = mass [kg] within 1e-12 of the
+/// mass. Throws InputError when the body would sink, when the mass is not positive, or for a mesh without triangles.
 double floating_height(const TriangleMesh& mesh, const Mat3& R, double mass, const Water& water);
 
 /// A body afloat at rest: buoyancy carries the weight, and its centre is on the vertical through the centre of mass.
@@ -24,10 +24,11 @@ struct FloatingEquilibrium {
 };
 
 /// The equilibrium that Newton's method with line search (KINSOL) reaches from the attitude `start`, with its heading.
-/// There rho V = mass within 1e-10 of the mass, and the centre of buoyancy is over the centre of mass within 1e-10 of
-/// the body's radius. `shape` is about the centre of mass, as in the body arrays. Its water integrals are those of the
-/// buoyancy module. The equilibrium need not be stable: an upright start stays upright. Throws InputError when the body
-/// would sink, has no positive mass or no bounded shape, or when no equilibrium is found.
+/// There rho V = mass within 1e-10 of the mass, and the centre of buoyancy is on the vertical through the centre of
+/// mass within 1e-10 of the body's radius. `shape` is about the centre of mass, as in the body arrays. Its water
+/// integrals are those of the buoyancy module. The equilibrium need not be stable: an upright start stays upright.
+/// Throws InputError when the body would sink, has no positive mass or no bounded shape, or when no equilibrium is
+/// found.
 FloatingEquilibrium floating_equilibrium(const Shape& shape, double mass, const Quat& start, const Water& water);
 
 }  // namespace nilas

@@ -34,8 +34,8 @@ std::unique_ptr<ForceModule> make_drag(const Water& water, const DragCoefficient
                                        bool order_free = false);
 
 /// F = coefficient (velocity - v) at the centre of mass of each free floe [N s/m, m/s]: the driving force of the
-/// pre-sawn test. A floe reaches `velocity` within a step of length h where coefficient h > m. There limit() scales the
-/// force down so that the floe just reaches it.
+/// pre-sawn test. Where coefficient h > m, the force of a step of length h [s] would carry a floe past `velocity`.
+/// There limit() scales it down so that the floe just reaches that velocity.
 std::unique_ptr<ForceModule> make_virtual_drag(double coefficient, const Vec3& velocity);
 
 }  // namespace nilas

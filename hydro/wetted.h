@@ -15,7 +15,7 @@ struct Submerged {
   Vec3 centre = Vec3::Zero();  ///< The centre of buoyancy in G [m]; the body's origin when dry.
 };
 /// The submerged part of a closed mesh with outward faces, given in the body frame, at the pose (R, p). It is exact at
-/// any attitude, also with vertices on the water plane.
+/// any attitude, also with vertices on the water plane. Throws InputError for a mesh without triangles.
 Submerged submerged_mesh(const TriangleMesh& mesh, const Mat3& R, const Vec3& p, double level);
 /// The submerged part of a sphere with its centre at p: a spherical cap, or the whole.
 Submerged submerged_sphere(double radius, const Vec3& p, double level);
@@ -26,8 +26,8 @@ struct WettedFace {
   Vec3 centroid = Vec3::Zero();  ///< Centroid in G [m].
   Vec3 normal = Vec3::UnitZ();   ///< Outward unit normal in G.
 };
-/// Appends to `out` the parts of all faces below the water plane. A face that lies in the water plane counts as dry
-/// where the plane cuts the solid.
+/// Appends to `out` the parts of all faces below the water plane. A face that lies in the water plane counts as wet
+/// only where the whole solid is below the plane. Throws InputError for a mesh without triangles.
 void wetted_faces(const TriangleMesh& mesh, const Mat3& R, const Vec3& p, double level, std::vector<WettedFace>& out);
 
 /// The geometry of a floe, prepared once. It has the outline's moments for the closed form that holds when the water
@@ -70,7 +70,7 @@ class PrismWater {
 
   std::vector<Side> sides_;
   PolygonMoments moments_;
-  double half_ = 0;   ///< half thickness [m]
+  double half_ = 0;   ///< half the thickness [m]
   double reach_ = 0;  ///< largest distance of an outline vertex from the axis [m]
 };
 
