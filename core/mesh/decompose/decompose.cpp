@@ -95,7 +95,8 @@ class Decomposition {
     }
   }
 
-  /// Reduces the target until there is a piece to cut; false if there is none.
+  /// Reduces the target, at most three times, until there is a piece to cut. False if there is none, or if there are as
+  /// many pieces as allowed.
   bool tighten() {
     constexpr double k_share = 0.6;
     constexpr int k_tightened = 3;

@@ -33,8 +33,10 @@ struct ConvexParts {
 };
 
 /// Cuts the mesh by planes, the worst piece first, until no piece's convex hull exceeds the mesh by more than the
-/// tolerance or the number of pieces is reached. Then joins neighbours whose common hull is also within the tolerance.
-/// The mesh must be closed, outward and free of crossings. Throws InputError where CGAL cannot cut it.
+/// tolerance, or there are four times as many pieces as allowed. Then joins neighbours whose common hull is also within
+/// the tolerance. Where too many pieces remain, joins them beyond the tolerance too. The mesh must be closed, outward
+/// and free of crossings. Throws InputError where CGAL cannot cut it, or where the pieces cannot be joined. Throws
+/// ContractError unless tolerance and number are positive.
 ConvexParts decompose(const TriangleMesh& mesh, const PartSettings& settings);
 
 /// Distance in both directions between the surface of the union of convex pieces and a closed mesh, to within

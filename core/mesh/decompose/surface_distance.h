@@ -17,7 +17,7 @@ std::vector<Corners> corners_of(const TriangleMesh& mesh);
 struct DistanceSearch {
   double precision = 0;       ///< if above 0, the result may be too small by this much [m]
   bool outside_only = false;  ///< leave out points inside the surface, which then must be closed
-  double floor = 0;           ///< smaller distances count as 0 [m]
+  double floor = 0;           ///< distances below this are not searched for [m]
   double slack = 0;           ///< the result may be too small by this share
   double ceiling = std::numeric_limits<double>::infinity();  ///< stop once the largest exceeds this [m]
 };
@@ -38,7 +38,8 @@ class SurfaceDistance {
   /// The parts of the triangles farther than `skin` [m] from every face of the surface in the same plane.
   std::vector<Corners> without_shared_faces(const std::vector<Corners>& triangles, double skin) const;
   /// The largest distance from the surface of any point of the triangles. Triangles that may contain a larger distance
-  /// are halved. `unmeasured` is the possible excess, including what some millions of halvings leave open.
+  /// are halved. `unmeasured` is the possible excess of distances above the floor, including what some millions of
+  /// halvings leave open.
   Deviation largest(const std::vector<Corners>& triangles, const DistanceSearch& search) const;
 
  private:

@@ -14,8 +14,8 @@ struct HalfSpace {
   double height(const Vec3& p) const { return normal.dot(p) - offset; }
 };
 
-/// Adds to `outside` the parts of a polygon outside the region between the planes, as polygons. The polygon is taken at
-/// its place moved by `shift`.
+/// Adds to `outside` the parts of a polygon outside the region below all planes, as polygons. The polygon is judged as
+/// if it were moved by `shift` [m]; the parts themselves are not moved.
 void subtract(const Loop& polygon, const Vec3& shift, const std::vector<HalfSpace>& region, std::vector<Loop>& outside);
 
 /// Triangles of the pieces' faces, without areas inside another piece or against its face. Faces closer than `skin` [m]

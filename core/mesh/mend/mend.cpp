@@ -103,7 +103,7 @@ void demand_few_corners(const PolygonSoup& soup) {
   }
 }
 
-/// Relative distance below which a double cannot distinguish points.
+/// Distance below which doubles cannot tell points this far from the origin apart [m].
 double least_gap(const PolygonSoup& soup) {
   constexpr double k_least = 1e-12;  // share of the largest coordinate
   double furthest = 0;

@@ -30,7 +30,8 @@ struct MendedMesh {
 
 /// Welds, drops faces that are double or without area, winds all faces alike and outward, closes T-junctions, cracks
 /// and holes, unites overlapping shells, drops shells inside others, cuts self-intersections away. Coordinates in
-/// metres, none beyond 1e6. Throws InputError where nothing with a volume is left.
+/// metres, none beyond 1e6. Throws InputError where nothing with a volume is left, where a face has more than 10000
+/// corners, or where CGAL fails. Throws ContractError unless the gap is positive.
 MendedMesh mend(const PolygonSoup& soup, const MendSettings& settings);
 
 }  // namespace nilas

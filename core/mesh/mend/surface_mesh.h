@@ -21,7 +21,7 @@ inline Vec3 to_vec(const Kernel::Point_3& p) { return {p.x(), p.y(), p.z()}; }
 void silence_cgal();
 
 /// Returns the result of `work`. Any exception of CGAL, or ours about CGAL's result, becomes an InputError with the
-/// text `failed`, because the mesh is the cause.
+/// text `failed`, because the mesh is the cause. An InputError and a lack of memory pass unchanged.
 template <class Work>
 auto by_cgal(const char* failed, const Work& work) {
   silence_cgal();

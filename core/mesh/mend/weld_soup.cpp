@@ -54,7 +54,7 @@ std::vector<Vec3> places_of(const Points& points, const Polygons& polygons, cons
   return places;
 }
 
-/// The loops with each corner replaced by its representative.
+/// Replaces each corner of the loops by its representative.
 void rename(Polygons& polygons, const std::vector<std::size_t>& stand_in) {
   for (auto& loop : polygons)
     for (auto& v : loop) v = stand_in[v];
@@ -70,7 +70,7 @@ void weld(const std::vector<Vec3>& points, double gap, Polygons& polygons, std::
   rename(polygons, stand_in);
 }
 
-/// Joins points that are equal to the bit.
+/// The representative of each point: the first one that is equal to it.
 std::vector<std::size_t> equal_points(const std::vector<Vec3>& points) {
   std::map<std::array<double, 3>, std::size_t> seen;
   std::vector<std::size_t> found;
