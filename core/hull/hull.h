@@ -20,7 +20,7 @@ struct Hull {
   std::vector<TriangleMesh> parts;  ///< convex, frame V
 };
 
-/// Reads a hull folder, or a single convex STL file, which is then its own only piece. Throws FileError (missing,
+/// Reads a hull folder, or a single convex STL file, which is then its own only part. Throws FileError (missing,
 /// unreadable) or InputError (open mesh, part not convex, ...), naming the file.
 Hull read_hull(const std::filesystem::path& path);
 /// Writes the hull's files into an existing folder; NewHullFolder removes files of an earlier hull. Throws FileError.
@@ -45,8 +45,8 @@ struct HullForm {
 };
 
 /// The form from parameters with XML or flag names: length beam draught depth stem_angle_deg entrance_angle_deg
-/// bow_length stern_length flare_angle_deg triangles. Missing lengths scale with the length. Throws InputError for an
-/// unknown name.
+/// bow_length stern_length flare_angle_deg triangles. Missing lengths scale with the length. Throws InputError for a
+/// name that the kind does not have, or a number of triangles that is not whole.
 HullForm hull_form(HullKind kind, const std::map<std::string, double>& parameters);
 /// The same by the name of the kind. Throws InputError for an unknown one, too.
 HullForm hull_form(const std::string& kind, const std::map<std::string, double>& parameters);

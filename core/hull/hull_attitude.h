@@ -18,6 +18,7 @@ enum class AttitudeSign {
 struct HullAttitude {
   MeshAxes axes;
   AttitudeSign sign = AttitudeSign::none;
+  /// Whether the mesh axes are those of frame V already.
   bool as_it_should() const { return axes == MeshAxes{}; }
 };
 

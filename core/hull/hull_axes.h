@@ -23,10 +23,12 @@ struct MeshAxis {
 /// The axis of that name. Throws InputError naming what is allowed.
 MeshAxis mesh_axis(const std::string& name);
 
-/// The mesh axes that point forward and up; port follows from them.
+/// The mesh axes that point forward and up; port follows from them. port() and to_vessel() throw ContractError unless
+/// across().
 struct MeshAxes {
   MeshAxis forward{0, 1}, up{2, 1};
 
+  /// Whether the two axes are perpendicular.
   bool across() const { return forward.of != up.of; }
   MeshAxis port() const;
   /// Matrix from the mesh's coordinates to those of frame V.
@@ -34,7 +36,7 @@ struct MeshAxes {
   bool operator==(const MeshAxes&) const = default;
 };
 
-/// The mesh in frame V.
+/// The mesh in frame V. Throws ContractError where forward and up are along one axis.
 TriangleMesh turned(TriangleMesh mesh, const MeshAxes& axes);
 
 }  // namespace nilas

@@ -16,8 +16,9 @@ struct BowPoint {
   double drop;  ///< distance from the parallel side, over bow length times slope at the stem
 };
 
-/// Points from the shoulder to the stem, one more than edges; the last edge has exactly the entrance angle. Fullness of
-/// at least 0.5 gives a parabola that runs into a straight entrance; less gives drop = t^p / p with p = 1 / fullness.
+/// Points from the shoulder to the stem, one more than edges; the last edge has exactly the entrance angle. The bow of
+/// a wedge is straight. Otherwise fullness of at least 0.5 gives a parabola that runs into a straight entrance; less
+/// gives drop = t^p / p with p = 1 / fullness.
 std::vector<BowPoint> bow_points(const HullForm& form, int edges);
 
 }  // namespace nilas

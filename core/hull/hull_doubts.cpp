@@ -74,10 +74,10 @@ void doubt_attitude(const HullAttitude& attitude, const Vec3& size, const HullUs
                                seen(attitude, size), mistake(attitude.axes), command(use, axes, use.scale)));
 }
 
-/// A unit in which a file may be drawn, and the unit that it was taken for.
+/// A unit in which a file was probably drawn, where it was taken in another one.
 struct Unit {
   const char* mistake;
-  double factor;  ///< correction factor
+  double factor;  ///< factor that corrects lengths [-]
 };
 constexpr Unit k_smaller[] = {{"in millimetres", 1e-3}, {"in centimetres", 1e-2}, {"in feet", 0.3048}};
 constexpr Unit k_larger[] = {{"in metres, and was taken in millimetres", 1e3},
