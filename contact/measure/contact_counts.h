@@ -5,7 +5,8 @@
 namespace nilas {
 
 /// Contacts that separate, stick and slide. A contact is open where u_N >= d_a r_N; it slides where its slip is more
-/// than the friction that is left could stop, and more than ten times the answer's law_map_m_s.
+/// than the friction that is left could stop, and more than ten times the solution's law_map_m_s. Moments are not
+/// counted.
 struct ContactCounts {
   int open = 0, sticking = 0, sliding = 0;
 };

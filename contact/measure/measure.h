@@ -27,7 +27,7 @@ Residuals measure(const PreparedProblem& prepared, const VecX& r, const VecX& v)
 /// The same with v = M^-1 (f + H r).
 Residuals measure(const PreparedProblem& prepared, const VecX& r);
 
-/// Returns also d_a of every contact for further judgements (contact/measure/impulse_residual.h); 0 for a moment.
+/// The same. Also writes d_a of every contact [1/kg], 0 for a moment, to `d`, which impulse_residual() takes.
 Residuals measure(const PreparedProblem& prepared, const VecX& r, const VecX& v, std::vector<double>& d);
 
 /// Prepares the problem first.

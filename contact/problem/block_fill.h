@@ -30,7 +30,7 @@ struct BlockFill {
   int size() const { return static_cast<int>(place.size()); }
 };
 
-/// Row i has blocks at `column[row_start[i] .. row_start[i + 1])`.
+/// Returns order and fill of the matrix whose row i has blocks at `column[row_start[i] .. row_start[i + 1])`.
 BlockFill block_fill(const std::vector<int>& row_start, const std::vector<int>& column);
 
 /// Whether elimination fills at most so many blocks right of the diagonal, the dense part's included. Repeated columns

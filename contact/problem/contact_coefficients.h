@@ -7,7 +7,7 @@
 
 namespace nilas {
 
-/// Its name in scene files.
+/// The law's name; pyramid-k stands for the names with a number that scene files have, such as pyramid-8.
 const char* to_string(Law law);
 
 struct ContactCoefficients {
@@ -35,7 +35,7 @@ void for_each_list(ContactCoefficients& one, const ContactCoefficients& other, c
   use(key, other.key);
 }
 
-/// Those of some contacts, in the order given.
+/// The law, and the coefficients of some contacts in the order given.
 ContactCoefficients select(const ContactCoefficients& all, const std::vector<int>& contacts);
 
 }  // namespace nilas

@@ -32,7 +32,7 @@ void validate(const LocalProblem& problem);
 VecX contact_velocities(const LocalProblem& problem, const VecX& r);
 
 /// W = H^T M^-1 H and q = H^T M^-1 f + w. Every pair of contacts of one block gets a block of W: meant for up to about
-/// 1e4 contacts.
+/// 1e4 contacts. Throws ContractError for a problem with moments.
 LocalProblem reduce(const ContactProblem& problem);
 
 /// Largest |W_ab - W_ba^T| over the largest |W_ab| [-].

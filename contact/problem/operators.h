@@ -23,7 +23,7 @@ std::size_t largest_response(const ContactProblem& problem);
 /// v = M^-1 (f + H r) with the inverse at hand.
 VecX velocities(const ContactProblem& problem, const MassInverse& masses, const VecX& r);
 
-/// The same from the block.
+/// d_c = trace(W_cc)/3 from the block W_cc [1/kg].
 inline double inverse_mass_scale(const Mat3& w) { return w.trace() / 3; }
 
 }  // namespace nilas

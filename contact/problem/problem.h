@@ -1,5 +1,11 @@
 #pragma once
 /// One step's contact problem: a value that holds all that a solver needs.
+///
+///   M v = f + H r,   u = H^T v + w,   u_hat = u + mu |u_T| n,   K* contains u_hat, perpendicular to r in K
+///
+/// Letters and ordering are those of FCLIB's global form, normal first: (N, T1, T2) per contact. The impulse r [N s]
+/// acts on body B and -r on body A. The normal n points from A to B, so that u_N > 0 separates them. Sizes: nb blocks,
+/// nv = sum of block sizes, nc contacts, 3 nc rows.
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -46,7 +52,7 @@ struct ContactProblem : ContactCoefficients {
   bool is_moment(int c) const { return has_moments() && moments[c].contact >= 0; }
   /// Index of the moment of contact c, -1: none.
   int moment_of(int c) const { return has_moments() ? moments[c].moment : -1; }
-  /// Returns the number of contacts without moments; num_contacts() counts moments too.
+  /// Returns the number of contacts, their moments not counted; num_contacts() counts moments too.
   int num_points() const;
 
   int num_blocks() const { return static_cast<int>(block_offset.size()) - 1; }
@@ -67,6 +73,7 @@ struct ContactProblem : ContactCoefficients {
   int add_contact(int block_a, const Eigen::Ref<const MatX>& jacobian_a, int block_b,
                   const Eigen::Ref<const MatX>& jacobian_b, std::uint64_t key);
   /// Appends the moment of a contact between the same blocks: rows of u = (S, R1, R2), already times their lengths.
+  /// Returns its index. Throws ContractError where the contact is itself a moment, or has one.
   int add_moment(int contact, const Eigen::Ref<const MatX>& jacobian_a, const Eigen::Ref<const MatX>& jacobian_b,
                  double rolling, std::uint64_t key);
 

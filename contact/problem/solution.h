@@ -15,8 +15,8 @@ inline SolveStatus worse(SolveStatus a, SolveStatus b) { return a < b ? b : a; }
 
 struct ContactSolution {
   VecX r;  ///< 3 nc impulses on body B in the contact frame [N s]
-  VecX v;  ///< nv velocities with r applied
-  VecX u;  ///< 3 nc, H^T v + w [m/s]
+  VecX v;  ///< nv velocities with r applied; empty for a local problem
+  VecX u;  ///< 3 nc, H^T v + w, or W r + q of a local problem [m/s]
   SolveStatus status = SolveStatus::numerical_error;
   int iterations = 0;
   std::vector<double> history;  ///< law_map_m_s after each iteration, when asked for
@@ -25,7 +25,8 @@ struct ContactSolution {
 
 /// Settings that all solvers share; a solver's own settings are a struct in its header.
 struct SolverSettings {
-  /// Tolerance on law_map_m_s [m/s]. At 0, sweeps do all max_iterations, and other solvers continue until they stall.
+  /// Tolerance on law_map_m_s [m/s]. At 0, nsgs, pgs, eg and apgd do all max_iterations, and the other solvers continue
+  /// until they stall.
   double tolerance = defaults::k_tolerance;
   int max_iterations = defaults::k_max_iterations;
   double max_seconds = 0;  ///< stop with iteration_limit after this wall time; 0: no limit [s]
