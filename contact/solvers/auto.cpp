@@ -182,7 +182,7 @@ ContactSolution accepted(const PreparedProblem& problem, const VecX& guess) {
   return solution;
 }
 
-/// The islands whose law_map is above the tolerance, or that nothing can move.
+/// The islands with a contact whose law_map is above the tolerance or not a number.
 std::vector<std::vector<int>> unsolved(const PreparedProblem& prepared, const VecX& r, double tolerance) {
   const ContactProblem& problem = prepared.problem();
   const VecX v = velocities(prepared, r);

@@ -6,20 +6,20 @@
 ///   1  nsgs, 20 sweeps: enough for loose contact, and the state of most contacts for the next rung. Problems with
 ///      bodies are swept on their velocities, without W; only what is left is reduced to W. With a guess 250 sweeps: a
 ///      jam that moved little since the last step then seldom needs a factorisation
-///   2  from cold, where those sweeps left more than a hundredth of the residual of no impulses and three contacts in
-///      ten stick, as in tall stacks: admm from no impulses, one factorisation, as long as two iterations leave less
-///      than a fifth
+///   2  from cold and for laws that admm knows, where those sweeps left more than a hundredth of the residual of no
+///      impulses and three contacts in ten stick, as in tall stacks: admm from no impulses, one factorisation, as long
+///      as two iterations leave less than a fifth
 ///   3  newton: little proximal weight for a local problem with a guess, else more
 ///   4  nsgs, 500 sweeps from the best so far, then newton with more weight
 ///   5  continuation in friction (continuation.h), for laws with friction
 ///   6  ipm (laws coulomb, ccp, frictionless), then newton from there
 ///
 /// Islands whose W is too large to be formed or factorised (contact/problem/reducible.h) have rung 1, then half of the
-/// iterations nsgs and half apgd. Problems with rolling or spinning friction have rung 1 alone, without its limit.
-/// Every rung except 2 and 5, which start from no impulses, starts from the best impulses so far in law_map_m_s. The
-/// best of all rungs are returned. What decides is the residual, and for rung 2 the share that sticks. Cost: that of
-/// nsgs for loose fields, one to two dozen factorisations of the contacts that carry impulses for stacks, jams and mass
-/// ratios. Laws: all.
+/// iterations left nsgs and the rest apgd, which does not know the law pyramid. Problems with rolling or spinning
+/// friction have rung 1 alone, without its limit. Every rung except 2 and 5, which start from no impulses, starts from
+/// the best impulses so far in law_map_m_s. The best of all rungs are returned. What decides is the residual, and for
+/// rung 2 the share that sticks. Cost: that of nsgs for loose fields, one to two dozen factorisations of the contacts
+/// that carry impulses for stacks, jams and mass ratios. Laws: all.
 ///
 /// Nominal tolerances: 1e-6 m/s in simulations, 1e-10 m/s as a reference. `message` names each rung that was used, on
 /// how many islands, and the most iterations that one island took of it.

@@ -11,8 +11,9 @@
 ///
 /// Cost: 10 to 30 factorisations of W + block diagonal for the first round, 5 to 15 for each later one, whatever the
 /// masses; rounds: 1 to 15. Contraction of the outer loop needs mu times the coupling of slip and normal velocity below
-/// one: large mu with many sliding contacts may stall (1 of 300 random
-/// heaps at mu 0.3 to 1). Force limit and compliance are honoured.
+/// one: large mu with many sliding contacts may stall (1 of 300 random heaps at mu 0.3 to 1). Force limit and
+/// compliance are honoured.
+///
 /// Sources: De Saxce, Feng 1998; Acary, Cadoux, Lemarechal, Malick 2011 (outer loop); those of the headers named.
 ///
 /// Nominal tolerances: 1e-9 m/s. Islands are solved apart.

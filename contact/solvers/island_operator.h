@@ -36,7 +36,7 @@ std::unique_ptr<IslandOperator> make_operator(const LocalProblem& island);
 /// `order_free`: as in BlockSums, the residual included.
 std::unique_ptr<IslandOperator> make_operator(const RowIsland& island, bool order_free);
 
-/// Solves one island from `guess` (3 nc, admissible or not); r of the solution is what was found.
+/// Solves one island from `guess` (3 nc, admissible or not); r of the solution holds the impulses found.
 using OperatorSolve = std::function<ContactSolution(IslandOperator& island, const VecX& guess)>;
 
 ContactSolution solve_by_operator(const LocalProblem& problem, const VecX& guess, const SolverSettings& shared,

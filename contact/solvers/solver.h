@@ -37,7 +37,8 @@ using IslandSolve = std::function<ContactSolution(const LocalProblem& island, co
 /// negative diagonal of W. Throws ContractError for a guess of the wrong size.
 ContactSolution solve_islands(const LocalProblem& problem, const VecX& guess, const IslandSolve& solve);
 /// Solves a problem with bodies. Only the islands given (contact/problem/islands.h) are reduced, one at a time, and
-/// solved. All other contacts keep the impulses of `guess`.
+/// solved. All other contacts keep the impulses of `guess`. So does an island that is not reducible
+/// (contact/problem/reducible.h), whose status is numerical_error.
 ContactSolution solve_islands(const PreparedProblem& problem, const std::vector<std::vector<int>>& islands,
                               const VecX& guess, const IslandSolve& solve);
 

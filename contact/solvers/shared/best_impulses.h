@@ -45,7 +45,7 @@ class BestImpulses {
   }
 
   /// Keeps impulses whose residual as `measure` finds it is the least so far; one that is not a number never is.
-  /// Converged where it is at most the tolerance.
+  /// Converged where it is at most the tolerance. Returns whether it kept them.
   bool offer(const VecX& r, double residual) {
     const bool is_best = residual < residual_;
     if (is_best) {

@@ -30,7 +30,7 @@ class MeasuredLoop {
   int iterations() const { return best_.iterations(); }
   void note(double residual) { best_.note(residual); }
 
-  /// The best impulses that were measured; with tolerance 0 the last ones. No impulses where none are finite.
+  /// The best impulses that were measured; with tolerance 0 the last ones. Zeros where none are finite.
   template <class Measure, class Impulses>
   ContactSolution solution(const Measure& measure, const Impulses& impulses) {
     const VecX last = impulses();

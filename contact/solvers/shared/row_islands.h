@@ -19,15 +19,16 @@ struct RowIsland {
   int threads;  ///< threads for work within the island
 };
 
-/// A solver of one island; `r`, `v` and `u` of its solution stay empty.
+/// A solver of one island; `r`, `v` and `u` of its solution are not read.
 using RowSolve = std::function<ContactSolution(const RowIsland& island)>;
 
 /// Islands of fewer contacts are solved side by side, larger ones one after another with all threads inside.
 constexpr int k_large_island = 1000;
 
 /// Sets the rows up with the guess made admissible, calls `solve` for every island (in parallel, each with its own
-/// data) and gathers: the worst status, the most iterations, the first message. numerical_error where input is not
-/// finite or a contact closes whose sides cannot move and that has no force limit.
+/// data) and gathers: the worst status, the most iterations, the first message. numerical_error where input or
+/// impulses are not finite, a mass is not positive definite, or a contact closes whose sides cannot move and that has
+/// no force limit. Throws ContractError for a guess of the wrong size.
 ContactSolution solve_row_islands(const PreparedProblem& prepared, const VecX& guess, const SolverSettings& shared,
                                   RowOrder order, const RowSolve& solve);
 
