@@ -28,7 +28,7 @@ struct FailureSettings {
   SpeedRule speed;                                           ///< The rule of the breaking length at speed.
   std::optional<SplittingModel> splitting;
   double multiplier = defaults::k_split_multiplier;  ///< S_k of the rule `geometric`.
-  double min_area = 0;                               ///< Least area of a piece that splitting leaves [m^2].
+  double min_area = 0;                               ///< Least area of a piece that this rule leaves [m^2].
   double max_aspect = defaults::k_max_aspect;        ///< R_size: largest aspect of such a piece.
   bool curved = false;                               ///< Cracks follow the weak ice around the contact.
   double segment = defaults::k_segment_thicknesses;  ///< longest segment of curved splitting cracks [thicknesses]
@@ -48,10 +48,14 @@ std::string name_of(FailureKind kind);
 /// A failure mode of a floe under a load, with its cracks.
 struct Failure {
   FailureKind kind = FailureKind::bending;
-  double ratio = 0;  ///< The load over the load that the ice bears; the floe breaks from 1 on.
+  /// The load over the load that the ice bears; the floe breaks from 1 on. For crushing: the volume of crushed ice over
+  /// clear_volume.
+  double ratio = 0;
   /// The point of the edge where the break starts, in B; for crushing the centroid of the ice that leaves [m].
   Vec2 point = Vec2::Zero();
-  double radius = 0;  ///< Largest radius of the circumferential crack [m]; 0 for splitting by `lefm`.
+  /// Largest radius of the circumferential crack [m]. For splitting by `geometric` R_bending of its rule, 0 for `lefm`
+  /// and crushing.
+  double radius = 0;
   std::vector<std::vector<Vec2>> cracks;  ///< The cracks for cut_floe, in B [m].
   CrushedIce crushed = {};                ///< The crushed ice for cut_floe; empty unless `kind` is crushing.
 };
@@ -65,7 +69,8 @@ struct BendingState {
   std::vector<double> radii;  ///< Radii of a curved circumferential crack, for wedge_cracks [m]; else empty.
 };
 
-/// The failure rules of a scene. The constructor builds the tables of the models in use; all else is pure.
+/// The failure rules of a scene. The constructor builds the tables of bending, and for `lefm` that of splitting; all
+/// else is pure. Throws ContractError unless 0 < wedge_angle < pi, segment > 0 and 0 <= poisson <= 0.5.
 class FailureRules {
  public:
   explicit FailureRules(const FailureSettings& settings);
@@ -85,8 +90,9 @@ class FailureRules {
   };
   /// Returns the state of splitting by `lefm`. The floe has the crack's length L and the width W across it. It bears
   /// the splitting_force of a short starter crack. A curved crack (crack_path) runs through at the largest value of
-  /// K_IC(A) h sqrt(L) / H(A/L, W/L), with A measured along the crack and L straight. Returns nothing where no line
-  /// leads through the ice. Also where W > 8 L, since the crack would only cut off a corner of the floe.
+  /// K_IC(A) h sqrt(L) / H(A/L, W/L), with A measured along the crack and L straight. Returns nothing where the load
+  /// is vertical or no line leads through the ice. Also where W > 8 L, since the crack would only cut off a corner
+  /// of the floe. Throws ContractError unless the settings name `lefm`.
   std::optional<SplittingState> splitting_state(const std::vector<Vec2>& outline, const EdgeContact& contact,
                                                 const IceAtContact& ice) const;
 

@@ -32,8 +32,9 @@ struct EdgeContact {
 
 /// The loads on a floe. The strongest point and all points within `link` [m] of it in the plane are one load; the
 /// strongest of the remaining points begins the next. Width and depth are those of an even pressure with the same
-/// second moments: sqrt(12) times the force's radius of gyration. Where points do not represent areas, they are the
-/// distance of the outermost points. `outline` is counter-clockwise. Points without force do not count.
+/// second moments: sqrt(12) times the force's radius of gyration. Where not all points represent areas, they are the
+/// distance of the outermost points. `outline` is counter-clockwise. Points without force do not count. Throws
+/// ContractError for fewer than three vertices or a negative `link`.
 std::vector<EdgeContact> edge_contacts(const std::vector<Vec2>& outline, const std::vector<PointLoad>& loads,
                                        double link);
 

@@ -13,8 +13,8 @@ namespace {
 
 using Rule = boost::math::quadrature::gauss<double, 16>;
 
-/// The ends of the panels. They are fine enough for sin(20 a) up to a = 60, where the integrand has fallen below 1e-9.
-/// The growing panels beyond serve small u, for which the integrand does not oscillate there.
+/// The ends of the panels. They are fine enough for sin(20 a) up to a = 60, where the integrand without its slowly
+/// decaying part has fallen below 1e-9. The growing panels beyond serve small u, for which it does not oscillate there.
 std::vector<double> panel_ends() {
   std::vector<double> ends;
   for (double a = 0; a < 12; a += 0.5) ends.push_back(a);

@@ -29,7 +29,7 @@ class EdgeLoad {
 };
 
 /// The load P [N], spread over 2 b of the edge, at which the stress reaches flexural_strength [Pa]. l is the plate's
-/// characteristic length. All lengths are in [m].
+/// characteristic length. All lengths are in [m]. Throws ContractError unless all arguments are positive.
 double radial_crack_load(const EdgeLoad& edge, double b, double l, double thickness, double flexural_strength);
 
 }  // namespace nilas

@@ -42,7 +42,7 @@ struct PieceLimits {
 enum class FloeCutStatus {
   cut,        ///< Pieces and brash take the floe's place.
   uncut,      ///< The cracks separate nothing.
-  geometry,   ///< Refused: see outline_status.
+  geometry,   ///< Refused: see outline_status, or a piece is not simple about its own centroid.
   too_small,  ///< Refused: a piece is below min_area.
   too_narrow  ///< Refused: the aspect of a piece is above max_aspect.
 };
@@ -61,7 +61,7 @@ struct FloeCut {
   std::vector<FloePiece> brash;     ///< Pieces that the limits turn into brash.
   MotionAccount brash_account;      ///< Account of `brash`, about the floe's centre of mass.
   std::vector<FloePiece> extruded;  ///< Pieces of crushed ice of any size.
-  MotionAccount extruded_account;   ///< Account of `extruded`, about the floe's centre of mass.
+  MotionAccount extruded_account;   ///< The same of `extruded` and of corners that were trimmed off pieces.
   double crack_length = 0;          ///< [m]
 };
 

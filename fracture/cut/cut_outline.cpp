@@ -33,7 +33,8 @@ bool visits_a_point_twice(const CrackFace& face) {
   return points.size() < face.points.size();
 }
 
-/// A face with the points that are kept. It begins with its first edge along the outline, else at its lowest point.
+/// A face with the points that are kept. It begins with its first edge along the outline, else at its point of least x,
+/// then y.
 struct Loop {
   int place = std::numeric_limits<int>::max();  ///< Place of its first edge along the outline.
   CutPiece piece;

@@ -36,7 +36,7 @@ struct CutResult {
 /// the outline up to the rounding of the points where cracks meet its edges. They share every common vertex bit for
 /// bit, the outline's own vertices are kept, and every condition on the rounded pieces is decided exactly. Pieces are
 /// in the order of their first edge along the outline, and begin with that edge. Pieces without one are last, in the
-/// order of their lowest point, and begin there. A refusal is in the status: no geometry throws.
+/// order of their point of least x, then y, and begin there. A refusal is in the status: no geometry throws.
 CutResult cut_outline(const std::vector<Vec2>& outline, const std::vector<std::vector<Vec2>>& cracks);
 
 }  // namespace nilas

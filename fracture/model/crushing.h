@@ -63,7 +63,7 @@ class Crushing {
   /// The floes of which hulls have crushed more than the scene's clear_volume through the whole thickness, in the order
   /// of their ids, with the cut that removes this ice. A smaller volume counts where its cut would part the floe. A
   /// strip along the hulls' surfaces stays, so that their faces remain in ice. A hull that is surrounded by its floe
-  /// cuts nothing, and `warnings` says so.
+  /// cuts nothing; where it has crushed more than clear_volume, `warnings` says so.
   std::vector<FloeBreak> floes_to_clear(const Bodies& bodies, WarningCounts& warnings) const;
 
   /// The largest depth [m] of a corner of a breakable floe inside the vessel or a body that crushes it, at the present
@@ -86,7 +86,7 @@ class Crushing {
   double crushed_mass() const { return crushed_mass_; }
 
   void save(StateWriter out) const;
-  /// Throws InputError when the state is one of other bodies.
+  /// Throws InputError for an incomplete state.
   void restore(const StateReader& in);
 
  private:
