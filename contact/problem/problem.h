@@ -80,7 +80,9 @@ struct ContactProblem : ContactCoefficients {
   bool operator==(const ContactProblem&) const = default;
 };
 
-/// Throws ContractError naming the field when sizes, signs or finiteness are wrong.
+/// Throws ContractError naming the field when sizes, signs or finiteness are wrong, a mass is not symmetric within 1e-2
+/// of its largest entry or not positive definite, a key occurs twice, or a contact and its moment do not name each
+/// other.
 void validate(const ContactProblem& problem);
 
 /// W_aa = sum over sides of J M^-1 J^T per contact (3 x 3 each), the diagonal blocks of the Delassus operator [1/kg].

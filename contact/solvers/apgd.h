@@ -28,7 +28,7 @@ class ApgdSolver final : public ContactSolver {
   explicit ApgdSolver(const ApgdSettings& settings) : settings_(settings) {}
   using ContactSolver::solve;
   std::string name() const override { return "apgd"; }
-  /// Solves with the same statuses as EgSolver::solve.
+  /// Solves with the statuses and errors of EgSolver::solve.
   ContactSolution solve(const PreparedProblem& problem, const VecX& guess) const override;
   ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;
   /// Solves as a stage of a solve in progress, within `budget`.

@@ -32,7 +32,7 @@ class EgSolver final : public ContactSolver {
   std::string name() const override { return settings_.order_free ? "eg-order-free" : "eg"; }
   /// converged: law_map_m_s is at most the tolerance as `measure` finds it; else the best impulses measured. With
   /// tolerance 0 nothing is measured. numerical_error: input that is not finite, or a contact that cannot yield.
-  /// Throws InputError for the law pyramid, whose bounds depend on r_N.
+  /// Throws InputError for the law pyramid, whose bounds depend on r_N, and for rolling or spinning friction.
   ContactSolution solve(const PreparedProblem& problem, const VecX& guess) const override;
   ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;
   /// Solves as a stage of a solve in progress, within `budget`.

@@ -17,8 +17,8 @@ class OrderFreeNewtonSolver final : public ContactSolver {
   explicit OrderFreeNewtonSolver(const SolverSettings& shared) : shared_(shared) {}
   using ContactSolver::solve;
   std::string name() const override { return "newton-order-free"; }
-  /// Solves with the statuses of newton. iterations: factorisations of the island that took most, and steps of
-  /// eg-order-free.
+  /// Solves with the statuses of newton. Throws InputError for the law pyramid and for rolling or spinning friction.
+  /// iterations: factorisations of the island that took most, and steps of eg-order-free.
   ContactSolution solve(const PreparedProblem& problem, const VecX& guess) const override;
   /// The order of contacts does not show here either; Newton alone.
   ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;

@@ -27,6 +27,7 @@ class NsgsSolver final : public ContactSolver {
   /// stalled, iteration_limit: the impulses are the best that were measured. With tolerance 0 nothing is measured.
   /// numerical_error: something is not finite, or a contact closes whose sides cannot move and that has no force limit;
   /// `message` says which.
+  /// Throws InputError for rolling or spinning friction with a law other than coulomb or pyramid.
   ContactSolution solve(const PreparedProblem& problem, const VecX& guess) const override;
   ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;
   /// Solves as a stage of a solve in progress, within `budget`.

@@ -29,7 +29,7 @@ class PgsSolver final : public ContactSolver {
   /// With tolerance 0 nothing is measured and the status is iteration_limit.
   /// numerical_error: something is not finite, or a contact closes whose sides cannot move and that has no force limit;
   /// then `message` says which, and that contact's impulse is zero.
-  /// Throws InputError for a law other than pyramid, coulomb or frictionless.
+  /// Throws InputError for a law other than pyramid, coulomb or frictionless, and for rolling or spinning friction.
   ContactSolution solve(const PreparedProblem& problem, const VecX& guess) const override;
   /// The same sweeps on the rows of W.
   ContactSolution solve(const LocalProblem& problem, const VecX& guess) const override;

@@ -49,7 +49,7 @@ void demand_known(const char* solver, std::initializer_list<Law> known, Law law)
 void demand_no_moments(const std::string& solver, const ContactProblem& problem);
 
 /// A solver that reduces every problem to its islands' local form. It says converged only of what `measure` confirms on
-/// the whole problem.
+/// the whole problem. Throws InputError for rolling or spinning friction.
 class IslandSolver : public ContactSolver {
  public:
   explicit IslandSolver(const SolverSettings& shared) : shared_(shared) {}
