@@ -26,8 +26,8 @@ struct HullAttitude {
 int bow_direction(const HullMeasures& measures);
 
 /// The probable attitude. Hulls that are round, square or as long as broad keep theirs. For a `fixed` structure, bow
-/// and stern as well as top and bottom stay: foundations widen downwards, and piers stand upright. The mesh must be
-/// closed and outward.
+/// and stern as well as top and bottom stay, unless its plane of symmetry shows that it lies across: foundations widen
+/// downwards, and piers stand upright. The mesh must be closed and outward.
 HullAttitude probable_attitude(const TriangleMesh& mesh, bool fixed);
 
 }  // namespace nilas
