@@ -19,7 +19,7 @@ struct DamageRule {
 /// in Miner (1945). Ice of damage D bears 1 - D of its strength, at least a thousandth.
 class IceDamage {
  public:
-  /// Throws ContractError unless the exponent is positive and the endurance within 0 to 1.
+  /// Throws ContractError unless the exponent is positive and 0 < endurance <= 1.
   explicit IceDamage(const DamageRule& rule);
 
   double endurance() const { return rule_.endurance; }

@@ -36,7 +36,7 @@ class PrismWater {
  public:
   /// Takes a prism; throws ContractError for another shape.
   explicit PrismWater(const Shape& prism);
-  /// The submerged part, exact at any attitude. It takes constant time when both caps are uncut, clipping otherwise.
+  /// The submerged part, exact at any attitude. It needs no clipping when both caps are uncut.
   Submerged submerged(const Mat3& R, const Vec3& p, double level) const;
   /// Appends to `out` one face per wet cap and one per wet side. Separate wet parts of a concave cap count as one face.
   void wetted_faces(const Mat3& R, const Vec3& p, double level, std::vector<WettedFace>& out) const;
