@@ -12,8 +12,11 @@ const std::vector<IcePreset>& ice_presets() {
   const FractureScene fracture;
   const LognormalSizeScene size;
   static const std::vector<IcePreset> presets{
-      // Middle of the ranges that model basins aim at: flexural strength 20 to 60 kPa, modulus 10 to 150 MPa, toughness
-      // 1 to 5 kPa sqrt(m), compressive over flexural strength 1 to 4. These are also the defaults of a scene's values.
+      // These values lie in the middle of the ranges at which model basins aim: flexural strength 20 to 60 kPa, modulus
+      // 10
+      // to 150 MPa, toughness 1 to 5 kPa sqrt(m), compressive over flexural strength 1 to 4. They are also the defaults
+      // of
+      // a scene.
       {.name = "model",
        .density = ice.density,
        .youngs_modulus = ice.youngs_modulus,
@@ -28,7 +31,9 @@ const std::vector<IcePreset>& ice_presets() {
        .floe_min = size.min,
        .floe_max = size.max,
        .min_area = fracture.min_area},
-      // First-year ice, Timco and Weeks (2010) and ISO 19906; pressure on an area: 7.4 MPa (A / 1 m^2)^-0.7.
+      // First-year sea ice, from the sources of docs/reference/scales.md. Measured forces support the exponent -0.7
+      // that a
+      // scene gives the pressure on an area of up to 10 m^2. The pressure on 1 m^2 is a value of this program.
       {.name = "full-scale sea ice",
        .density = 920,
        .youngs_modulus = 5e9,
@@ -43,7 +48,7 @@ const std::vector<IcePreset>& ice_presets() {
        .floe_min = 7.5,
        .floe_max = 40,
        .min_area = 0.1},
-      // The same formulas without brine: Timco and O'Brien (1994) 1.76 MPa, modulus 9 GPa.
+      // The same formulas without brine give 1.76 MPa (Timco and O'Brien 1994) and a modulus of 9 GPa.
       {.name = "full-scale freshwater ice",
        .density = 917,
        .youngs_modulus = 9e9,

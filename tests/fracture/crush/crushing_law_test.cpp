@@ -16,7 +16,7 @@ TEST(CrushingLaw, PressureByModel) {
   EXPECT_FALSE(seed.is_implicit());
   EXPECT_EQ((CrushingLaw{CrushingModel::compliant, 7.4e6, -0.7, 2e5}.pressure(3e5, 0.01)), 3e5);
   const CrushingLaw iso{CrushingModel::pressure_area, 7.4e6, -0.7, 2e5};
-  EXPECT_NEAR(iso.pressure(2e5, 1), 7.4e6, 1e-6) << "ISO 19906 on 1 m^2";
+  EXPECT_NEAR(iso.pressure(2e5, 1), 7.4e6, 1e-6) << "on 1 m^2 the pressure is the coefficient";
   EXPECT_NEAR(iso.pressure(2e5, 10), 7.4e6 / std::pow(10, 0.7), 1e-6);
   EXPECT_NEAR(iso.pressure(4e5, 10), 2 * iso.pressure(2e5, 10), 1e-6) << "in the ratio of the strengths";
   EXPECT_EQ(iso.pressure(2e5, 0), 0);
