@@ -8,8 +8,8 @@ static std::vector<AttributeSpec> law_and_solver() {
   law.default_value = name_of(values.law);
   return {
       choice<ContactPreset>("preset",
-                            "It replaces the defaults of this element by those of an earlier tool. Attributes that are "
-                            "given still win."),
+                            "It replaces the defaults of this element by those of a game-engine based simulator. "
+                            "Attributes that are given still win."),
       law,
       {.name = "solver",
        .type = ValueType::choice,
@@ -64,8 +64,8 @@ static std::vector<AttributeSpec> detection() {
   return {
       choice("detection", values.detection, "It sets which gaps at the start of a step become contacts."),
       choice("narrow_phase", values.narrow_phase,
-             "It sets who finds the contacts of two convex pieces. Hulls that crush ice and the integrator "
-             "reference have searches of their own."),
+             "It sets which search finds the contacts of two convex pieces. Hulls that crush ice and the "
+             "integrator reference have searches of their own."),
       {.name = "substeps",
        .type = ValueType::integer,
        .range = within(0, 1000),

@@ -71,26 +71,25 @@ static ElementSpec crushing() {
 
 static ElementSpec bending() {
   const BendingScene values;
-  return {
-      .name = "bending",
-      .parent = "fracture",
-      .doc =
-          "Breakable floes fail in bending where the vessel or a body presses on their edge. It needs "
-          "<hydro><buoyancy>. If it is absent, they do not.",
-      .attributes = {
-          choice("model", values.model, "It sets the model of failure."),
-          {.name = "wedge_angle_deg",
-           .unit = "deg",
-           .range = within(5, 60),
-           .default_value = written(values.wedge_angle_deg),
-           .doc = "It is the wanted angle of the wedges between radial cracks. The number of wedges is chosen so "
-                  "that they span the ice at the nearest angle."},
-          {.name = "speed_slope",
-           .unit = "s/m",
-           .range = within(-10, 10),
-           .default_value = written(values.speed_slope),
-           .doc = "It is the relative growth of the breaking length with the speed at which the ice is pushed "
-                  "down. Su, Riska and Moan (2010) have -0.14. The length keeps at least a quarter of its value."}}};
+  return {.name = "bending",
+          .parent = "fracture",
+          .doc =
+              "Breakable floes fail in bending where the vessel or a body presses on their edge. It needs "
+              "<hydro><buoyancy>. If it is absent, they do not.",
+          .attributes = {
+              choice("model", values.model, "It sets the model of failure."),
+              {.name = "wedge_angle_deg",
+               .unit = "deg",
+               .range = within(5, 60),
+               .default_value = written(values.wedge_angle_deg),
+               .doc = "It is the wanted angle of the wedges between radial cracks. The number of wedges is chosen so "
+                      "that they span the ice at the nearest angle."},
+              {.name = "speed_slope",
+               .unit = "s/m",
+               .range = within(-10, 10),
+               .default_value = written(values.speed_slope),
+               .doc = "It is the relative change of the breaking length per speed at which the ice is pushed down. "
+                      "Negative values shorten the pieces. The length keeps at least a quarter of its value."}}};
 }
 
 static ElementSpec splitting() {

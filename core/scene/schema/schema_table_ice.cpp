@@ -161,7 +161,7 @@ static ElementSpec size() {
                .range = above(0),
                .default_value = written(PowerLawSizeScene{}.exponent),
                .applies = when("distribution", power_law),
-               .doc = "It is a in the number density n(D) ~ D^-(1 + a) of the size D."}}};
+               .doc = "It is the exponent a in the number density n(D) ~ D^-(1 + a) of the size D."}}};
 }
 
 static ElementSpec shape() {
