@@ -27,7 +27,7 @@ constexpr ChoiceText choice_text(SolverName value) {
     case SolverName::pgs:
       return {"pgs",
               "Projected Gauss-Seidel on single rows, about 25 ns per contact and sweep; for loose packings and "
-              "comparison with earlier tools, slow for stacks and heavy-on-light contact."};
+              "comparison with game-engine based simulators, slow for stacks and heavy-on-light contact."};
     case SolverName::nsgs:
       return {"nsgs",
               "Block Gauss-Seidel with the exact solution of each contact, 1.3 to 1.7 times the cost of a sweep of "

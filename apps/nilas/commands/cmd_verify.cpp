@@ -35,7 +35,7 @@ void write_text(const std::filesystem::path& file, const std::string& text) {
   if (!out.flush()) throw FileError("cannot write " + file.string());
 }
 
-/// Tells every tenth on standard error.
+/// Reports every tenth of the work on standard error.
 std::function<void(double)> progress(const VerifyOptions& options) {
   if (phase_style(options.quiet, options.json) == ConsoleStyle::silent) return {};
   return [last = -1](double share) mutable {
@@ -61,7 +61,7 @@ int run_cases(const VerifyOptions& options) {
     std::cout << fmt::format("{} rows, {} of them fail, in {}\n", rows.size(), failed,
                              duration_text(steady_seconds() - started));
   }
-  // last, so that a missing plotter loses nothing
+  // The files come last, so that a missing plotter loses no result.
   if (!options.out.empty()) {
     write_text(std::filesystem::path(options.out) / "verify.csv", table_csv(rows));
     if (options.html) write_page(options.out, rows);
@@ -106,36 +106,43 @@ int verify_command(const VerifyOptions& options) {
 }  // namespace
 
 void add_verify(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("verify", "runs the cases with known answers and prints the table of errors");
+  auto* command = app.add_subcommand("verify", "Runs the cases with known answers and prints their errors.");
   auto options = std::make_shared<VerifyOptions>();
   auto* cases = command
                     ->add_option("--case", options->selection.cases,
-                                 "a case (A3 or 3) or a family (A), with --extremes one of its names; repeatable")
+                                 "Runs this case (A3 or 3) or family of cases (A), or with --extremes the extreme of "
+                                 "this name. The flag may be repeated.")
                     ->allow_extra_args(false);
-  command->add_option("--solver", options->selection.solvers, "only with this solver; repeatable")
+  command->add_option("--solver", options->selection.solvers, "Runs only with this solver. The flag may be repeated.")
       ->allow_extra_args(false);
   auto* law =
-      command->add_option("--law", options->selection.laws, "only with this law; repeatable")->allow_extra_args(false);
-  auto* all = command->add_flag("--all", options->selection.all, "every solver with every integrator");
-  auto* extremes =
-      command->add_flag("--extremes", options->extremes,
-                        "the scenes at the edge of what can be asked, and a map of where each solver holds");
-  auto* limitations =
-      command->add_flag("--limitations", options->limitations,
-                        "the page of what older tools' simplifications cost, docs/evidence/limitations.md");
-  auto* list = command->add_flag("--list", options->list, "lists the cases and runs none");
+      command->add_option("--law", options->selection.laws, "Runs only with this law. The flag may be repeated.")
+          ->allow_extra_args(false);
+  auto* all = command->add_flag("--all", options->selection.all, "Runs every solver with every integrator.");
+  auto* extremes = command->add_flag(
+      "--extremes", options->extremes,
+      "Runs scenes with extreme values instead, and draws a map of where each solver keeps all limits.");
+  auto* limitations = command->add_flag(
+      "--limitations", options->limitations,
+      "Prints the page docs/evidence/limitations.md: what the simplifications of game-engine based simulators cost.");
+  auto* list = command->add_flag("--list", options->list, "Lists the cases and runs none.");
   auto* markdown =
-      command->add_flag("--markdown", options->markdown, "the page of cases, docs/evidence/verification.md");
+      command->add_flag("--markdown", options->markdown,
+                        "Prints the page docs/evidence/verification.md, which lists the cases and their formulas.");
   command->add_option("--out", options->out,
-                      "folder for the results (default: runs/verify with --html, runs/extremes, else none)");
+                      "Writes the results into this folder. The default is runs/verify with --html, runs/extremes with "
+                      "--extremes and no folder otherwise.");
   auto* html =
-      command->add_flag("--html", options->html, "writes verify.html with a picture per family; needs gnuplot");
-  command->add_flag("--force", options->force, "write into a folder that is not empty");
-  command->add_option("--threads", options->threads, "threads; the results do not depend on it")
+      command->add_flag("--html", options->html, "Writes verify.html with a picture per family. It needs gnuplot.");
+  command->add_flag("--force", options->force, "Writes into the folder even if it is not empty.");
+  command
+      ->add_option("--threads", options->threads,
+                   "Computes on this many threads. The results do not depend on the number.")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
-  auto* json = command->add_flag("--json", options->json, "all rows as JSON on stdout and nothing else there");
-  command->add_flag("--quiet", options->quiet, "only the rows that fail and the count");
+  auto* json =
+      command->add_flag("--json", options->json, "Prints all rows as JSON on standard output, and nothing else there.");
+  command->add_flag("--quiet", options->quiet, "Prints only the rows that fail, and their number.");
   extremes->excludes(law)->excludes(all)->excludes(html)->excludes(limitations)->excludes(list)->excludes(markdown);
   for (auto* page : {limitations, list, markdown}) page->excludes(html)->excludes(json)->excludes(all)->excludes(cases);
   limitations->excludes(list)->excludes(markdown);
