@@ -14,7 +14,7 @@ std::string family_title(char family) {
     case 'C':
       return "Free bodies and joints";
     case 'D':
-      return "Statics, stacks and rates";
+      return "Statics, stacks and convergence rates";
     case 'E':
       return "Impacts";
     case 'F':

@@ -15,20 +15,20 @@ namespace nilas {
 
 namespace {
 
-/// What a cell may reach.
+/// The largest values that a cell may reach.
 constexpr double k_most_energy = 1e-6, k_most_momentum = 1e-9, k_most_penetration = 1e-3, k_most_drift = 1e-6;
-constexpr double k_tolerance = 1e-9;  // of the solvers [m/s]
+constexpr double k_tolerance = 1e-9;  // tolerance of the solvers [m/s]
 constexpr int k_iterations = 2000;
 
-/// Its level 1 has a limit that docs/theory/dynamics.md states: semi-implicit Euler hits before it meets, so
-/// energies scatter.
+/// The extreme whose level 1 breaks a limit as docs/theory/dynamics.md states. With semi-implicit Euler a body bounces
+/// before it touches, so energies scatter.
 constexpr const char* k_elastic = "restitution";
-constexpr double k_scatter = 0.05;  // share of the energy, in the ten seconds of that run
+constexpr double k_scatter = 0.05;  // share of the energy that may be gained in the ten seconds of that run
 
-/// The larger one; not a number where one is none.
+/// Returns the larger of two values, or NaN if either is NaN.
 double larger(double a, double b) { return a >= b || std::isnan(a) ? a : b; }
 
-/// Looks at a run from step to step.
+/// Takes the steps of a run and keeps the largest values of a cell.
 class Watch {
  public:
   Watch(Trial& run, Cell& cell, double energy_scale) : run_(run), cell_(cell), scale_(energy_scale) {
@@ -47,8 +47,9 @@ class Watch {
       cell_.energy_won = larger(cell_.energy_won, energy / scale_);
     }
   }
-  /// The deepest of all steps, or what is left at the last.
+  /// Sets the cell's penetration to the deepest of all steps.
   void penetration(double size) { cell_.penetration = deepest_ / size; }
+  /// Sets the cell's penetration to that after the last step.
   void penetration_left(double size) { cell_.penetration = run_.last().penetration_max / size; }
 
  private:
@@ -56,14 +57,15 @@ class Watch {
   Cell& cell_;
   double scale_, start_ = 0;
   double deepest_ = 0;
-  double imbalance_ = 0, momentum_ = 0;  ///< largest of all steps: at rest rounding has nothing to be measured by
+  /// Largest of all steps, since a step at rest has no momentum to compare rounding with.
+  double imbalance_ = 0, momentum_ = 0;
 };
 
 struct Extreme {
   std::string name, unit, scene;
   std::vector<double> levels;
   void (*observe)(const Setting& setting, double level, Cell& cell);
-  std::vector<std::string> solvers{};  ///< empty: all
+  std::vector<std::string> solvers{};  ///< empty: all but enumerate
 };
 
 Overrides settled() { return {{"contact/@stabilisation", "projection"}}; }
@@ -121,8 +123,9 @@ void speed(const Setting& s, double level, Cell& cell) {
     nearest = std::min(nearest, (run.body("left").p - run.body("right").p).norm());
   }
   watch.penetration(1);
-  cell.penetration = larger(cell.penetration, 1 - nearest);  // unit balls: seen or not
-  // 2 kg hit 3 kg, inelastic along the line of centres: the second must have been pushed
+  // The balls have a diameter of 1 m. This counts penetration of which no contact was found.
+  cell.penetration = larger(cell.penetration, 1 - nearest);
+  // A ball of 2 kg hits one of 3 kg, inelastic along the line of centres. The second must have been pushed.
   const bool hit = run.body("right").v.x() > 0.1 * level;
   cell.drift = hit ? 0 : 1;
 }
@@ -142,7 +145,7 @@ void offset(const Setting& s, double level, Cell& cell) {
   Watch watch(run, cell, 0.5 * 2);
   watch.steps(100);
   watch.penetration(0.2);
-  // four units in the last place of the coordinates, per step
+  // Rounding may be four units in the last place of the coordinates per step.
   const double rounding = 100 * 4 * level * std::numeric_limits<double>::epsilon();
   cell.drift = std::max(0.0, std::abs(run.body("block").p.x() - level) - rounding);
 }
@@ -191,7 +194,7 @@ void overlap(const Setting& s, double level, Cell& cell) {
   Watch watch(run, cell, 2 * k_gravity * 0.2);
   watch.steps(5);
   watch.penetration_left(0.2);
-  // to lift the block out is potential energy that the stabilisation gives, and nothing more
+  // The stabilisation lifts the block out and so gives it potential energy. Any energy beyond that is an error.
   cell.energy_won -= std::max(0.0, level);
   cell.drift = run.body("block").v.norm();
 }
@@ -205,7 +208,7 @@ void restitution_level(const Setting& s, double level, Cell& cell) {
     watch.steps(1);
     lowest = std::min(lowest, run.body("ball").p.z() - 0.5);
   }
-  // where moreau meets what bounces it is up to a step's way deep
+  // With moreau a bouncing body is up to the distance of one step deep when it is found.
   const double met = level > 0 && s.theta() < 1 ? s.h() * std::sqrt(2 * k_gravity) : 0;
   cell.penetration = std::max(0.0, -lowest - met);
   cell.drift = std::hypot(run.body("ball").p.x(), run.body("ball").p.y());
@@ -233,7 +236,7 @@ void load_cells(const Setting& s, double level, Cell& cell) {
   Watch watch(run, cell, given);
   watch.steps(100);
   watch.penetration(0.2);
-  // what the carriage gives is no growth: the accounts must close
+  // The carriage puts energy in, so a gain is no error here. The energy ledger must close.
   cell.energy_won = std::abs(run.last().ledger.imbalance) / given;
 }
 
@@ -334,7 +337,7 @@ std::vector<Cell> run_extremes(const Selection& selection, int threads, const st
     if (!chosen(selection.cases, extreme.name)) continue;
     for (const double level : extreme.levels)
       for (const auto& solver : solver_registry()) {
-        // trying all states is an oracle for a few points, not a solver for runs
+        // The solver enumerate is an oracle for a few points and too slow for runs.
         if (solver.name == "enumerate" || !chosen(selection.solvers, solver.name) ||
             !chosen(extreme.solvers, solver.name))
           continue;
@@ -348,7 +351,7 @@ std::vector<Cell> run_extremes(const Selection& selection, int threads, const st
         }
       }
   }
-  if (cells.empty()) throw InputError("no extreme runs with the solvers that were asked for");
+  if (cells.empty()) throw InputError("no extreme runs with the solvers that were given");
   run_jobs(
       cells.size(), threads, [&](std::size_t k) { fill(*jobs[k].extreme, jobs[k].level, cells[k]); }, done);
   return cells;

@@ -17,7 +17,7 @@ std::string column_name(const Cell& cell) {
   return cell.model.solver + (cell.model.integrator == "moreau" ? " m" : " e");
 }
 
-/// A letter beside the colour, for grey print.
+/// Returns the letter that a cell shows beside its colour, so that the map can be read in grey print.
 char letter(Hold hold) {
   switch (hold) {
     case Hold::holds:
@@ -55,7 +55,7 @@ std::string in_quotes(const std::string& text) { return '"' + text + '"'; }
 
 std::string extremes_text(const std::vector<Cell>& cells) {
   const auto rows = distinct(cells, row_name), columns = distinct(cells, column_name);
-  std::string text = "columns, e semi-implicit-euler, m moreau:\n";
+  std::string text = "columns (e: semi-implicit-euler, m: moreau):\n";
   for (std::size_t k = 0; k < columns.size(); ++k) text += fmt::format("  {:>2} {}\n", k + 1, columns[k]);
   text += fmt::format("{:<36}", "");
   for (std::size_t k = 0; k < columns.size(); ++k) text += fmt::format("{:>2} ", k + 1);
@@ -72,13 +72,14 @@ std::string extremes_text(const std::vector<Cell>& cells) {
     text += "\n";
   }
   text +=
-      ". holds   s a limit is broken, the solver had said it stopped short   x ended with a message\n"
-      "r refused   l a limit that the manual states   F a limit is broken and nothing was said   - not run\n";
+      ". holds   s breaks a limit, the run reported a missed tolerance   x stopped with an error\n"
+      "r refused   l breaks a limit as documented   F breaks a limit, nothing was reported   - not run\n";
   for (const auto& cell : cells)
     if (cell.hold == Hold::fails)
-      text += fmt::format("FAILS {} with {} {}: energy won {:.2g}, momentum {:.2g}, penetration {:.2g}, drift {:.2g}\n",
-                          row_name(cell), cell.model.solver, cell.model.integrator, cell.energy_won,
-                          cell.momentum_error, cell.penetration, cell.drift);
+      text +=
+          fmt::format("FAILS {} with {} {}: energy gained {:.2g}, momentum {:.2g}, penetration {:.2g}, drift {:.2g}\n",
+                      row_name(cell), cell.model.solver, cell.model.integrator, cell.energy_won, cell.momentum_error,
+                      cell.penetration, cell.drift);
   return text;
 }
 
@@ -133,8 +134,8 @@ void write_extremes(const std::filesystem::path& folder, const std::vector<Cell>
       "set xrange [-0.5:{}]\nset yrange [{}:-0.5]\nset xtics ({}) rotate by 60 right noenhanced\n"
       "set ytics ({}) noenhanced\nset cbrange [-0.5:5.5]\nunset colorbox\nunset key\nset lmargin 34\nset bmargin 9\n"
       "set palette defined (0 '#009e73', 1 '#f0e442', 2 '#e69f00', 3 '#bbbbbb', 4 '#56b4e9', 5 '#d55e00') maxcolors 6\n"
-      "set title 'green . holds   yellow s short, and said so   orange x stopped   grey r refused   blue l stated "
-      "limit   red F fails' "
+      "set title 'green . holds   yellow s tolerance missed and reported   orange x stopped   grey r refused   blue l "
+      "documented limit   red F fails' "
       "noenhanced\nset style fill solid border rgb '#ffffff'\n",
       static_cast<double>(columns.size()) - 0.5, static_cast<double>(rows.size()) - 0.5, ticks(columns), ticks(rows));
   for (const bool vector : {true, false})

@@ -1,5 +1,5 @@
 #pragma once
-/// The families of cases, each in its own file.
+/// The families of cases, each of which has a file of its own.
 #include <string>
 #include <vector>
 
@@ -16,13 +16,14 @@ std::vector<Case> floating();
 std::vector<Case> invariances();
 std::vector<Case> crushing();
 
-/// Gathers a family's cases.
+/// Collects the cases of a family.
 class FamilyOfCases {
  public:
   FamilyOfCases(char family, std::string scene, std::string source)
       : family_(family), scene_(std::move(scene)), source_(std::move(source)) {}
 
-  /// Scene and source are the family's; whatever differs is set on what is returned, before the next is added.
+  /// Adds a case with the family's scene and source and returns it, so that the caller can set what differs. The
+  /// reference is valid until the next case is added.
   Case& operator()(int number, const std::string& title, const std::string& formula, std::vector<Input> inputs,
                    const std::string& varied, std::vector<Quantity> (*check)(const Setting&)) {
     Case one;

@@ -1,5 +1,5 @@
 #pragma once
-/// Independent pieces of work on several threads.
+/// Runs independent jobs on several threads.
 #include <atomic>
 #include <cstddef>
 #include <exception>
@@ -9,8 +9,8 @@
 
 namespace nilas {
 
-/// Calls work(k) for k in [0, count), each once, in any order. `done` hears the share that has begun, on the calling
-/// thread alone. The first exception ends the rest and is thrown again.
+/// Calls work(k) once for each k in [0, count), in any order. The calling thread calls `done` with the share of jobs
+/// that has begun. After an exception no further job begins, and the first exception is thrown again.
 template <class Work>
 void run_jobs(std::size_t count, int threads, const Work& work, const std::function<void(double)>& done) {
   std::atomic<std::size_t> next = 0;

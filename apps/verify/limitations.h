@@ -1,23 +1,24 @@
 #pragma once
-/// What each simplification of older tools does to a number, beside the same run without it.
+/// The cost of simplifications of game-engine based simulators: a number from a run with one and a run without it.
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace nilas {
 
+/// A number measured with and without a simplification.
 struct Limitation {
   std::string name;      ///< the simplification
-  std::string measured;  ///< what, with its unit
-  std::string scene;     ///< and what of it differs from the file
+  std::string measured;  ///< what is measured, with its unit
+  std::string scene;     ///< the scene file and the values that matter
   double with = 0, without = 0;
-  std::optional<double> exact = std::nullopt;  ///< none of a time, which is another one in every run
+  std::optional<double> exact = std::nullopt;  ///< empty for a time, which differs from run to run
 };
 
-/// Runs all of them.
+/// Runs and returns all of them.
 std::vector<Limitation> limitations();
-/// The page docs/evidence/limitations.md; three digits, so that rounding does not change it. Times have two, and do
-/// change.
+/// Returns the page docs/evidence/limitations.md. Its numbers have three digits, so that rounding does not change them.
+/// Ratios of times have two digits and differ from run to run.
 std::string limitations_markdown(const std::vector<Limitation>& all);
 
 }  // namespace nilas

@@ -16,10 +16,10 @@ namespace nilas {
 
 namespace {
 
-/// Errors of zero and below are drawn here.
+/// Errors below this value are drawn at it, because the axis is logarithmic.
 constexpr double k_floor = 1e-18;
 
-/// Cases along x, errors along y, a mark per solver, the allowed error as a bar.
+/// Returns the gnuplot script of a family: cases along x, errors along y, a mark per solver, allowed errors as bars.
 std::string family_script(char family, const std::vector<const Row*>& rows) {
   std::vector<std::string> cases;
   std::map<std::string, std::vector<const Row*>> by_solver;
@@ -89,9 +89,8 @@ void write_page(const std::filesystem::path& folder, const std::vector<Row>& row
       "<!doctype html><html lang='en'><head><meta charset='utf-8'><title>nilas verify</title><style>{}</style></head>"
       "<body><h1>Cases with known answers</h1><p>{} rows, {} of them fail. A row is one quantity of a case with one "
       "law, "
-      "solver and integrator; its error is |measured - expected| over the quantity's scale. In the pictures a mark is "
-      "a "
-      "row, the bar above it what is allowed, and errors of zero lie at the foot.</p>\n",
+      "solver and integrator. Its error is |measured - expected| over the scale of the quantity. In the pictures each "
+      "mark is a row, and the bar at its place is the allowed error. Errors of zero lie at the lower edge.</p>\n",
       k_page_style, rows.size(), failed);
   for (const auto& [family, own] : families) {
     plot(folder, family_script(family, own));

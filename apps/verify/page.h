@@ -1,5 +1,5 @@
 #pragma once
-/// The table of verification as a page with a picture per family.
+/// The results of `nilas verify` as a page with a picture per family.
 #include <filesystem>
 #include <vector>
 
@@ -7,7 +7,8 @@
 
 namespace nilas {
 
-/// Writes verify.html, which needs no other file, and family-A.svg, family-A.png ... beside it. Throws FileError.
+/// Writes verify.html, which contains its pictures, and beside it family-A.svg, family-A.png and so on. Throws
+/// FileError if a file cannot be written.
 void write_page(const std::filesystem::path& folder, const std::vector<Row>& rows);
 
 }  // namespace nilas

@@ -1,12 +1,13 @@
 #pragma once
-/// What a time step does to simple motions, from which the discrete closed forms are put together.
+/// The effect of a time step on simple motions. The discrete closed forms of the cases are built from it.
 #include <algorithm>
 
 #include "core/base/math.h"
 
 namespace nilas {
 
-/// Way after n steps of a body with the velocities velocity(0), velocity(1) ... at the steps' ends.
+/// Returns the displacement [m] after n steps of a body whose velocity [m/s] is velocity(0) at the start and
+/// velocity(k) at the end of step k.
 template <class Velocity>
 auto travel(long n, double h, double theta, const Velocity& velocity) {
   auto way = velocity(0L);
@@ -15,7 +16,7 @@ auto travel(long n, double h, double theta, const Velocity& velocity) {
   return way;
 }
 
-/// Way of a body that something slows down by `change` per step until it stands still.
+/// Returns the distance [m] until a body stands still that loses `change` [m/s] of its speed per step.
 inline double stopping_way(double speed, double change, double h, double theta) {
   double way = 0;
   while (speed > 0) {

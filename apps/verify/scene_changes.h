@@ -1,19 +1,19 @@
 #pragma once
-/// Overrides that many cases make.
+/// Overrides of scene attributes that many cases use.
 #include <string>
 
 #include "apps/verify/setting.h"
 
 namespace nilas {
 
-constexpr double k_gravity = 9.81;  ///< of scenes that name none [m/s^2]
+constexpr double k_gravity = 9.81;  ///< gravity of the scenes [m/s^2]
 
 inline Overrides operator+(Overrides a, const Overrides& b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;
 }
 
-/// The first pair's coefficient, static and kinetic.
+/// Sets static and kinetic friction of the scene's first <friction>.
 inline Overrides friction(double coefficient) {
   return {{"contact/friction[1]/@static", text(coefficient)}, {"contact/friction[1]/@kinetic", text(coefficient)}};
 }
@@ -22,7 +22,7 @@ inline Overrides restitution(double coefficient) { return {{"contact/friction[1]
 
 inline Overrides gravity(const Vec3& value) { return {{"gravity/@value", text(value)}}; }
 
-/// An attribute of a <body>.
+/// Sets an attribute of a <body>.
 template <class Value>
 Overrides of(const std::string& body, const std::string& attribute, const Value& value) {
   return {{"body[@name='" + body + "']/@" + attribute, text(value)}};
@@ -34,7 +34,7 @@ inline Overrides of(const std::string& body, const std::string& attribute, const
   return of(body, attribute, std::string(value));
 }
 
-/// A horizontal unit vector.
+/// Returns the horizontal unit vector at this angle [deg] from X towards Y.
 inline Vec3 heading(double degrees) { return {std::cos(degrees * k_deg), std::sin(degrees * k_deg), 0}; }
 
 }  // namespace nilas

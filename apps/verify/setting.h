@@ -1,5 +1,5 @@
 #pragma once
-/// What a case's check works with: its inputs, the model asked for, and runs of its scene.
+/// The setting of a case's check: its inputs, the model of the run, and runs of its scene.
 #include <filesystem>
 #include <map>
 
@@ -9,28 +9,29 @@
 
 namespace nilas {
 
-/// Where the scenes of the cases lie. Throws FileError naming the places that were tried.
+/// Returns the folder with the scenes of the cases. Throws FileError that names the folders that were tried.
 std::filesystem::path verify_scenes();
 
-/// A vector as an attribute's value.
+/// Returns a value as the text of an attribute.
 std::string text(const Vec3& value);
 std::string text(double value);
 
+/// Inputs and model of one run of a case.
 class Setting {
  public:
   Setting(const Case& of, const Model& model, std::map<std::string, double> inputs);
 
-  /// An input. Throws ContractError for a name that the case has not.
+  /// Returns an input. Throws ContractError for an input that the case does not have.
   double operator[](const std::string& input) const;
   const Model& model() const { return model_; }
   double h() const { return model_.step; }
   double theta() const { return model_.theta(); }
-  /// Steps until `time` seconds, rounded to the nearest.
+  /// Returns the number of steps until `time` [s], rounded to the nearest.
   long steps(double time) const;
 
-  /// The case's scene with the model's choices and `overrides` (as --set takes them).
+  /// Returns a run of the case's scene with the model's choices and with `overrides`, as --set takes them.
   Trial trial(const Overrides& overrides, int threads = 1) const;
-  /// Another scene file with the same choices.
+  /// Returns a run of another scene file with the same choices.
   Trial trial_of(const std::string& scene, const Overrides& overrides, int threads = 1) const;
 
  private:

@@ -19,7 +19,7 @@ std::string short_integrator(const Model& model) {
   return model.integrator == "moreau" ? "moreau" : "euler";
 }
 
-/// How far a row is from its limit; beyond 1 it does not hold.
+/// Returns the error over the allowed error. Above 1 the row does not hold.
 double strain(const Row& row) { return row.tolerance > 0 ? row.error / row.tolerance : row.error > 0 ? 1e300 : 0; }
 
 struct Group {
@@ -28,7 +28,7 @@ struct Group {
   bool holds = true;
 };
 
-/// Case, quantity, input.
+/// The case, the quantity and the input of a group of rows.
 using Heading = std::tuple<std::string, std::string, std::string>;
 
 }  // namespace
@@ -49,9 +49,10 @@ std::string table_text(const std::vector<Row>& rows) {
     group.holds = group.holds && row.holds;
     if (group.worst == nullptr || !(strain(row) <= strain(*group.worst))) group.worst = &row;
   }
-  std::string text =
-      fmt::format("of n solvers the one nearest to its limit\n  {:<12} {:<6} {:>2} {:>12} {:>12} {:>8} {:>8} {:>5}\n",
-                  "law", "integ.", "n", "measured", "expected", "error", "allowed", "order");
+  std::string text = fmt::format(
+      "each line shows, of n solvers, the one nearest to its limit\n  {:<12} {:<6} {:>2} {:>12} {:>12} {:>8} {:>8} "
+      "{:>5}\n",
+      "law", "integ.", "n", "measured", "expected", "error", "allowed", "order");
   for (const auto& heading : order) {
     const auto& [id, quantity, input] = heading;
     text += fmt::format("{} {}{}\n", id, quantity, input == "as given" ? "" : ", " + input);

@@ -1,5 +1,5 @@
 #pragma once
-/// One run of a scene as a formula looks at it.
+/// A run of a scene, with the quantities that formulas of cases predict.
 #include <memory>
 #include <string>
 #include <vector>
@@ -9,22 +9,23 @@
 
 namespace nilas {
 
-/// A body at the end of the last step.
+/// The state of a body at the end of the last step.
 struct BodyState {
-  Vec3 p, v, w;  ///< centre of mass [m], its velocity [m/s], angular velocity in G [rad/s]
+  Vec3 p, v, w;  ///< centre of mass [m], its velocity [m/s] and the angular velocity [rad/s], all in G
   Quat q;
   double mass;   ///< [kg]
   Mat3 inertia;  ///< about the centre of mass in G [kg m^2]
 };
 
-/// A contact of the last step.
+/// A contact point of the last step.
 struct Touch {
   std::string a, b;
-  Vec3 point, normal;  ///< where it was found; from a to b
+  Vec3 point, normal;  ///< where the contact was found [m]; unit normal from a to b
   double gap;          ///< [m]
-  Vec3 force;          ///< on b, impulse / step [N]
+  Vec3 force;          ///< force on b: impulse over step [N]
 };
 
+/// A run that takes its steps on request and logs nothing.
 class Trial {
  public:
   explicit Trial(const Scene& scene, int threads = 1);
@@ -36,12 +37,12 @@ class Trial {
   const Ledger& initial_ledger() const { return initial_; }
   const SolvedProblem& problem() const { return simulation_->last_problem(); }
 
-  /// Throws ContractError for a name that the scene has not.
+  /// Returns the state of a body. Throws ContractError if the scene has no body of this name.
   BodyState body(const std::string& name) const;
   std::vector<Touch> touches() const;
-  /// Sum of the contact forces of the last step on a body [N].
+  /// Returns the sum of the contact forces of the last step on a body [N].
   Vec3 contact_force_on(const std::string& name) const;
-  /// Sum of the forces that `by` put on `on` in the last step [N].
+  /// Returns the sum of the contact forces of body `by` on body `on` in the last step [N].
   Vec3 force_between(const std::string& by, const std::string& on) const;
 
  private:

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double k_variation = 1.1;
 constexpr int k_order_steps = 5;
-/// A measured order may miss the proven one by this: the steps are not yet infinitely small.
+/// A measured order may be below the proven one by this much, because the steps are finite.
 constexpr double k_order_allowance = 0.05;
 
 bool has(const std::vector<std::string>& list, const std::string& name) {
@@ -36,7 +36,7 @@ std::map<std::string, double> input_values(const Case& one, bool vary) {
   return values;
 }
 
-/// Slope of log(error) over log(step), least squares.
+/// Returns the slope of log(error) over log(step) by least squares.
 double slope(const std::vector<double>& steps, const std::vector<double>& errors) {
   double mean_x = 0, mean_y = 0, up = 0, down = 0;
   const auto n = static_cast<double>(steps.size());
@@ -68,15 +68,15 @@ Row row_of(const Case& one, const Model& model, bool vary, const Quantity& q) {
   return row;
 }
 
-/// The entry of a list by integrator, 0 without one.
+/// Returns the entry of a list for the model's integrator, 0 where it has none.
 double by_integrator(const std::vector<double>& list, const Case& one, const Model& model) {
   const auto at = std::find(one.integrators.begin(), one.integrators.end(), model.integrator);
   const auto k = static_cast<std::size_t>(at - one.integrators.begin());
   return k < list.size() ? list[k] : 0;
 }
 
-/// Five steps. The error at the first has a bound of its own; that at the last may be what the bound falls to at the
-/// proven order.
+/// Judges a case at five steps. The error at the first step has a bound. The error at the last step may be that bound,
+/// reduced at the proven order.
 std::vector<Row> judge_order(const Case& one, const Model& model, bool vary, double order) {
   std::vector<double> steps;
   std::vector<std::vector<Quantity>> at;
@@ -138,7 +138,8 @@ std::vector<Model> models_of(const Case& one, const Selection& selection) {
       if (!takes(solver, law) || (!one.solvers.empty() && !has(one.solvers, solver.name))) continue;
       if (!selection.solvers.empty() && !has(selection.solvers, solver.name)) continue;
       for (std::size_t k = 0; k < one.integrators.size(); ++k) {
-        // the solvers answer the same problems under either integrator; the default set asks auto alone twice
+        // The solvers get problems of the same kind under either integrator, so the default set runs only `auto` with
+        // both.
         const bool first = k == 0 || solver.name == "auto" || selection.all;
         if (first) models.push_back({law, solver.name, one.integrators[k], one.step});
       }
@@ -158,9 +159,9 @@ std::vector<Row> judge(const Case& one, const Model& model, bool vary) {
       rows.push_back(row_of(one, model, vary, q));
     return rows;
   } catch (const FileError&) {
-    throw;  // no measurement, and no row would tell more
+    throw;  // A missing scene is a fault of the installation, not of one row.
   } catch (const std::exception& error) {
-    // one run that cannot be made fails alone; the others go on
+    // A run that fails gives a row that fails, and the other runs continue.
     Row row = row_of(one, model, vary, {"run", 0, 0, 1});
     row.holds = false;
     row.message = error.what();
@@ -191,7 +192,7 @@ std::vector<Row> verify(const Selection& selection, int threads, const std::func
       for (const auto& law : one->laws) allowed += " " + law;
     }
     throw InputError(
-        "no case runs with the solvers and laws that were asked for; allowed: " + allowed +
+        "no case runs with the solvers and laws that were given; allowed: " + allowed +
         ", and the solvers that take these laws (nilas solvers; docs/evidence/verification.md names exceptions)");
   }
 
