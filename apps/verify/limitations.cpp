@@ -13,7 +13,7 @@ namespace nilas {
 
 namespace {
 
-/// A case without formula: only what a Setting needs.
+/// Returns a case without a formula, for a Setting.
 Case scene_case(const std::string& scene) {
   Case one;
   one.scene = scene;
@@ -38,10 +38,11 @@ void add_pyramid(std::vector<Limitation>& all) {
   const Vec3 box = stop("pyramid"), cone = stop("coulomb");
   const double exact = stopping_way(k_speed, change, 0.01, 1);
   const std::string scene = "`block.xml`, 2 m/s at 30 degrees to the tangents, mu 0.3";
-  const std::string name = "friction as a pyramid of two directions (`law=\"pyramid\"`), not a cone";
-  all.push_back({name, "way to rest [m]", scene, std::hypot(box.x(), box.y()), std::hypot(cone.x(), cone.y()), exact});
-  all.push_back({name, "direction of that way from the start's [deg]", scene, std::atan2(box.y(), box.x()) / k_deg - 30,
-                 std::atan2(cone.y(), cone.x()) / k_deg - 30, 0});
+  const std::string name = "friction as a pyramid of two directions (`law=\"pyramid\"`) instead of a cone";
+  all.push_back(
+      {name, "distance to rest [m]", scene, std::hypot(box.x(), box.y()), std::hypot(cone.x(), cone.y()), exact});
+  all.push_back({name, "angle between displacement and initial velocity [deg]", scene,
+                 std::atan2(box.y(), box.x()) / k_deg - 30, std::atan2(cone.y(), cone.x()) / k_deg - 30, 0});
 }
 
 void add_gyroscopic(std::vector<Limitation>& all) {
@@ -55,7 +56,7 @@ void add_gyroscopic(std::vector<Limitation>& all) {
     const Vec3 start = moments.cwiseProduct(w);
     return (top.inertia * top.w - start).norm() / start.norm();
   };
-  all.push_back({"gyroscopic torque off (`gyroscopic=\"false\"`)", "angular momentum lost or turned in 10 s, share",
+  all.push_back({"gyroscopic torque off (`gyroscopic=\"false\"`)", "change of angular momentum in 10 s, as a share",
                  "`top.xml`, spin (0.5, 0, 1) rad/s", lost("false"), lost("true"), 0});
 }
 
@@ -68,7 +69,7 @@ void add_static_friction(std::vector<Limitation>& all) {
     run.run(50);
     return run.body("block").v.x();
   };
-  all.push_back({"static friction equal to kinetic friction (0.3), not 0.4", "speed after 0.5 s [m/s]",
+  all.push_back({"static friction equal to kinetic friction (0.3) instead of 0.4", "speed after 0.5 s [m/s]",
                  "`block.xml` at rest, pushed with 0.35 of its weight", speed(0.3), speed(0.4), 0});
 }
 
@@ -83,9 +84,9 @@ void add_rolling(std::vector<Limitation>& all) {
     run.run(k_steps);
     return run.body("ball").v.x();
   };
-  // a solid ball: inertia takes 2/7 of what the moment would do to the mass alone
+  // A solid ball that rolls has 7/5 of the inertia of its mass, so the moment slows it at 5/7 of the rate.
   const double exact = k_start - 5.0 / 7 * k_length / k_radius * k_gravity * k_step * k_steps;
-  all.push_back({"rolling friction left out, not of 0.02 m", "speed after 1 s [m/s]",
+  all.push_back({"rolling friction left out instead of 0.02 m", "speed after 1 s [m/s]",
                  "`ball.xml`, radius 0.5 m, rolls at 1 m/s", speed(0), speed(k_length), exact});
 }
 
@@ -97,7 +98,7 @@ void add_split_impulse(std::vector<Limitation>& all) {
     run.run(100);
     return std::max(0.0, 0.1 - run.body("block").p.z());
   };
-  all.push_back({"split impulse, not projection", "depth left after 1 s [m]",
+  all.push_back({"split impulse instead of projection", "penetration after 1 s [m]",
                  "`block.xml` at rest 1 mm deep in the floor", depth("split-impulse"), depth("projection"), 0});
 }
 
@@ -110,15 +111,16 @@ void add_fixed_sweeps(std::vector<Limitation>& all) {
   };
   const Overrides sweeps{
       {"contact/@tolerance", "0"}, {"contact/@max_iterations", "50"}, {"contact/@warm_start", "false"}};
-  all.push_back({"50 sweeps of projected Gauss-Seidel (`solver=\"pgs\"`), not a tolerance", "penetration after 1 s [m]",
-                 "`heavy-on-light.xml`, 100 kg on 1 kg", sunk({"pyramid", "pgs"}, sweeps),
+  all.push_back({"50 sweeps of projected Gauss-Seidel (`solver=\"pgs\"`) instead of a tolerance",
+                 "penetration after 1 s [m]", "`heavy-on-light.xml`, 100 kg on 1 kg", sunk({"pyramid", "pgs"}, sweeps),
                  sunk({"coulomb", "auto"}, {}), 0});
 }
 
 void add_discrete_detection(std::vector<Limitation>& all) {
   const std::string name =
-      "contacts only where bodies are nearer than their thickness at the step's start (`detection=\"discrete\"`), "
-      "not on their way";
+      "contacts only from gaps up to the thickness of the thinner body (`detection=\"discrete\"`) instead of "
+      "continuous "
+      "detection";
   const auto below = [&](const std::string& detection) {
     Trial run = trial("ball.xml", {},
                       of("ball", "radius", 0.05) + of("ball", "position", "0 0 0.35") +
@@ -132,22 +134,23 @@ void add_discrete_detection(std::vector<Limitation>& all) {
     return run.body("target").v.x();
   };
   constexpr double k_bullet = 100;  // [m/s]
-  all.push_back({name, "deepest way into the floor after 0.05 s [m]",
+  all.push_back({name, "penetration into the floor after 0.05 s [m]",
                  "`ball.xml`, radius 0.05 m, 40 m/s down, step 0.01 s", below("discrete"), below("continuous"), 0});
-  all.push_back({name, "speed of a plate of 2 kg that one of 1 kg hit [m/s]",
+  all.push_back({name, "speed of a plate of 2 kg after a plate of 1 kg hit it [m/s]",
                  "`bullet.xml`, plates of 0.01 m, 100 m/s, step 0.01 s", speed("discrete"), speed("continuous"),
                  k_bullet / 3});
 }
 
-const std::string k_by_fcl = "contacts as FCL gives them (`narrow_phase=\"fcl\"`), not those of an exact search";
+const std::string k_by_fcl = "contacts as FCL gives them (`narrow_phase=\"fcl\"`) instead of those of an exact search";
 
 struct PlateContact {
-  double depth = 0;  ///< of the deepest point [m]
-  double tilt = 0;   ///< of its normal from the vertical [rad]
-  double load = 0;   ///< that the lower plate carries [N]
+  double depth = 0;  ///< depth of the deepest point [m]
+  double tilt = 0;   ///< angle between its normal and the vertical [rad]
+  double load = 0;   ///< load that the lower plate carries [N]
 };
 
-/// One step of plates.xml with the upper plate at `aside` and `up` from the lower one [m].
+/// Takes one step of plates.xml. The upper plate is displaced from the lower one by `aside` along X and `up` along Z
+/// [m].
 PlateContact plate_contact(const std::string& narrow_phase, double aside, double up) {
   Trial run = trial("plates.xml", {},
                     of("upper", "position", Vec3(aside, 0, up)) + Overrides{{"contact/@narrow_phase", narrow_phase}});
@@ -162,13 +165,14 @@ PlateContact plate_contact(const std::string& narrow_phase, double aside, double
 
 void add_fcl_in_deep_plates(std::vector<Limitation>& all) {
   constexpr double k_thickness = 0.01, k_aside = 0.4, k_up = 0.002, k_mass = 1;
-  const std::string scene = "`plates.xml`, two plates of 1 x 1 x 0.01 m, the upper 0.4 m aside and 8 mm deep";
+  const std::string scene = "`plates.xml`, two plates of 1 x 1 x 0.01 m, the upper 0.4 m off-centre and 8 mm deep";
   const PlateContact fcl = plate_contact("fcl", k_aside, k_up), exact = plate_contact("nilas", k_aside, k_up);
   all.push_back({k_by_fcl, "depth [m]", scene, fcl.depth, exact.depth, k_thickness - k_up});
-  all.push_back({k_by_fcl, "normal from the vertical [deg]", scene, fcl.tilt / k_deg, exact.tilt / k_deg, 0});
+  all.push_back(
+      {k_by_fcl, "angle of the normal from the vertical [deg]", scene, fcl.tilt / k_deg, exact.tilt / k_deg, 0});
   all.push_back({k_by_fcl, "load that the lower plate carries [N]", scene, fcl.load, exact.load, k_mass * k_gravity});
 
-  constexpr int k_places = 10;  // along either way
+  constexpr int k_places = 10;  // along each direction
   const auto wrong = [&](const std::string& narrow_phase) {
     int count = 0;
     for (int x = 0; x < k_places; ++x)
@@ -176,12 +180,13 @@ void add_fcl_in_deep_plates(std::vector<Limitation>& all) {
         count += plate_contact(narrow_phase, 0.05 * x, 0.001 * (z + 0.5)).tilt > 8 * k_deg;
     return count / static_cast<double>(k_places * k_places);
   };
-  all.push_back({k_by_fcl, "share of normals wrong by over 8 degrees",
-                 "`plates.xml`, upper plate at 100 places, 0 to 0.45 m aside and 0.5 to 9.5 mm deep", wrong("fcl"),
-                 wrong("nilas"), 0});
+  all.push_back({k_by_fcl, "share of normals that are wrong by more than 8 degrees",
+                 "`plates.xml`, upper plate at 100 positions, 0 to 0.45 m off-centre and 0.5 to 9.5 mm deep",
+                 wrong("fcl"), wrong("nilas"), 0});
 }
 
-/// Of contact detection, the narrow phases by turns in one process and the least of three runs.
+/// Adds the ratio of the times of contact detection. Both narrow phases run in turn in one process, and the least of
+/// three runs counts.
 void add_time_of_fcl(std::vector<Limitation>& all) {
   constexpr long k_steps = 500;
   const auto time = [&](const std::string& narrow_phase) {
@@ -217,11 +222,14 @@ std::vector<Limitation> limitations() {
 
 std::string limitations_markdown(const std::vector<Limitation>& all) {
   std::string page =
-      "# What older tools' simplifications cost\n\n"
-      "Each line is one run made twice, with a simplification and without. The scenes are those of "
-      "`apps/scenes/verify`.\nBelow 1e-9 a number is rounding or what the solver's tolerance leaves, and written as 0. "
-      "This page is written by\n`nilas verify --limitations`.\n\n"
-      "| simplification | measured | scene | with it | without | exact |\n|---|---|---|---|---|---|\n";
+      "# What the simplifications of game-engine based simulators cost\n"
+      "\n"
+      "Each row is one run made twice, with a simplification and without it. The simplifications are those\n"
+      "of game-engine based simulators, such as that of Metrikin (2014). The scenes are in\n"
+      "`apps/scenes/verify`. A number below 1e-9 is rounding or what the solver's tolerance leaves, and is\n"
+      "written as 0. This page is written by `nilas verify --limitations`.\n"
+      "\n"
+      "| simplification | measured | scene | with it | without it | exact |\n|---|---|---|---|---|---|\n";
   const auto digits = [](double value) {
     constexpr double k_nothing = 1e-9;
     return std::abs(value) < k_nothing ? std::string("0") : fmt::format("{:.3g}", value);
@@ -232,22 +240,31 @@ std::string limitations_markdown(const std::vector<Limitation>& all) {
                       : fmt::format("| {} | {} | {} | {:.2g} | {:.2g} | - |\n", one.name, one.measured, one.scene,
                                     one.with, one.without);
   page +=
-      "\nAs FCL gives them: its points, normals and depths enter unchanged. Where a face lies on a face, FCL gives one "
-      "point, on which\nthe upper body would tip. No setting leaves it at that: `fcl` adds the other corners along "
-      "FCL's normal. So these rows show FCL's\nerrors of depth and normal, not what a single point would do. In "
-      "`plates.xml` all of FCL's normals are right up to a depth of half the\nthickness. The time is measured when the "
-      "page is written. In broken ice FCL's detection takes 1.3 to 1.7 times as long\n"
-      "([validation.md](validation.md)).\n"
-      "\nWhat simplified ice costs depends on the scene: `nilas compare SCENE --ablate` takes it out of any scene and "
-      "puts it "
-      "back\none at a time: crushing by a limit, floes that do not crush each other, no extrusion, splitting by "
-      "geometry, "
-      "straight cracks,\nuniform ice, uniform inertia ([theory/compare.md](../theory/compare.md)). Simplified "
-      "in Nilas "
-      "itself, "
-      "so that nothing shows what they\ncost: the water (no added mass, wave damping or free surface that moves), ice "
-      "that "
-      "does not creep, and cracks that run at once.\n";
+      "\n"
+      "**FCL.** In these rows the points, normals and depths that FCL gives are used unchanged. Where two\n"
+      "faces lie on each other, FCL gives one point, and the upper body would tip on it. The setting `fcl`\n"
+      "therefore adds the other corners along FCL's normal. So these rows show FCL's errors of depth and\n"
+      "normal, not the effect of a single point. In `plates.xml` all of FCL's normals are right up to a\n"
+      "depth of half the thickness. The time is measured when the page is written. In broken ice detection\n"
+      "with `fcl` takes 1.2 to 1.9 times as long\n"
+      "([measured contacts](validation-contacts.md#the-narrow-phase-with-and-without-fcl)).\n"
+      "\n"
+      "**Ice.** What simplified ice costs depends on the scene. `nilas compare SCENE --ablate` takes the\n"
+      "simplifications out of any scene and puts them back one at a time\n"
+      "([comparison](../theory/compare.md#ablation)). Those of ice are:\n"
+      "\n"
+      "- crushing by a limit\n"
+      "- floes that do not crush each other\n"
+      "- crushed ice that stays in the outline\n"
+      "- splitting by geometry\n"
+      "- straight cracks\n"
+      "- uniform ice\n"
+      "\n"
+      "**Not shown.** Nilas itself simplifies the following, so no run shows what it costs:\n"
+      "\n"
+      "- The water has no added mass, no wave damping and no free surface that moves.\n"
+      "- Ice does not creep.\n"
+      "- Cracks run through within a step.\n";
   return page;
 }
 
