@@ -9,7 +9,7 @@ namespace nilas {
 
 namespace {
 
-/// Of both sides of the wedge, and of the four of the pyramid, over their projection on the way: half angle atan 1/2.
+/// The area of the sides of wedge and pyramid over its projection along the motion. Their half angle is atan 1/2.
 const double k_slant = std::sqrt(5.0);
 
 Overrides ice(const Setting& s, const std::string& model) {
@@ -18,7 +18,7 @@ Overrides ice(const Setting& s, const std::string& model) {
           {"ice/floe[1]/@thickness", text(s["thickness"])}};
 }
 
-/// The wedge is as wide as it is deep in the ice; its force is that of the area where the contacts are found.
+/// The wedge is as wide in the ice as it is deep. The force follows from the area where the step finds the contacts.
 std::vector<Quantity> steady_wedge(const Setting& s) {
   const double speed = s["speed"], start = -0.0025;
   Trial run = s.trial(ice(s, "explicit") + Overrides{{"vessel/carriage/@speed", text(speed)}});
@@ -42,7 +42,8 @@ Overrides impact(const Setting& s, const std::string& mesh) {
          of("indenter", "velocity", Vec3(s["speed"], 0, 0));
 }
 
-/// Implicit in the velocity: m (v - v+) = h strength T (x + h v+), x+ = x + h v+, until v+ = 0.
+/// The step is implicit in the velocity: m (v - v+) = h strength T (x + h v+) and x+ = x + h v+, until v+ = 0. T is the
+/// thickness.
 std::vector<Quantity> wedge_impact(const Setting& s) {
   Trial run = s.trial(ice(s, "compliant") + impact(s, "wedge.stl"));
   const double start = run.body("indenter").p.x(), k = s["strength"] * s["thickness"], m = s["mass"], h = s.h();
@@ -59,11 +60,11 @@ std::vector<Quantity> wedge_impact(const Setting& s) {
   }
   return {{"depth [m]", run.body("indenter").p.x() - start, x},
           {"largest force [N]", largest, force},
-          {"speed in the end [m/s]", run.body("indenter").v.norm(), 0, s["speed"]},
+          {"speed at the end [m/s]", run.body("indenter").v.norm(), 0, s["speed"]},
           {"crushing energy [J]", run.last().ledger.crushing, 0.5 * m * s["speed"] * s["speed"]}};
 }
 
-/// F = C A^exponent times the projected area: k x^q with q = 2 + 2 exponent.
+/// The force is C A^exponent times the projected area, which is k x^q with q = 2 + 2 exponent at the depth x.
 std::vector<Quantity> popov(const Setting& s) {
   const double exponent = s["exponent"], coefficient = s["coefficient"], m = s["mass"], speed = s["speed"];
   Trial run = s.trial(ice(s, "pressure-area") + impact(s, "pyramid.stl") +
@@ -85,20 +86,20 @@ std::vector<Quantity> popov(const Setting& s) {
 }  // namespace
 
 std::vector<Case> crushing() {
-  FamilyOfCases add('H', "crush-impact.xml", "Popov's collision: 1/2 M v^2 = int F d(delta) [Popov 1967, Daley 1999]");
+  FamilyOfCases add('H', "crush-impact.xml", "The Popov method: 1/2 M v^2 = int F d(delta) (Idrissova et al. 2019)");
   const Input strength{"strength", 1e5, "Pa"}, thickness{"thickness", 0.25, "m"}, speed{"speed", 1, "m/s"},
       mass{"mass", 5000, "kg"};
-  Case& steady = add(79, "Wedge driven into a sheet", "F = strength x area, whose projection is depth x thickness",
+  Case& steady = add(79, "Wedge driven into a sheet", "F = strength x projected area, which is depth x thickness",
                      {strength, thickness, {"speed", 0.5, "m/s"}}, "strength", steady_wedge);
   steady.scene = "crush-wedge.xml";
-  steady.source = "Metrikin 2014: the normal force is at most strength times area";
-  Case& implicit = add(80, "Wedge hits a sheet, compliant", "m (v - v+) = h strength T (x + h v+)",
+  steady.source = "Metrikin (2014): the normal force is at most strength times area";
+  Case& implicit = add(80, "Impact of a wedge on a sheet, compliant", "m (v - v+) = h strength T (x + h v+)",
                        {strength, thickness, speed, mass}, "strength", wedge_impact);
   implicit.integrators = {"semi-implicit-euler"};
   implicit.solvers = {"auto", "pgs", "nsgs", "eg", "eg-order-free", "apgd", "admm", "ipm", "newton"};
-  implicit.note = "Without enumerate: the ten contacts are more than it takes.";
+  implicit.note = "Left out: enumerate (more than 8 contacts).";
   Case& daley =
-      add(81, "Pyramid hits a sheet, pressure-area",
+      add(81, "Impact of a pyramid on a sheet, pressure-area",
           "depth = ((3 + 2 ex) M v^2/(2 C sqrt(5)^ex))^(1/(3 + 2 ex)), F = C (sqrt(5) depth^2)^ex depth^2",
           {strength, {"thickness", 4, "m"}, speed, mass, {"coefficient", 1e5, "Pa m^0.2"}, {"exponent", -0.1, ""}},
           "coefficient", popov);

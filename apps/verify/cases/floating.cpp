@@ -14,7 +14,7 @@ Overrides ice(double density, double thickness) {
   return {{"ice/@density", text(density)}, {"ice/@thickness", text(thickness)}};
 }
 
-/// A linear oscillation by the theta scheme.
+/// A linear oscillation, stepped by the theta scheme.
 struct Oscillation {
   double x, v;
   void step(const Setting& s, double omega) {
@@ -76,9 +76,9 @@ std::vector<Quantity> roll(const Setting& s) {
     Trial narrow = with(share * limit);
     narrow.run(s.steps(5));
     const bool falls = std::abs(2 * narrow.body("raft").q.x()) > 1.5 * angle;
-    found.push_back(
-        {share > 1 ? "leaves the upright at 1.01 of b/t = sqrt(6 r (1 - r))" : "leaves the upright at 0.99 of it",
-         falls ? 1.0 : 0.0, share > 1 ? 0.0 : 1.0, 1});
+    found.push_back({share > 1 ? "unstable at 1.01 of b/t = sqrt(6 r (1 - r)) (1: yes)"
+                               : "unstable at 0.99 of b/t = sqrt(6 r (1 - r)) (1: yes)",
+                     falls ? 1.0 : 0.0, share > 1 ? 0.0 : 1.0, 1});
   }
   return found;
 }
@@ -102,7 +102,7 @@ std::vector<Quantity> coast(const Setting& s) {
   }
   const BodyState box = run.body("box");
   std::vector<Quantity> found{{"speed after 5 s, quadratic drag [m/s]", box.v.x(), v},
-                              {"way after 5 s, quadratic drag [m]", box.p.x(), x}};
+                              {"distance after 5 s, quadratic drag [m]", box.p.x(), x}};
   const double coefficient = 50 * form;
   Trial linear = s.trial_of("driven-floe.xml", {{"hydro/virtual_drag/@coefficient", text(coefficient)},
                                                 {"ice/floe[1]/@velocity", text(Vec3(v0, 0, 0))}});
@@ -137,9 +137,9 @@ std::vector<Quantity> sloping_hull(const Setting& s) {
                       gravity({-k_gravity, 0, 0}));
   run.run(10);
   const Vec3 load = run.contact_force_on("block");
-  return {{"vertical over horizontal load", load.z() / load.x(),
+  return {{"vertical load over horizontal load", load.z() / load.x(),
            (std::cos(angle) - mu * std::sin(angle)) / (std::sin(angle) + mu * std::cos(angle))},
-          {"slides up", run.body("block").v.z() > 0.01 ? 1.0 : 0.0, 1}};
+          {"slides up (1: yes)", run.body("block").v.z() > 0.01 ? 1.0 : 0.0, 1}};
 }
 
 }  // namespace
@@ -148,19 +148,20 @@ std::vector<Case> floating() {
   FamilyOfCases add('F', "floe.xml", "Archimedes");
   const std::vector<std::string> no_contact{"auto"};
   const Input density{"density", 917, "kg/m^3"}, thickness{"thickness", 1, "m"}, speed{"speed", 2, "m/s"};
-  Case& still = add(61, "Floe at rest", "draught t rho_ice/rho_water", {density, thickness}, "thickness", draught);
+  Case& still = add(61, "Floe at rest", "draught = t rho_ice/rho_water", {density, thickness}, "thickness", draught);
   still.solvers = no_contact;
-  Case& up = add(62, "Floe that heaves", "omega = sqrt(g/draught), stepped by the theta scheme; no added mass",
+  Case& up = add(62, "Heaving floe", "omega = sqrt(g/draught), stepped by the theta scheme; no added mass",
                  {density, thickness}, "thickness", heave);
   up.solvers = no_contact;
   up.reference = true;
-  Case& rolls = add(63, "Raft that rolls, and whether it floats upright",
+  Case& rolls = add(63, "Rolling raft, and whether it floats upright",
                     "omega = sqrt(m g GM/I), GM = d/2 + b^2/(12 d) - t/2; upright iff b/t > sqrt(6 r (1 - r))",
                     {{"beam", 2, "m"}}, "beam", roll);
   rolls.scene = "raft.xml";
   rolls.solvers = no_contact;
   rolls.tolerance = 1e-8;
-  rolls.note = "The formula is that of small angles: 1e-5 rad here, so its own error is about 1e-10 of the angle.";
+  rolls.note =
+      "The formula holds for small angles. At the 1e-5 rad used here its own error is about 1e-10 of the angle.";
   Case& coasts = add(64, "Coasting against drag", "v' = v - h k v^2, k = rho C A/(2 m); v' = v (1 - h c/m)",
                      {speed, {"form", 1, ""}}, "form", coast);
   coasts.scene = "submerged.xml";
@@ -168,14 +169,15 @@ std::vector<Case> floating() {
   coasts.solvers = no_contact;
   coasts.reference = true;
   coasts.source = "Quadratic and linear drag, summed over the steps";
-  Case& pushes = add(65, "Steady push of a row of floes", "force between k and k + 1 = drag of the floes ahead",
+  Case& pushes = add(65, "Steady push of a row of floes", "force at each contact = drag of all floes ahead of it",
                      {{"speed", 0.5, "m/s"}}, "speed", steady_push);
   pushes.scene = "push.xml";
   pushes.source = "Statics";
   pushes.solvers = {"auto", "pgs", "nsgs", "eg", "eg-order-free", "apgd", "admm", "ipm", "newton"};
-  pushes.note = "Left out: enumerate (more than 8 points).";
-  Case& hull = add(66, "Floe on a sloping hull", "vertical over horizontal load (cos a - mu sin a)/(sin a + mu cos a)",
-                   {{"angle_deg", 50, "deg"}, {"mu", 0.1, ""}}, "angle_deg", sloping_hull);
+  pushes.note = "Left out: enumerate (more than 8 contacts).";
+  Case& hull =
+      add(66, "Floe on a sloping hull", "vertical load over horizontal load = (cos a - mu sin a)/(sin a + mu cos a)",
+          {{"angle_deg", 50, "deg"}, {"mu", 0.1, ""}}, "angle_deg", sloping_hull);
   hull.scene = "block.xml";
   hull.source = "Coulomb's law";
   return add.cases();

@@ -31,12 +31,12 @@ std::vector<Quantity> symmetric_top(const Setting& s) {
   const Vec3 exact_w = momentum / s["across"] + w.z() * (1 - s["along"] / s["across"]) * (exact * Vec3::UnitZ());
   const double along = (top.inertia * top.w).dot(momentum) / momentum.squaredNorm();
   return {{"angle between attitude and R(t) [rad]", top.q.angularDistance(exact), 0, 1},
-          {"angular velocity less the exact one [rad/s]", (top.w - exact_w).norm(), 0, w.norm()},
-          {"angular momentum along that at the start, over it", along, 1, 1, true}};
+          {"error of angular velocity [rad/s]", (top.w - exact_w).norm(), 0, w.norm()},
+          {"angular momentum along its start value, as a ratio", along, 1, 1, true}};
 }
 
-/// Free rotation about principal axes I1 < I2 < I3 with L^2 > 2 T I2 in Jacobi's elliptic functions; starts where
-/// w2 = 0 and w1, w3 > 0.
+/// The free rotation of a body with principal moments I1 < I2 < I3 and L^2 > 2 T I2, in Jacobi's elliptic functions. It
+/// starts where w2 = 0 and w1, w3 > 0.
 struct Euler {
   Euler(const Vec3& I, double w1, double w3) : moments(I) {
     const double twice_energy = I[0] * w1 * w1 + I[2] * w3 * w3;
@@ -52,7 +52,7 @@ struct Euler {
     const double sn = boost::math::jacobi_elliptic(modulus, rate * t, &cn, &dn);
     return {amplitude[0] * cn, amplitude[1] * sn, amplitude[2] * dn};
   }
-  /// Between two flips of w2.
+  /// Returns the time between two changes of the sign of w2 [s].
   double half_period() const { return 2 * boost::math::ellint_1(modulus) / rate; }
 
   Vec3 moments, amplitude;
@@ -68,11 +68,11 @@ std::vector<Quantity> asymmetric_top(const Setting& s) {
   run.run(n);
   const BodyState top = run.body("top");
   const Vec3 in_body = top.q.conjugate() * top.w;
-  return {{"angular velocity in body axes less the exact one [rad/s]",
+  return {{"error of angular velocity in body axes [rad/s]",
            (in_body - exact.at(static_cast<double>(n) * s.h())).norm(), 0, exact.at(0).norm()}};
 }
 
-/// Without the gyroscopic torque w stays in G, so the body turns about it and its angular momentum turns along.
+/// Without the gyroscopic torque w is constant in G. The body turns about it, and its angular momentum turns too.
 std::vector<Quantity> without_gyroscopic_torque(const Setting& s) {
   const Vec3 w(s["w1"], 0, s["w3"]);
   Trial run = s.trial(of("top", "inertia", principal(k_asymmetric)) + of("top", "angular_velocity", w) +
@@ -103,8 +103,8 @@ std::vector<Quantity> flipping_top(const Setting& s) {
     }
     before = now;
   }
-  return {{"flips of the middle axis", static_cast<double>(flips), 3, 1, true},
-          {"time from flip to flip [s]", (last - first) / (flips - 1), exact.half_period()}};
+  return {{"flips about the intermediate axis", static_cast<double>(flips), 3, 1, true},
+          {"time between flips [s]", (last - first) / (flips - 1), exact.half_period()}};
 }
 
 std::vector<Quantity> free_flight(const Setting& s) {
@@ -129,15 +129,15 @@ std::vector<Quantity> free_flight(const Setting& s) {
           {"largest error of the quaternion's norm", worst_unit, 0, 1}};
 }
 
-/// The bob of pendulum.xml: 2 kg, about its centre of mass in pitch 0.2 kg m^2, this far from the joint.
+/// The mass of the bob of pendulum.xml [kg], and its moment of inertia in pitch about its centre of mass [kg m^2].
 constexpr double k_bob_mass = 2, k_bob_inertia = 0.2;
 
 std::vector<Quantity> pendulum(const Setting& s) {
-  const Vec3 joint(0, 0, 0.1), arm = Vec3(-s["arm"], 0, 0);  // starts level, at rest
+  const Vec3 joint(0, 0, 0.1), arm = Vec3(-s["arm"], 0, 0);  // The bob starts at rest, level with the joint.
   Trial run = s.trial({{"vessel/mass/@cog", text(Vec3(joint + arm))}});
   const double length = (k_bob_inertia / k_bob_mass + arm.squaredNorm()) / arm.norm();
   const double exact = 4 * std::sqrt(length / k_gravity) * boost::math::ellint_1(std::sin(k_pi / 4));
-  // at its turning points the rate of pitch changes sign
+  // At a turning point the pitch rate changes its sign.
   double before = 0, first = 0, last = 0;
   int turns = 0;
   const long n = s.steps(1.2 * exact);
@@ -170,7 +170,7 @@ std::vector<Quantity> boosted(const Setting& s) {
   return {
       {"difference of velocities [m/s]", std::max((left[0] - left[1]).norm(), (right[0] - right[1]).norm()), 0, scale},
       {"difference of spins [rad/s]", (spin[0] - spin[1]).norm(), 0, scale},
-      {"velocity change of the hit [m/s]", (left[0] - v).norm() > 0.1 ? 1.0 : 0.0, 1}};
+      {"the balls collide (1: yes)", (left[0] - v).norm() > 0.1 ? 1.0 : 0.0, 1}};
 }
 
 }  // namespace
@@ -179,25 +179,26 @@ std::vector<Case> free_bodies() {
   const std::vector<std::string> no_contact{"auto"};
   FamilyOfCases add('C', "top.xml", "Landau, Lifshitz, Mechanics, sections 35 to 37");
   Case& symmetric =
-      add(26, "Symmetric top, free", "R(t) = exp(t L/I1) R0 exp(t w3 (1 - I3/I1) e3)",
+      add(26, "Free symmetric top", "R(t) = exp(t L/I1) R0 exp(t w3 (1 - I3/I1) e3)",
           {{"across", 2, "kg m^2"}, {"along", 3, "kg m^2"}, {"spin", 1.5, "rad/s"}}, "spin", symmetric_top);
   symmetric.step = 0.08;
   symmetric.orders = {2, 2};
   symmetric.coarsest = {1e-3, 2.5e-4};
-  Case& asymmetric = add(27, "Asymmetric top, free", "w = (a1 cn, a2 sn, a3 dn)(t rate), Jacobi's elliptic functions",
+  Case& asymmetric = add(27, "Free asymmetric top", "w = (a1 cn, a2 sn, a3 dn)(t rate), Jacobi's elliptic functions",
                          {{"w1", 0.5, "rad/s"}, {"w3", 1, "rad/s"}}, "w1", asymmetric_top);
   asymmetric.step = 0.08;
   asymmetric.orders = {2, 2};
   asymmetric.coarsest = {2e-3, 5e-4};
   asymmetric.reference = true;
-  Case& flips =
-      add(28, "Flips about the middle axis", "half period 2 K(k)/rate; sigma = w sqrt((I2-I1)(I3-I2)/(I1 I3)) at first",
-          {{"w1", 0.75, "rad/s"}, {"w3", 0.7, "rad/s"}}, "w3", flipping_top);
+  Case& flips = add(28, "Flips about the intermediate axis",
+                    "half period 2 K(k)/rate, with the rate and the modulus k of the elliptic functions of case 27",
+                    {{"w1", 0.75, "rad/s"}, {"w3", 0.7, "rad/s"}}, "w3", flipping_top);
   flips.step = 0.08;
   flips.orders = {2, 2};
   flips.coarsest = {1e-3, 2.5e-4};
-  Case& flight = add(30, "Free flight of a spinning body, 1e6 steps", "momentum, angular momentum and energy are kept",
-                     {{"spin", 1, "rad/s"}}, "spin", free_flight);
+  Case& flight =
+      add(30, "Free flight of a spinning body, 1e6 steps", "momentum, angular momentum and energy are conserved",
+          {{"spin", 1, "rad/s"}}, "spin", free_flight);
   flight.tolerance = 1e-10;
   Case& swings = add(31, "Pendulum about the joint of a carriage",
                      "period 4 sqrt(l/g) K(sin(theta0/2)), theta0 = 90 deg, l = (I + m a^2)/(m a)", {{"arm", 0.8, "m"}},
@@ -206,14 +207,14 @@ std::vector<Case> free_bodies() {
   swings.step = 0.0025;
   swings.orders = {1, 2};
   swings.coarsest = {2e-2, 5e-6};
-  Case& wrong =
-      add(32, "Without the gyroscopic torque, as older tools", "w stays in G: L(t) = R I R^T w with R = exp(t w) R0",
-          {{"w1", 0.5, "rad/s"}, {"w3", 1, "rad/s"}}, "w3", without_gyroscopic_torque);
-  wrong.source = "The older tools' own step";
-  Case& frame =
-      add(33, "Galilean frame", "the same motion in a frame that moves", {{"boost", 30, "m/s"}}, "boost", boosted);
+  Case& wrong = add(32, "Free rotation without the gyroscopic torque",
+                    "w is constant in G: L(t) = R I R^T w with R = exp(t w) R0",
+                    {{"w1", 0.5, "rad/s"}, {"w3", 1, "rad/s"}}, "w3", without_gyroscopic_torque);
+  wrong.source = "The time step without that torque";
+  Case& frame = add(33, "Galilean invariance", "the same motion in a frame of constant velocity",
+                    {{"boost", 30, "m/s"}}, "boost", boosted);
   frame.scene = "pair.xml";
-  frame.source = "Galilei's principle";
+  frame.source = "Galileo's principle of relativity";
   std::vector<Case> cases = add.cases();
   for (auto& one : cases)
     if (one.number != 33) one.solvers = no_contact;

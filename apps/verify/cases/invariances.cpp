@@ -1,4 +1,4 @@
-/// Family G: invariances. Nothing here needs a formula: a changed scene must give the changed motion.
+/// Family G: invariances. These cases need no formula, because a transformed scene must give the transformed motion.
 #include <algorithm>
 #include <cmath>
 
@@ -12,10 +12,11 @@ namespace nilas {
 namespace {
 
 const std::vector<std::string> k_pile{"low", "side", "high"};
-constexpr double k_solved = 1e-10;   // above what the runs leave [m/s]
-constexpr double k_pile_time = 0.6;  // [s] in which all three have met
+constexpr double k_solved = 1e-10;   // tolerance above the residual that the runs leave [m/s]
+constexpr double k_pile_time = 0.6;  // time after which all three balls have met [s]
 
-/// Largest difference of velocities between two runs, v of the second times `scale`.
+/// Returns the largest difference of velocities between two runs. Linear velocities of the second are multiplied by
+/// `scale`.
 double difference(const Trial& one, const Trial& other, const std::string& prefix = "", double scale = 1) {
   double worst = 0;
   for (const auto& name : k_pile) {
@@ -44,8 +45,8 @@ std::vector<Quantity> turned(const Setting& s) {
   run.run(30);
   other.run(30);
   const BodyState a = run.body("block"), b = other.body("block");
-  return {{"velocity less the turned one [m/s]", (R * a.v - b.v).norm(), 0, 1},
-          {"place less the turned one [m]", (R * a.p - b.p).norm(), 0, 1}};
+  return {{"difference from the rotated velocity [m/s]", (R * a.v - b.v).norm(), 0, 1},
+          {"difference from the rotated position [m]", (R * a.p - b.p).norm(), 0, 1}};
 }
 
 std::vector<Quantity> axes(const Setting& s) {
@@ -53,7 +54,7 @@ std::vector<Quantity> axes(const Setting& s) {
   Trial run =
       s.trial(of("block", "velocity", Vec3(speed, 0, 0)) + Overrides{{"contact/@axes_deg", text(s["axes_deg"])}});
   run.run(static_cast<long>(speed / change) + 5);
-  // in the pyramid's own axes each component stops by itself
+  // Along each axis of the pyramid the velocity falls to zero by itself.
   const Mat3 R = Eigen::AngleAxisd(s["axes_deg"] * k_deg, Vec3::UnitZ()).toRotationMatrix();
   Vec3 way(stopping_way(speed, change, s.h(), s.theta()), 0, 0);
   if (s.model().law == "pyramid") {
@@ -62,7 +63,7 @@ std::vector<Quantity> axes(const Setting& s) {
                    std::copysign(stopping_way(std::abs(own.y()), change, s.h(), s.theta()), own.y()), 0);
   }
   const Vec3 p = run.body("block").p;
-  return {{"way along X [m]", p.x(), way.x(), 1}, {"way along Y [m]", p.y(), way.y(), 1}};
+  return {{"distance along X [m]", p.x(), way.x(), 1}, {"distance along Y [m]", p.y(), way.y(), 1}};
 }
 
 std::vector<Quantity> permuted(const Setting& s) {
@@ -81,7 +82,7 @@ std::vector<Quantity> swapped(const Setting& s) {
   }
   return {{"difference of velocities [m/s]", std::max((left[0] - left[1]).norm(), (right[0] - right[1]).norm()), 0, 1},
           {"difference of spins [rad/s]", (spin[0] - spin[1]).norm(), 0, 1},
-          {"they met", right[0].norm() > 0.1 ? 1.0 : 0.0, 1}};
+          {"the balls collide (1: yes)", right[0].norm() > 0.1 ? 1.0 : 0.0, 1}};
 }
 
 std::vector<Quantity> heavier(const Setting& s) {
@@ -94,7 +95,7 @@ std::vector<Quantity> heavier(const Setting& s) {
 }
 
 std::vector<Quantity> larger(const Setting& s) {
-  // Froude's law: lengths times lambda, speeds and times by its square root
+  // By Froude's law lengths scale by lambda, and speeds and times by its square root.
   const double lambda = s["lambda"], slower = std::sqrt(lambda);
   Trial one = s.trial(of("block", "velocity", "2 1 0"));
   Trial other = s.trial(
@@ -103,8 +104,8 @@ std::vector<Quantity> larger(const Setting& s) {
   one.run(30);
   other.run(30);
   const BodyState a = one.body("block"), b = other.body("block");
-  return {{"speed over that of the small block times sqrt(lambda)", b.v.norm() / (slower * a.v.norm()), 1},
-          {"way over that of the small block times lambda",
+  return {{"speed over sqrt(lambda) times that of the small block", b.v.norm() / (slower * a.v.norm()), 1},
+          {"distance over lambda times that of the small block",
            std::hypot(b.p.x(), b.p.y()) / (lambda * std::hypot(a.p.x(), a.p.y())), 1}};
 }
 
@@ -123,14 +124,14 @@ std::vector<Quantity> mirrored(const Setting& s) {
     const Vec3 a = one.body(name).v, b = other.body(name).v;
     worst = std::max(worst, (a - Vec3(b.x(), -b.y(), b.z())).norm());
   }
-  return {{"velocity less its image [m/s]", worst, 0, 1}};
+  return {{"difference from the mirrored velocity [m/s]", worst, 0, 1}};
 }
 
 std::vector<Quantity> twice(const Setting& s) {
   const Trial one = pile(s, {}), both = pile(s, {}, "two-piles.xml");
-  return {{"difference from one pile alone [m/s]", difference(one, both), 0, 1},
-          {"difference of the far pile [m/s]", difference(one, both, "far-"), 0, 1},
-          {"contacts over those of one pile",
+  return {{"difference of the near pile from one pile alone [m/s]", difference(one, both), 0, 1},
+          {"difference of the far pile from one pile alone [m/s]", difference(one, both, "far-"), 0, 1},
+          {"number of contacts over that of one pile",
            static_cast<double>(both.last().contacts) / static_cast<double>(std::max(1, one.last().contacts)), 2}};
 }
 
@@ -140,7 +141,7 @@ std::vector<Quantity> smooth(const Setting& s) {
                         Overrides{{"contact/@law", "frictionless"}, {"contact/@solver", "enumerate"}});
   one.run(s.steps(k_pile_time));
   other.run(s.steps(k_pile_time));
-  return {{"difference from the enumerated frictionless problem [m/s]", difference(one, other), 0, 1}};
+  return {{"difference from the frictionless law by enumerate [m/s]", difference(one, other), 0, 1}};
 }
 
 std::vector<Quantity> rough(const Setting& s) {
@@ -159,7 +160,7 @@ std::vector<Quantity> warm(const Setting& s) {
   const ContactSolution again = solver->solve(solved.problem, solved.solution.r);
   return {{"iterations beyond one", std::max(0, again.iterations - 1) * 1.0, 0, 1},
           {"change of velocities [m/s]", (again.v - solved.solution.v).norm(), 0, 1},
-          {"contacts", static_cast<double>(run.last().contacts > 0), 1}};
+          {"contacts exist (1: yes)", static_cast<double>(run.last().contacts > 0), 1}};
 }
 
 std::vector<Quantity> threads(const Setting& s) {
@@ -177,8 +178,8 @@ std::vector<Quantity> threads(const Setting& s) {
       if (hashes[k] != record.state_hash) same = 0;
     }
   }
-  return {{"every step has the same bits with one, two and five threads", same, 1},
-          {"more than 512 contacts take part", contacts > 512 ? 1.0 : 0.0, 1}};
+  return {{"every step has the same bits with 1, 2 and 5 threads (1: yes)", same, 1},
+          {"more than 512 contacts take part (1: yes)", contacts > 512 ? 1.0 : 0.0, 1}};
 }
 
 }  // namespace
@@ -186,40 +187,43 @@ std::vector<Quantity> threads(const Setting& s) {
 std::vector<Case> invariances() {
   FamilyOfCases add('G', "pile.xml", "Symmetry of the equations");
   const Input mu{"mu", 0.3, ""};
-  add(67, "The whole scene turned", "v -> R v", {{"roll_deg", 65, "deg"}}, "roll_deg", turned).scene = "block.xml";
-  Case& axes_case =
-      add(68, "The tangents turned", "coulomb: nothing changes; pyramid: each of its own axes stops apart",
-          {{"axes_deg", 30, "deg"}}, "axes_deg", axes);
+  add(67, "Rotation of the whole scene", "v -> R v", {{"roll_deg", 65, "deg"}}, "roll_deg", turned).scene = "block.xml";
+  Case& axes_case = add(68, "Rotation of the contact tangents",
+                        "coulomb: nothing changes; pyramid: each axis of the pyramid stops separately",
+                        {{"axes_deg", 30, "deg"}}, "axes_deg", axes);
   axes_case.scene = "block.xml";
   axes_case.laws = {"coulomb", "pyramid"};
   add(69, "Bodies in another order", "the same velocities", {mu}, "mu", permuted).also = {"pile-reversed.xml"};
-  Case& roles = add(70, "Roles of two bodies swapped", "the same velocities", {mu}, "mu", swapped);
+  Case& roles = add(70, "The two bodies of a contact swapped", "the same velocities", {mu}, "mu", swapped);
   roles.scene = "pair.xml";
   roles.also = {"pair-swapped.xml"};
-  add(71, "All masses times a factor", "the same velocities, forces times the factor", {{"factor", 1000, ""}, mu},
-      "factor", heavier);
-  add(72, "Froude's scale", "lengths lambda, times and speeds sqrt(lambda)", {{"lambda", 25, ""}}, "lambda", larger)
+  add(71, "All masses multiplied by a factor", "the same velocities, and forces multiplied by the factor",
+      {{"factor", 1000, ""}, mu}, "factor", heavier);
+  add(72, "Froude scaling", "lengths scale by lambda, times and speeds by sqrt(lambda)", {{"lambda", 25, ""}}, "lambda",
+      larger)
       .scene = "block.xml";
-  add(73, "The image in a mirror", "y -> -y", {mu}, "mu", mirrored);
-  add(74, "The scene twice, far apart", "each as if alone", {mu}, "mu", twice).also = {"two-piles.xml"};
-  add(75, "No friction", "coulomb with mu = 0 is the frictionless law, solved by trying all states",
+  add(73, "Mirror image of the scene", "y -> -y", {mu}, "mu", mirrored);
+  add(74, "Two copies of the scene, far apart", "each copy moves as if it were alone", {mu}, "mu", twice).also = {
+      "two-piles.xml"};
+  add(75, "No friction", "coulomb with mu = 0 gives the motion of the frictionless law, which enumerate solves",
       {{"speed", 2, "m/s"}}, "speed", smooth);
-  Case& endless = add(76, "Endless friction", "nothing slides on a slope of less than 90 degrees",
+  Case& endless = add(76, "Very large friction", "nothing slides on a slope of less than 90 degrees",
                       {{"mu", 1000, ""}, {"slope_deg", 60, "deg"}}, "slope_deg", rough);
   endless.scene = "block.xml";
   endless.solvers = {"auto", "pgs", "nsgs", "admm", "ipm", "newton", "enumerate"};
   endless.note =
-      "Left out: eg and apgd, whose steps shrink with mu^2; after 1e5 of them the block still slides, as they say.";
+      "Left out: eg and apgd, whose steps shrink with mu^2. After 1e5 steps the block still slides, which these "
+      "solvers report.";
   Case& again =
-      add(77, "Started from its own solution", "at most one iteration, the same velocities", {mu}, "mu", warm);
+      add(77, "Solver started from its own solution", "at most one iteration, the same velocities", {mu}, "mu", warm);
   again.solvers = {"auto", "pgs", "nsgs", "eg", "eg-order-free", "apgd", "admm", "ipm", "newton"};
-  again.note = "Left out: enumerate, which tries all states whatever the guess.";
-  Case& bits = add(78, "One thread and several", "the same bits", {mu}, "mu", threads);
+  again.note = "Left out: enumerate, which tries all states whatever the initial guess.";
+  Case& bits = add(78, "One thread and several", "the same results to the bit", {mu}, "mu", threads);
   bits.scene = "sheet.xml";
   bits.contact_tolerance = 1e-6;
   bits.contact_iterations = 30;
   bits.solvers = {"auto", "pgs", "nsgs", "eg", "eg-order-free", "apgd", "newton"};
-  bits.note = "Left out: admm, ipm and enumerate, which would take minutes for one island of two thousand points.";
+  bits.note = "Left out: admm, ipm and enumerate, which would take minutes for one island of two thousand contacts.";
   return add.cases();
 }
 

@@ -1,4 +1,4 @@
-/// Family A: sliding and sticking, and the artefact of each law.
+/// Family A: sliding, sticking and the artefact of each friction law.
 #include <cmath>
 
 #include "apps/verify/families.h"
@@ -10,7 +10,7 @@ namespace nilas {
 
 namespace {
 
-/// Floor and block turned about Y, downhill along +X.
+/// Turns floor and block about Y by `degrees`, downhill along +X, and gives the block this speed downhill [m/s].
 Overrides slope(double degrees, double speed) {
   const Vec3 up(std::sin(degrees * k_deg), 0, std::cos(degrees * k_deg));
   const Vec3 down(std::cos(degrees * k_deg), 0, -std::sin(degrees * k_deg));
@@ -46,7 +46,7 @@ std::vector<Quantity> slide(const Setting& s) {
   const double a = k_gravity * (std::sin(angle) - s["mu"] * std::cos(angle));
   const BodyState block = run.body("block");
   return {{"speed after 1 s [m/s]", block.v.norm(), n * s.h() * a},
-          {"way after 1 s [m]", (block.p - start).norm(), a * s.h() * s.h() * n * (n - 1 + 2 * s.theta()) / 2}};
+          {"distance after 1 s [m]", (block.p - start).norm(), a * s.h() * s.h() * n * (n - 1 + 2 * s.theta()) / 2}};
 }
 
 std::vector<Quantity> stop(const Setting& s) {
@@ -56,7 +56,7 @@ std::vector<Quantity> stop(const Setting& s) {
   const BodyState block = run.body("block");
   const double way = s.model().continuous() ? s["speed"] * s["speed"] / (2 * s["mu"] * k_gravity)
                                             : stopping_way(s["speed"], change, s.h(), s.theta());
-  return {{"way to rest [m]", block.p.x(), way}, {"speed at rest [m/s]", block.v.norm(), 0, 1}};
+  return {{"distance to rest [m]", block.p.x(), way}, {"speed at rest [m/s]", block.v.norm(), 0, 1}};
 }
 
 std::vector<Quantity> azimuths(const Setting& s) {
@@ -73,10 +73,10 @@ std::vector<Quantity> azimuths(const Setting& s) {
     aside = std::max(aside, std::abs(block.p.cross(along).z()));
     turned = std::max(turned, block.q.vec().norm());
   }
-  return {{"shortest way of 24 directions [m]", shortest, way},
-          {"longest way of 24 directions [m]", longest, way},
-          {"largest way aside [m]", aside, 0, 1},
-          {"largest turn [rad]", 2 * turned, 0, 1}};
+  return {{"shortest distance of 24 directions [m]", shortest, way},
+          {"longest distance of 24 directions [m]", longest, way},
+          {"largest distance across [m]", aside, 0, 1},
+          {"largest rotation [rad]", 2 * turned, 0, 1}};
 }
 
 std::vector<Quantity> box_pyramid(const Setting& s) {
@@ -88,10 +88,10 @@ std::vector<Quantity> box_pyramid(const Setting& s) {
   Vec3 way(stopping_way(velocity.x(), change, s.h(), s.theta()), stopping_way(velocity.y(), change, s.h(), s.theta()),
            0);
   if (s.model().law != "pyramid") way = stopping_way(s["speed"], change, s.h(), s.theta()) * heading(s["heading_deg"]);
-  return {{"way along X [m]", p.x(), way.x()}, {"way along Y [m]", p.y(), way.y()}};
+  return {{"distance along X [m]", p.x(), way.x()}, {"distance along Y [m]", p.y(), way.y()}};
 }
 
-/// The point of the diamond |x| + |y| <= radius nearest to `to`, x >= y >= 0.
+/// Returns the point of the diamond |x| + |y| <= radius nearest to `to`, which must have x >= y >= 0.
 Vec2 in_diamond(const Vec2& to, double radius) {
   if (to.x() + to.y() <= radius) return to;
   const double over = 0.5 * (to.x() + to.y() - radius);
@@ -104,7 +104,7 @@ std::vector<Quantity> diamond(const Setting& s) {
   const long n = static_cast<long>(2 * s["speed"] / change);
   Trial run = s.trial(moving(velocity) + friction(s["mu"]));
   run.run(n);
-  // the impulse of most dissipation is the nearest of the diamond to what would stop the block
+  // The impulse of maximum dissipation is the point of the diamond nearest to the impulse that would stop the block.
   Vec2 v = velocity.head<2>(), way = Vec2::Zero();
   for (long k = 0; k < n; ++k) {
     const Vec2 after = v - in_diamond(v, change);
@@ -112,7 +112,7 @@ std::vector<Quantity> diamond(const Setting& s) {
     v = after;
   }
   const Vec3 p = run.body("block").p;
-  return {{"way along X [m]", p.x(), way.x()}, {"way along Y [m]", p.y(), way.y()}};
+  return {{"distance along X [m]", p.x(), way.x()}, {"distance along Y [m]", p.y(), way.y()}};
 }
 
 std::vector<Quantity> facets(const Setting& s) {
@@ -136,12 +136,12 @@ std::vector<Quantity> lift(const Setting& s) {
   const long n = s.steps(0.5);
   Trial run = s.trial(moving({s["speed"], 0, 0}) + friction(s["mu"]));
   run.run(n);
-  // u_N of the contact is mu |u_T| where the law is convexified: gap and speed of one step follow from the last
+  // The convexified law gives u_N = mu |u_T|. The gap and the speeds of each step follow from those of the step before.
   double gap = 0, rising = 0, speed = s["speed"];
   const double share = s.model().law == "ccp" ? s["mu"] : 0;
   for (long k = 0; k < n; ++k) {
     gap += (1 - s.theta()) * s.h() * rising;
-    // the normal impulse is what takes the velocity without contact to u_N, and friction mu times that
+    // The normal impulse takes the velocity without contact to u_N, and the friction impulse is mu times it.
     const double wanted_gap = gap / s.h();
     const double normal =
         std::max(0.0, (share * speed - wanted_gap + k_gravity * s.h() - rising) / (1 + share * s["mu"]));
@@ -162,7 +162,8 @@ std::vector<Quantity> oblique_hit(const Setting& s) {
   Vec3 after(w - mu * v, 0, 0);
   if (s.model().law == "ccp") after = (w - mu * v) / (1 + mu * mu) * Vec3(1, 0, mu);
   if (w <= mu * v) after.setZero();
-  return {{"speed along [m/s]", block.v.x(), after.x(), w}, {"speed up [m/s]", block.v.z(), after.z(), w}};
+  return {{"speed along the floor [m/s]", block.v.x(), after.x(), w},
+          {"upward speed [m/s]", block.v.z(), after.z(), w}};
 }
 
 std::vector<Quantity> held(const Setting& s) {
@@ -177,7 +178,7 @@ std::vector<Quantity> held(const Setting& s) {
     worst = std::max(worst, (run.contact_force_on("block") / block.mass + load - k_gravity * Vec3::UnitZ()).norm());
     fastest = std::max(fastest, block.v.norm());
   }
-  return {{"reaction less load, largest of 24 directions [m/s^2]", worst, 0, k_gravity},
+  return {{"largest |reaction + load| / mass of 24 directions [m/s^2]", worst, 0, k_gravity},
           {"speed [m/s]", fastest, 0, 1}};
 }
 
@@ -208,7 +209,7 @@ std::vector<Quantity> straight(const Setting& s) {
     turning = std::max(turning, block.w.norm());
     aside = std::max(aside, std::abs(block.v.y()));
   }
-  return {{"largest rate of turn [rad/s]", turning, 0, 1}, {"largest speed aside [m/s]", aside, 0, 1}};
+  return {{"largest angular speed [rad/s]", turning, 0, 1}, {"largest speed across [m/s]", aside, 0, 1}};
 }
 
 }  // namespace
@@ -221,22 +222,23 @@ std::vector<Case> point_friction() {
           {{"slope_deg", 20, "deg"}}, "slope_deg", threshold);
   limit.solvers = {"auto", "newton", "eg", "eg-order-free", "apgd", "admm", "ipm", "enumerate"};
   limit.note =
-      "Left out: pgs and nsgs, whose sweeps gain ever less at this limit (3e-10 m/s are left after 1e5 of them, and "
-      "they "
-      "say so).";
+      "Left out: pgs and nsgs, whose sweeps converge ever more slowly at this limit. After 1e5 sweeps 3e-10 m/s are "
+      "left, which these solvers report.";
   add(2, "Block sliding down a slope", "a = g (sin - mu cos), x_n = a h^2 n (n - 1 + 2 theta)/2",
       {{"slope_deg", 30, "deg"}, mu}, "mu", slide);
   add(3, "Stopping distance", "d = sum h ((1 - theta) v_k-1 + theta v_k), v_k = max(0, v0 - k mu g h) -> v0^2/(2 mu g)",
       {speed, mu}, "mu", stop)
       .reference = true;
-  add(4, "The same in 24 directions", "that of case 3 in each; nothing aside, no turn", {speed, mu}, "speed", azimuths)
+  add(4, "Stopping distance in 24 directions", "the distance of case 3 in each; no motion across it, no rotation",
+      {speed, mu}, "speed", azimuths)
       .step = 0.02;
   add(5, "Sliding at an angle to the tangents",
-      "pyramid: each axis apart, x of case 3 from v0 cos, y from v0 sin; coulomb: straight",
+      "pyramid: x and y each as in case 3, from v0 cos and v0 sin; coulomb: a straight line",
       {speed, {"heading_deg", 30, "deg"}, mu}, "heading_deg", box_pyramid)
       .laws = {"pyramid", "coulomb"};
   add(6, "Diamond of four facets",
-      "impulse = point of |x| + |y| <= mu N nearest to what would stop it: first along X, then on the diagonal",
+      "impulse = point of |x| + |y| <= mu N nearest to the one that stops the block: first along X, then along the "
+      "diagonal",
       {speed, {"heading_deg", 30, "deg"}, mu}, "mu", diamond)
       .laws = {"pyramid-4"};
   add(7, "Friction of a k-sided pyramid", "mu towards a corner, mu cos(pi/k) towards the middle of a side", {speed, mu},
@@ -245,16 +247,16 @@ std::vector<Case> point_friction() {
   add(8, "Hovering of a sliding block", "coulomb: gap 0; ccp: u_N = mu |u_T|, so the block hovers at about h mu v",
       {{"speed", 5, "m/s"}, {"mu", 0.5, ""}}, "speed", lift)
       .laws = {"coulomb", "ccp"};
-  add(9, "Oblique inelastic hit of a plate", "coulomb: (w - mu v, 0); ccp: (w - mu v)/(1 + mu^2) (1, mu)",
+  add(9, "Oblique inelastic impact of a plate", "coulomb: (w - mu v, 0); ccp: (w - mu v)/(1 + mu^2) (1, mu)",
       {{"along", 3, "m/s"}, {"approach", 2, "m/s"}, mu}, "approach", oblique_hit)
       .laws = {"coulomb", "ccp"};
-  add(10, "Reaction of a block that is pushed and held", "r = -load in each of 24 directions, v = 0",
+  add(10, "Reaction on a block that is pushed and held by friction", "r = -load in each of 24 directions, v = 0",
       {mu, {"share", 0.8, ""}}, "share", held);
   add(11, "Static friction above kinetic friction",
-      "from rest nothing below mu_s m g; once in motion a = g (share - mu_k)",
+      "no motion from rest below mu_s m g; once in motion a = g (share - mu_k)",
       {{"mu_static", 0.4, ""}, {"mu_kinetic", 0.3, ""}, {"share", 0.35, ""}, {"nudge", 0.1, "m/s"}}, "share",
       static_and_kinetic);
-  add(13, "No turn of a box that slides", "w = 0, no speed aside", {speed, mu}, "speed", straight);
+  add(13, "Sliding box that does not turn", "w = 0, no speed across", {speed, mu}, "speed", straight);
   return add.cases();
 }
 

@@ -9,9 +9,9 @@ namespace nilas {
 
 namespace {
 
-constexpr double k_radius = 0.5, k_mass = 2;  // of ball, roller and disc in their scenes [m], [kg]
+constexpr double k_radius = 0.5, k_mass = 2;  // radius [m] and mass [kg] of ball, roller and disc in their scenes
 
-/// A round body: its scene and share I/(m r^2) of inertia about the axis it rolls about.
+/// A round body: its scene and its inertia about the rolling axis, as the share I/(m r^2).
 struct Round {
   const char* scene;
   const char* body;
@@ -42,7 +42,7 @@ void slide_into_rolling(const Setting& s, const Round& round, std::vector<Quanti
                                             : travel(n, s.h(), s.theta(), speed);
   found.push_back({name + ", speed when rolling [m/s]", body.v.x(), last});
   found.push_back({name + ", surface speed when rolling [m/s]", body.w.y() * k_radius, last});
-  found.push_back({name + ", way [m]", body.p.x(), way});
+  found.push_back({name + ", distance [m]", body.p.x(), way});
   found.push_back({name + ", share of energy lost", 1 - run.last().ledger.kinetic / (0.5 * k_mass * v0 * v0),
                    round.share / (1 + round.share)});
 }
@@ -68,7 +68,8 @@ std::vector<Quantity> spun_ball(const Setting& s) {
   run.run(n);
   const BodyState ball = run.body("ball");
   const auto speed = [&](long k) { return std::min(last, static_cast<double>(k) * change); };
-  return {{"speed when rolling [m/s]", ball.v.x(), last}, {"way [m]", ball.p.x(), travel(n, s.h(), s.theta(), speed)}};
+  return {{"speed when rolling [m/s]", ball.v.x(), last},
+          {"distance [m]", ball.p.x(), travel(n, s.h(), s.theta(), speed)}};
 }
 
 std::vector<Quantity> masse(const Setting& s) {
@@ -78,7 +79,7 @@ std::vector<Quantity> masse(const Setting& s) {
   const long n = static_cast<long>(2.0 / 7 * slip.norm() / change) + 10;
   Trial run = s.trial(of("ball", "velocity", v0) + of("ball", "angular_velocity", w0) + friction(s["mu"]));
   run.run(n);
-  // each step takes from the slip along its direction (coulomb) or along each tangent (pyramid) what friction can
+  // In each step friction reduces the slip by as much as it can, along the slip (coulomb) or each tangent (pyramid).
   const auto velocity = [&](long k) -> Vec3 {
     const double can = static_cast<double>(k) * change;
     if (s.model().law != "pyramid") return v0 - std::min(can, 2.0 / 7 * slip.norm()) * slip.normalized();
@@ -89,10 +90,10 @@ std::vector<Quantity> masse(const Setting& s) {
   };
   const BodyState ball = run.body("ball");
   const Vec3 way = travel(n, s.h(), s.theta(), velocity), last = velocity(n);
-  return {{"last speed along X [m/s]", ball.v.x(), last.x()},
-          {"last speed along Y [m/s]", ball.v.y(), last.y()},
-          {"way along X [m]", ball.p.x(), way.x()},
-          {"way along Y [m]", ball.p.y(), way.y()}};
+  return {{"final speed along X [m/s]", ball.v.x(), last.x()},
+          {"final speed along Y [m/s]", ball.v.y(), last.y()},
+          {"distance along X [m]", ball.p.x(), way.x()},
+          {"distance along Y [m]", ball.p.y(), way.y()}};
 }
 
 std::vector<Quantity> down_a_slope(const Setting& s) {
@@ -131,8 +132,9 @@ std::vector<Quantity> rolling_resistance(const Setting& s) {
       s.trial(of("ball", "velocity", Vec3(v0, 0, 0)) + of("ball", "angular_velocity", Vec3(0, v0 / k_radius, 0)) +
               friction(0.5) + resisting(s["length"], 0));
   run.run(static_cast<long>(v0 / change) + 5);
-  std::vector<Quantity> found{{"way to rest [m]", run.body("ball").p.x(), stopping_way(v0, change, s.h(), s.theta())},
-                              {"speed at rest [m/s]", run.body("ball").v.norm(), 0, 1}};
+  std::vector<Quantity> found{
+      {"distance to rest [m]", run.body("ball").p.x(), stopping_way(v0, change, s.h(), s.theta())},
+      {"speed at rest [m/s]", run.body("ball").v.norm(), 0, 1}};
   for (const double side : {0.999, 1.001}) {
     const double slope = std::atan(side * s["length"] / k_radius);
     Trial on_slope = s.trial(of("ball", "velocity", "0 0 0") + friction(0.5) + resisting(s["length"], 0) +
@@ -168,15 +170,16 @@ std::vector<Quantity> spinning_disc(const Setting& s) {
           {"spin at rest [rad/s]", run.body("disc").w.norm(), 0, 1}};
 }
 
-/// Velocity and spin of the plate after one step: m (v' - v) = -h sum mu N_i u_i/|u_i| with u_i = v' + w' z x r_i, and
-/// loads N_i that also carry the moment of friction at the floor, `height` below the centre of mass.
+/// The velocity [m/s] and the spin [rad/s] of the plate after one step: m (v' - v) = -h sum mu N_i u_i/|u_i| with
+/// u_i = v' + w' z x r_i. The loads N_i also carry the moment of friction at the floor, k_height below the centre of
+/// mass.
 struct PlateStep {
   Vec2 v;
   double w;
 };
 PlateStep plate_step(const Vec2& v, double w, double turned, double mu, double h) {
   constexpr double k_inertia = 0.25, k_height = 0.1;
-  constexpr int k_passes = 200;  // each gains a factor of about mu g h over the slip
+  constexpr int k_passes = 200;  // Each pass reduces the error by a factor of about mu g h over the slip.
   PlateStep after{v, w};
   Vec2 force = Vec2::Zero();
   for (int pass = 0; pass < k_passes; ++pass) {
@@ -210,17 +213,17 @@ std::vector<Quantity> lubricated(const Setting& s) {
   }
   const BodyState plate = run.body("plate");
   return {{"speed lost in 10 steps [m/s]", v0 - plate.v.x(), v0 - exact.v.x()},
-          {"speed aside [m/s]", plate.v.y(), exact.v.y(), v0 - exact.v.x()},
+          {"speed across [m/s]", plate.v.y(), exact.v.y(), v0 - exact.v.x()},
           {"spin [rad/s]", plate.w.z(), exact.w}};
 }
 
 std::vector<Quantity> oblique_bounce(const Setting& s) {
-  constexpr double k_depth = 1e-13;  // so deep it is [m]
+  constexpr double k_depth = 1e-13;  // depth at which the ball touches [m]
   const double e = s["e"], mu = s["mu"], down = s["approach"];
   std::vector<Quantity> found;
   for (const double share : {0.5, 2.0}) {
     const double along = share * 3.5 * mu * (1 + e) * down;
-    // so high that it touches where the step's impulses act
+    // The ball starts so high that it touches where the step's impulses act.
     const double height = k_radius + (1 - s.theta()) * s.h() * down - k_depth;
     Trial run = s.trial(of("ball", "position", Vec3(0, 0, height)) + of("ball", "velocity", Vec3(along, 0, -down)) +
                         friction(mu) + restitution(e) + gravity(Vec3::Zero()));
@@ -230,8 +233,8 @@ std::vector<Quantity> oblique_bounce(const Setting& s) {
     const double spin = slips ? 5 * mu * (1 + e) * down / (2 * k_radius) : after / k_radius;
     const std::string name = slips ? "slipping" : "gripping";
     const BodyState ball = run.body("ball");
-    found.push_back({name + ", speed along [m/s]", ball.v.x(), after});
-    found.push_back({name + ", speed up [m/s]", ball.v.z(), e * down});
+    found.push_back({name + ", speed along the floor [m/s]", ball.v.x(), after});
+    found.push_back({name + ", upward speed [m/s]", ball.v.z(), e * down});
     found.push_back({name + ", spin [rad/s]", ball.w.y(), spin});
   }
   return found;
@@ -242,19 +245,19 @@ std::vector<Quantity> oblique_bounce(const Setting& s) {
 std::vector<Case> rolling() {
   const Input mu{"mu", 0.2, ""}, speed{"speed", 3, "m/s"}, spin{"spin", 20, "rad/s"};
   const std::vector<std::string> with_moments{"auto", "nsgs"};
-  const std::string moments_note = "Left out: solvers that do not take rolling and spinning friction.";
+  const std::string moments_note = "Left out: solvers that do not support rolling and spinning friction.";
   FamilyOfCases add('B', "ball.xml", "Momentum and Coulomb's law, summed over the steps");
-  add(14, "Ball that slides, then rolls", "v_k = max(5 v0/7, v0 - k mu g h); of the energy 2/7 is lost", {speed, mu},
+  add(14, "Ball that slides, then rolls", "v_k = max(5 v0/7, v0 - k mu g h); 2/7 of the energy is lost", {speed, mu},
       "speed", ball_slides)
       .reference = true;
   add(15, "Cylinder and hoop that slide, then roll",
-      "v_k = max(v0/(1 + b), v0 - k mu g h), b = I/(m r^2): 1/2, 1; of the energy b/(1 + b) is lost", {speed, mu}, "mu",
+      "v_k = max(v0/(1 + b), v0 - k mu g h), b = I/(m r^2): 1/2, 1; b/(1 + b) of the energy is lost", {speed, mu}, "mu",
       rollers_slide)
       .scene = "roller.xml";
   add(16, "Ball released spinning", "v_k = min(k mu g h, 2 r w0/7)", {spin, mu}, "spin", spun_ball);
   add(17, "Masse shot of a billiard ball",
       "slip u0 = v0 + w0 x (-r z) keeps its direction, v = v0 - min(k mu g h, 2/7 |u0|) u0/|u0|; pyramid: each axis "
-      "apart",
+      "separately",
       {speed, {"side_spin", 12, "rad/s"}, {"spin", -10, "rad/s"}, mu}, "side_spin", masse)
       .laws = {"coulomb", "pyramid"};
   add(18, "Ball, cylinder and hoop down a slope",
@@ -262,7 +265,7 @@ std::vector<Case> rolling() {
       {{"slope_deg", 25, "deg"}}, "slope_deg", down_a_slope)
       .also = {"roller.xml"};
   Case& with_rolling =
-      add(19, "Rolling resistance of a ball", "a = 5/7 (length/r) g; holds on a slope iff tan a <= length/r",
+      add(19, "Rolling resistance of a ball", "a = 5/7 (length/r) g; rests on a slope iff tan a <= length/r",
           {{"speed", 1, "m/s"}, {"length", 0.02, "m"}}, "length", rolling_resistance);
   with_rolling.solvers = with_moments;
   with_rolling.note = moments_note;
@@ -273,7 +276,7 @@ std::vector<Case> rolling() {
   Case& disc = add(21, "Disc spinning on its rim", "w' = -2 mu g/R", {spin, mu}, "mu", spinning_disc);
   disc.scene = "disc.xml";
   Case& plate =
-      add(23, "Spin lubricates: drag of a plate that spins much faster than it slides",
+      add(23, "Drag of a plate that spins much faster than it slides",
           "m (v' - v) = -h sum mu N_i u_i/|u_i| over three corners; for v << R w the drag is mu m g v/(2 R w)",
           {spin, {"ratio", 0.1, ""}, mu}, "spin", lubricated);
   plate.scene = "tripod.xml";

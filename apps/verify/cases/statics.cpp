@@ -1,4 +1,4 @@
-/// Family D: statics, stacks, indeterminacy, rates of convergence.
+/// Family D: statics, stacks, indeterminate contact forces and rates of convergence.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ double fastest(const Trial& run, const std::vector<std::string>& names) {
   return speed;
 }
 
-/// 1 where something moves faster than rounding and what a solver leaves.
+/// Returns 1 where the speed [m/s] is above rounding and what a solver leaves, else 0.
 double moves(double speed) {
   constexpr double k_rest = 1e-6;  // [m/s]
   return speed > k_rest ? 1 : 0;
@@ -44,7 +44,7 @@ std::vector<Quantity> column(const Setting& s) {
   return found;
 }
 
-/// What one sweep more leaves of the residual.
+/// Returns the residual after one sweep more, over the residual before it.
 double rate_of_sweeps(const Setting& s, const Overrides& changes, int sweeps) {
   std::array<double, 2> residual{};
   for (const int more : {0, 1}) {
@@ -57,7 +57,7 @@ double rate_of_sweeps(const Setting& s, const Overrides& changes, int sweeps) {
 
 std::vector<Quantity> sweeps_of_two(const Setting& s) {
   const double ratio = s["ratio"], light = 2;
-  return {{"residual after a sweep over that before",
+  return {{"residual after a sweep over that before it",
            rate_of_sweeps(s, of("light", "mass", light) + of("heavy", "mass", ratio * light), 30),
            ratio / (1 + ratio)}};
 }
@@ -66,7 +66,7 @@ std::vector<Quantity> sweeps_of_five(const Setting& s) {
   Overrides masses;
   for (int k = 1; k <= 5; ++k) masses = masses + of("ball" + std::to_string(k), "mass", s["mass"]);
   const double c = std::cos(k_pi / 10);
-  return {{"residual after a sweep over that before", rate_of_sweeps(s, masses, 60), c * c}};
+  return {{"residual after a sweep over that before it", rate_of_sweeps(s, masses, 60), c * c}};
 }
 
 std::vector<Quantity> heavy_on_light(const Setting& s) {
@@ -82,7 +82,7 @@ std::vector<Quantity> three_legs(const Setting& s) {
   const double along = s["share"] * k_gravity;
   Trial run = s.trial(gravity({along, 0, -k_gravity}) + friction(0.5));
   run.step();
-  std::vector<Quantity> found{{"corners that carry", static_cast<double>(run.touches().size()), 3}};
+  std::vector<Quantity> found{{"corners that carry load", static_cast<double>(run.touches().size()), 3}};
   for (const double angle : {0.0, 120.0, 240.0}) {
     const Vec3 corner = k_arm * heading(angle);
     double load = 0;
@@ -95,7 +95,8 @@ std::vector<Quantity> three_legs(const Setting& s) {
 }
 
 std::vector<Quantity> ball_on_three(const Setting& s) {
-  constexpr double k_sine = 0.6, k_cosine = 0.8, k_below = 2;  // of the line of centres; mass of each ball below [kg]
+  constexpr double k_sine = 0.6, k_cosine = 0.8,
+                   k_below = 2;  // direction of the line of centres; mass of each ball below [kg]
   const std::vector<std::string> balls{"a", "b", "c", "top"};
   const double normal = s["top_mass"] * k_gravity / 3, half = k_sine / (1 + k_cosine);
   const double between = half, on_floor = normal * half / (k_below * k_gravity + normal);
@@ -116,9 +117,11 @@ std::vector<Quantity> ball_on_three(const Setting& s) {
     worst = std::max({worst, std::abs(n - normal), std::abs(t - normal * half)});
   }
   found.push_back({"largest error of the forces on the upper ball [N]", worst, 0, normal});
-  found.push_back({"speed with 1.02 of both coefficients [m/s]", fastest(stands, balls), 0, 1});
-  found.push_back({"moves with 0.98 of that between balls", moves(fastest(with(0.98 * between, 1), balls)), 1});
-  found.push_back({"moves with 0.98 of that on the floor", moves(fastest(with(1, 0.98 * on_floor), balls)), 1});
+  found.push_back({"speed with 1.02 of both friction coefficients [m/s]", fastest(stands, balls), 0, 1});
+  found.push_back(
+      {"moves with 0.98 of the friction between balls (1: yes)", moves(fastest(with(0.98 * between, 1), balls)), 1});
+  found.push_back(
+      {"moves with 0.98 of the friction on the floor (1: yes)", moves(fastest(with(1, 0.98 * on_floor), balls)), 1});
   return found;
 }
 
@@ -140,7 +143,7 @@ std::vector<Quantity> books(const Setting& s) {
     if (share < 1) {
       found.push_back({"speed at 0.999 of the limit [m/s]", speed, 0, 1});
     } else {
-      found.push_back({"falls at 1.001 of the limit", moves(speed), 1});
+      found.push_back({"falls at 1.001 of the limit (1: yes)", moves(speed), 1});
     }
   }
   return found;
@@ -161,9 +164,9 @@ std::vector<Quantity> tip_or_slide(const Setting& s) {
   const BodyState rests = with(gentle, high), slides = with(gentle, low), tips = with(steep, high);
   return {{"spin on a gentle slope [rad/s]", rests.w.norm(), 0, 1},
           {"speed on a gentle slope [m/s]", rests.v.norm(), 0, 1},
-          {"speed on a gentle slope, less friction [m/s]", slides.v.x(),
+          {"speed on a gentle slope with low friction [m/s]", slides.v.x(),
            s.h() * k_gravity * (std::sin(gentle) - low * std::cos(gentle))},
-          {"spin there [rad/s]", slides.w.norm(), 0, 1},
+          {"spin on a gentle slope with low friction [rad/s]", slides.w.norm(), 0, 1},
           {"spin on a steep slope [rad/s]", tips.w.y(), s.h() * tipping}};
 }
 
@@ -171,7 +174,8 @@ std::vector<Quantity> ladder(const Setting& s) {
   const double angle = s["angle_deg"] * k_deg, length = 2, thick = 0.1, mass = 2;
   const double c = std::cos(angle), n = std::sin(angle);
   const Vec3 centre(-0.5 * (length * c + thick * n), 0, 0.5 * (length * n + thick * c));
-  // moments about the foot: the weight acts this far from it, the wall length sin(angle) above it
+  // Moments about the foot give this ratio of the wall's force to the weight. The wall acts length sin(angle) above the
+  // foot.
   const double needed = 0.5 * (length * c - thick * n) / (length * n);
   const auto with = [&](double mu) {
     Trial run = s.trial(of("ladder", "position", centre) + of("ladder", "rotation_deg", Vec3(0, -s["angle_deg"], 0)) +
@@ -182,7 +186,7 @@ std::vector<Quantity> ladder(const Setting& s) {
   const Trial stands = with(1.001 * needed), slips = with(0.999 * needed);
   return {{"force of the wall [N]", -stands.force_between("wall", "ladder").x(), mass * k_gravity * needed},
           {"speed at 1.001 of the friction needed [m/s]", fastest(stands, {"ladder"}), 0, 1},
-          {"slips at 0.999 of it", moves(fastest(slips, {"ladder"})), 1}};
+          {"slips at 0.999 of the friction needed (1: yes)", moves(fastest(slips, {"ladder"})), 1}};
 }
 
 std::vector<Quantity> row_of_floes(const Setting& s) {
@@ -198,7 +202,7 @@ std::vector<Quantity> row_of_floes(const Setting& s) {
     ahead -= masses[k];
     worst = std::max(worst, std::abs(run.force_between(names[k], names[k + 1]).x() * s.h() / (after * ahead) - 1));
   }
-  return {{"speed of all [m/s]", run.body("floe5").v.x(), after},
+  return {{"common speed [m/s]", run.body("floe5").v.x(), after},
           {"largest relative error of an impulse", worst, 0, 1}};
 }
 
@@ -216,7 +220,7 @@ std::vector<Quantity> painleve(const Setting& s) {
   }
   return {{"largest residual of the law [m/s]", residual, 0, 1},
           {"penetration [m]", deepest, 0, 1},
-          {"largest impulse is finite and acts", std::isfinite(largest) && largest > 0 ? 1.0 : 0.0, 1}};
+          {"largest force is finite and above zero (1: yes)", std::isfinite(largest) && largest > 0 ? 1.0 : 0.0, 1}};
 }
 
 std::vector<Quantity> several_times(const Setting& s) {
@@ -229,7 +233,7 @@ std::vector<Quantity> several_times(const Setting& s) {
   const Trial once = with("block.xml"), twice = with("two-floors.xml");
   return {{"difference of velocities [m/s]", (once.body("block").v - twice.body("block").v).norm(), 0, 1},
           {"sum of normal forces [N]", twice.contact_force_on("block").z(), k_block_mass * k_gravity},
-          {"contacts over those of one floor",
+          {"number of contacts over that of one floor",
            static_cast<double>(twice.last().contacts) / static_cast<double>(once.last().contacts), 2}};
 }
 
@@ -241,26 +245,26 @@ std::vector<Case> statics() {
   Case& five_cubes = add(34, "Column of five cubes", "force between k and k + 1 = (5 - k) m g; nothing moves",
                          {{"mass", 2, "kg"}}, "mass", column);
   five_cubes.solvers = many_contacts;
-  five_cubes.note = "Left out: pgs and apgd, which stop short of 1e-12 m/s; enumerate (more than 8 points).";
-  Case& two = add(35, "Rate of Gauss-Seidel: heavy ball on a light one", "a sweep leaves M/(M + m) of the residual",
-                  {{"ratio", 10, ""}}, "ratio", sweeps_of_two);
+  five_cubes.note = "Left out: pgs and apgd, which do not reach 1e-12 m/s; enumerate (more than 8 contacts).";
+  Case& two = add(35, "Convergence of Gauss-Seidel: heavy ball on a light one",
+                  "a sweep multiplies the residual by M/(M + m)", {{"ratio", 10, ""}}, "ratio", sweeps_of_two);
   two.scene = "two-balls-high.xml";
   two.laws = {"frictionless"};
   two.solvers = {"pgs", "nsgs"};
   two.integrators = {"semi-implicit-euler"};
   two.source = "Eigenvalues of the sweep's matrix";
-  Case& five = add(36, "Rate of Gauss-Seidel: column of five balls", "a sweep leaves cos^2(pi/(2 n)) of the residual",
-                   {{"mass", 2, "kg"}}, "mass", sweeps_of_five);
+  Case& five = add(36, "Convergence of Gauss-Seidel: column of five balls",
+                   "a sweep multiplies the residual by cos^2(pi/(2 n))", {{"mass", 2, "kg"}}, "mass", sweeps_of_five);
   five.scene = "balls-on-balls.xml";
   five.laws = {"frictionless"};
   five.solvers = {"pgs", "nsgs"};
   five.integrators = {"semi-implicit-euler"};
   five.source = "Eigenvalues of the sweep's matrix";
-  Case& heavy = add(37, "Heavy cube on a light one", "force of the floor = (M + m) g, no penetration, rest",
+  Case& heavy = add(37, "Heavy cube on a light one", "force of the floor = (M + m) g, no penetration, no motion",
                     {{"ratio", 100, ""}}, "ratio", heavy_on_light);
   heavy.scene = "heavy-on-light.xml";
   heavy.solvers = {"auto", "pgs", "nsgs", "eg", "eg-order-free", "apgd", "admm", "ipm", "newton"};
-  heavy.note = "Left out: enumerate, which takes a quarter of a second for eight points.";
+  heavy.note = "Left out: enumerate, which takes a quarter of a second for eight contacts.";
   add(38, "Plate on three corners", "N_i = m g/3 + 2/3 m a height/R cos(angle_i) under a load m a to the side",
       {{"share", 0.1, ""}}, "share", three_legs)
       .scene = "tripod.xml";
@@ -268,35 +272,36 @@ std::vector<Case> statics() {
       "N = m g/3, T = N tan(psi/2); stands iff mu >= tan(psi/2) and mu_floor >= T/(N + m_below g)",
       {{"top_mass", 2, "kg"}}, "top_mass", ball_on_three)
       .scene = "ball-pile.xml";
-  Case& harmonic = add(40, "Books over the edge of a table", "they stand with overhangs up to L/2 (1, 1/2, 1/3, 1/4)",
-                       {{"length", 1, "m"}}, "length", books);
+  Case& harmonic =
+      add(40, "Books over the edge of a table", "the books stand with overhangs up to L/2 (1, 1/2, 1/3, 1/4)",
+          {{"length", 1, "m"}}, "length", books);
   harmonic.scene = "books.xml";
   harmonic.solvers = many_contacts;
-  harmonic.note = "Left out: pgs and apgd, which stop short of 1e-12 m/s; enumerate (more than 8 points).";
+  harmonic.note = "Left out: pgs and apgd, which do not reach 1e-12 m/s; enumerate (more than 8 contacts).";
   add(41, "Block that rests, slides or tips",
-      "tips iff tan a > b/h and mu > b/h, slides iff mu < tan a and mu < b/h; w = h M/I about the edge after a step",
+      "tips iff tan a > b/h and mu > b/h, slides iff mu < tan a and mu < b/h; w = h M/I about the edge after one step",
       {{"width", 0.4, "m"}}, "width", tip_or_slide)
       .scene = "block.xml";
   add(42, "Ladder at a smooth wall", "stands iff mu >= x_c/(l sin a), force of the wall m g x_c/(l sin a)",
       {{"angle_deg", 60, "deg"}}, "angle_deg", ladder)
       .scene = "ladder.xml";
   Case& row = add(48, "Ship hits a row of floes of 1e2 to 1e6 kg",
-                  "v' = M v/sum(m), impulse onto floe k = v' times the mass ahead of it", {{"speed", 1, "m/s"}},
-                  "speed", row_of_floes);
+                  "v' = M v/sum(m), impulse on floe k = v' times the mass of floe k and all floes ahead of it",
+                  {{"speed", 1, "m/s"}}, "speed", row_of_floes);
   row.scene = "row.xml";
   row.laws = {"frictionless"};
   row.solvers = {"auto", "newton", "admm", "ipm", "apgd"};
   row.note =
-      "Left out: pgs and nsgs (after 1e5 sweeps the speed is wrong by 2e-5), eg (by 0.9), enumerate (more than 8 "
-      "points).";
+      "Left out: pgs and nsgs, whose speed is wrong by 2e-5 after 1e5 sweeps; eg, whose speed is wrong by 0.9; "
+      "enumerate (more than 8 contacts).";
   Case& rod = add(49, "Painleve's rod: sliding where no finite force exists",
                   "1 + 3 cos a (cos a - mu sin a) < 0: impulses stay finite, the law holds, nothing penetrates",
                   {{"mu", 2, ""}, {"speed", 1, "m/s"}}, "mu", painleve);
   rod.scene = "rod.xml";
   rod.solvers = {"auto", "nsgs", "newton", "eg", "eg-order-free", "apgd", "admm", "ipm", "enumerate"};
-  rod.note = "Left out: pgs, which turns friction and normal force apart and stops at 2e-6 m/s.";
-  Case& doubled = add(50, "Every contact twice", "the same velocities, the same sum of forces", {{"mu", 0.3, ""}}, "mu",
-                      several_times);
+  rod.note = "Left out: pgs, which updates friction and normal force separately and stops at 2e-6 m/s.";
+  Case& doubled = add(50, "Every contact doubled", "the same velocities and the same sum of forces", {{"mu", 0.3, ""}},
+                      "mu", several_times);
   doubled.scene = "two-floors.xml";
   doubled.also = {"block.xml"};
   return add.cases();
