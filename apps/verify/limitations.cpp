@@ -36,7 +36,7 @@ void add_pyramid(std::vector<Limitation>& all) {
     return run.body("block").p;
   };
   const Vec3 box = stop("pyramid"), cone = stop("coulomb");
-  const double exact = stopping_way(k_speed, change, 0.01, 1);
+  const double exact = stopping_distance(k_speed, change, 0.01, 1);
   const std::string scene = "`block.xml`, 2 m/s at 30 degrees to the tangents, mu 0.3";
   const std::string name = "friction as a pyramid of two directions (`law=\"pyramid\"`) instead of a cone";
   all.push_back(
@@ -149,11 +149,12 @@ struct PlateContact {
   double load = 0;   ///< load that the lower plate carries [N]
 };
 
-/// Takes one step of plates.xml. The upper plate is displaced from the lower one by `aside` along X and `up` along Z
-/// [m].
-PlateContact plate_contact(const std::string& narrow_phase, double aside, double up) {
-  Trial run = trial("plates.xml", {},
-                    of("upper", "position", Vec3(aside, 0, up)) + Overrides{{"contact/@narrow_phase", narrow_phase}});
+/// Takes one step of plates.xml. The upper plate is displaced from the lower one by `off_centre` along X and `up` along
+/// Z [m].
+PlateContact plate_contact(const std::string& narrow_phase, double off_centre, double up) {
+  Trial run =
+      trial("plates.xml", {},
+            of("upper", "position", Vec3(off_centre, 0, up)) + Overrides{{"contact/@narrow_phase", narrow_phase}});
   run.run(1);
   const std::vector<Touch> touches = run.touches();
   const auto deepest =
@@ -164,9 +165,9 @@ PlateContact plate_contact(const std::string& narrow_phase, double aside, double
 }
 
 void add_fcl_in_deep_plates(std::vector<Limitation>& all) {
-  constexpr double k_thickness = 0.01, k_aside = 0.4, k_up = 0.002, k_mass = 1;
+  constexpr double k_thickness = 0.01, k_off_centre = 0.4, k_up = 0.002, k_mass = 1;
   const std::string scene = "`plates.xml`, two plates of 1 x 1 x 0.01 m, the upper 0.4 m off-centre and 8 mm deep";
-  const PlateContact fcl = plate_contact("fcl", k_aside, k_up), exact = plate_contact("nilas", k_aside, k_up);
+  const PlateContact fcl = plate_contact("fcl", k_off_centre, k_up), exact = plate_contact("nilas", k_off_centre, k_up);
   all.push_back({k_by_fcl, "depth [m]", scene, fcl.depth, exact.depth, k_thickness - k_up});
   all.push_back(
       {k_by_fcl, "angle of the normal from the vertical [deg]", scene, fcl.tilt / k_deg, exact.tilt / k_deg, 0});

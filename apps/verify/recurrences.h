@@ -10,21 +10,21 @@ namespace nilas {
 /// velocity(k) at the end of step k.
 template <class Velocity>
 auto travel(long n, double h, double theta, const Velocity& velocity) {
-  auto way = velocity(0L);
-  way *= 0;
-  for (long k = 1; k <= n; ++k) way += h * ((1 - theta) * velocity(k - 1) + theta * velocity(k));
-  return way;
+  auto distance = velocity(0L);
+  distance *= 0;
+  for (long k = 1; k <= n; ++k) distance += h * ((1 - theta) * velocity(k - 1) + theta * velocity(k));
+  return distance;
 }
 
 /// Returns the distance [m] until a body stands still that loses `change` [m/s] of its speed per step.
-inline double stopping_way(double speed, double change, double h, double theta) {
-  double way = 0;
+inline double stopping_distance(double speed, double change, double h, double theta) {
+  double distance = 0;
   while (speed > 0) {
     const double after = std::max(0.0, speed - change);
-    way += h * ((1 - theta) * speed + theta * after);
+    distance += h * ((1 - theta) * speed + theta * after);
     speed = after;
   }
-  return way;
+  return distance;
 }
 
 }  // namespace nilas

@@ -56,14 +56,14 @@ std::vector<Quantity> axes(const Setting& s) {
   run.run(static_cast<long>(speed / change) + 5);
   // Along each axis of the pyramid the velocity falls to zero by itself.
   const Mat3 R = Eigen::AngleAxisd(s["axes_deg"] * k_deg, Vec3::UnitZ()).toRotationMatrix();
-  Vec3 way(stopping_way(speed, change, s.h(), s.theta()), 0, 0);
+  Vec3 distance(stopping_distance(speed, change, s.h(), s.theta()), 0, 0);
   if (s.model().law == "pyramid") {
     const Vec3 own = R.transpose() * Vec3(speed, 0, 0);
-    way = R * Vec3(std::copysign(stopping_way(std::abs(own.x()), change, s.h(), s.theta()), own.x()),
-                   std::copysign(stopping_way(std::abs(own.y()), change, s.h(), s.theta()), own.y()), 0);
+    distance = R * Vec3(std::copysign(stopping_distance(std::abs(own.x()), change, s.h(), s.theta()), own.x()),
+                        std::copysign(stopping_distance(std::abs(own.y()), change, s.h(), s.theta()), own.y()), 0);
   }
   const Vec3 p = run.body("block").p;
-  return {{"distance along X [m]", p.x(), way.x(), 1}, {"distance along Y [m]", p.y(), way.y(), 1}};
+  return {{"distance along X [m]", p.x(), distance.x(), 1}, {"distance along Y [m]", p.y(), distance.y(), 1}};
 }
 
 std::vector<Quantity> permuted(const Setting& s) {

@@ -54,14 +54,14 @@ std::vector<Quantity> stop(const Setting& s) {
   const double change = s["mu"] * k_gravity * s.h();
   run.run(static_cast<long>(s["speed"] / change) + 5);
   const BodyState block = run.body("block");
-  const double way = s.model().continuous() ? s["speed"] * s["speed"] / (2 * s["mu"] * k_gravity)
-                                            : stopping_way(s["speed"], change, s.h(), s.theta());
-  return {{"distance to rest [m]", block.p.x(), way}, {"speed at rest [m/s]", block.v.norm(), 0, 1}};
+  const double distance = s.model().continuous() ? s["speed"] * s["speed"] / (2 * s["mu"] * k_gravity)
+                                                 : stopping_distance(s["speed"], change, s.h(), s.theta());
+  return {{"distance to rest [m]", block.p.x(), distance}, {"speed at rest [m/s]", block.v.norm(), 0, 1}};
 }
 
 std::vector<Quantity> azimuths(const Setting& s) {
-  const double change = s["mu"] * k_gravity * s.h(), way = stopping_way(s["speed"], change, s.h(), s.theta());
-  double shortest = 1e300, longest = 0, aside = 0, turned = 0;
+  const double change = s["mu"] * k_gravity * s.h(), distance = stopping_distance(s["speed"], change, s.h(), s.theta());
+  double shortest = 1e300, longest = 0, across = 0, turned = 0;
   constexpr int k_directions = 24;
   for (int k = 0; k < k_directions; ++k) {
     const Vec3 along = heading(k * 360.0 / k_directions);
@@ -70,12 +70,12 @@ std::vector<Quantity> azimuths(const Setting& s) {
     const BodyState block = run.body("block");
     shortest = std::min(shortest, block.p.dot(along));
     longest = std::max(longest, block.p.dot(along));
-    aside = std::max(aside, std::abs(block.p.cross(along).z()));
+    across = std::max(across, std::abs(block.p.cross(along).z()));
     turned = std::max(turned, block.q.vec().norm());
   }
-  return {{"shortest distance of 24 directions [m]", shortest, way},
-          {"longest distance of 24 directions [m]", longest, way},
-          {"largest distance across [m]", aside, 0, 1},
+  return {{"shortest distance of 24 directions [m]", shortest, distance},
+          {"longest distance of 24 directions [m]", longest, distance},
+          {"largest distance across [m]", across, 0, 1},
           {"largest rotation [rad]", 2 * turned, 0, 1}};
 }
 
@@ -85,10 +85,11 @@ std::vector<Quantity> box_pyramid(const Setting& s) {
   Trial run = s.trial(moving(velocity) + friction(s["mu"]));
   run.run(static_cast<long>(s["speed"] / change) + 5);
   const Vec3 p = run.body("block").p;
-  Vec3 way(stopping_way(velocity.x(), change, s.h(), s.theta()), stopping_way(velocity.y(), change, s.h(), s.theta()),
-           0);
-  if (s.model().law != "pyramid") way = stopping_way(s["speed"], change, s.h(), s.theta()) * heading(s["heading_deg"]);
-  return {{"distance along X [m]", p.x(), way.x()}, {"distance along Y [m]", p.y(), way.y()}};
+  Vec3 distance(stopping_distance(velocity.x(), change, s.h(), s.theta()),
+                stopping_distance(velocity.y(), change, s.h(), s.theta()), 0);
+  if (s.model().law != "pyramid")
+    distance = stopping_distance(s["speed"], change, s.h(), s.theta()) * heading(s["heading_deg"]);
+  return {{"distance along X [m]", p.x(), distance.x()}, {"distance along Y [m]", p.y(), distance.y()}};
 }
 
 /// Returns the point of the diamond |x| + |y| <= radius nearest to `to`, which must have x >= y >= 0.
@@ -105,14 +106,14 @@ std::vector<Quantity> diamond(const Setting& s) {
   Trial run = s.trial(moving(velocity) + friction(s["mu"]));
   run.run(n);
   // The impulse of maximum dissipation is the point of the diamond nearest to the impulse that would stop the block.
-  Vec2 v = velocity.head<2>(), way = Vec2::Zero();
+  Vec2 v = velocity.head<2>(), distance = Vec2::Zero();
   for (long k = 0; k < n; ++k) {
     const Vec2 after = v - in_diamond(v, change);
-    way += s.h() * ((1 - s.theta()) * v + s.theta() * after);
+    distance += s.h() * ((1 - s.theta()) * v + s.theta() * after);
     v = after;
   }
   const Vec3 p = run.body("block").p;
-  return {{"distance along X [m]", p.x(), way.x()}, {"distance along Y [m]", p.y(), way.y()}};
+  return {{"distance along X [m]", p.x(), distance.x()}, {"distance along Y [m]", p.y(), distance.y()}};
 }
 
 std::vector<Quantity> facets(const Setting& s) {
@@ -202,14 +203,14 @@ std::vector<Quantity> static_and_kinetic(const Setting& s) {
 std::vector<Quantity> straight(const Setting& s) {
   Trial run = s.trial(moving({s["speed"], 0, 0}) + friction(s["mu"]) + of("block", "size", Vec3(3, 2, 2)) +
                       of("block", "position", Vec3(0, 0, 1)));
-  double turning = 0, aside = 0;
+  double turning = 0, across = 0;
   for (int k = 0; k < 50; ++k) {
     run.step();
     const BodyState block = run.body("block");
     turning = std::max(turning, block.w.norm());
-    aside = std::max(aside, std::abs(block.v.y()));
+    across = std::max(across, std::abs(block.v.y()));
   }
-  return {{"largest angular speed [rad/s]", turning, 0, 1}, {"largest speed across [m/s]", aside, 0, 1}};
+  return {{"largest angular speed [rad/s]", turning, 0, 1}, {"largest speed across [m/s]", across, 0, 1}};
 }
 
 }  // namespace

@@ -38,11 +38,12 @@ void slide_into_rolling(const Setting& s, const Round& round, std::vector<Quanti
   const auto speed = [&](long k) { return std::max(last, v0 - static_cast<double>(k) * change); };
   const std::string name = round.name;
   const double slid = (v0 - last) / (s["mu"] * k_gravity);  // [s]
-  const double way = s.model().continuous() ? 0.5 * (v0 + last) * slid + last * (static_cast<double>(n) * s.h() - slid)
-                                            : travel(n, s.h(), s.theta(), speed);
+  const double distance = s.model().continuous()
+                              ? 0.5 * (v0 + last) * slid + last * (static_cast<double>(n) * s.h() - slid)
+                              : travel(n, s.h(), s.theta(), speed);
   found.push_back({name + ", speed when rolling [m/s]", body.v.x(), last});
   found.push_back({name + ", surface speed when rolling [m/s]", body.w.y() * k_radius, last});
-  found.push_back({name + ", distance [m]", body.p.x(), way});
+  found.push_back({name + ", distance [m]", body.p.x(), distance});
   found.push_back({name + ", share of energy lost", 1 - run.last().ledger.kinetic / (0.5 * k_mass * v0 * v0),
                    round.share / (1 + round.share)});
 }
@@ -89,11 +90,11 @@ std::vector<Quantity> masse(const Setting& s) {
     return v;
   };
   const BodyState ball = run.body("ball");
-  const Vec3 way = travel(n, s.h(), s.theta(), velocity), last = velocity(n);
+  const Vec3 distance = travel(n, s.h(), s.theta(), velocity), last = velocity(n);
   return {{"final speed along X [m/s]", ball.v.x(), last.x()},
           {"final speed along Y [m/s]", ball.v.y(), last.y()},
-          {"distance along X [m]", ball.p.x(), way.x()},
-          {"distance along Y [m]", ball.p.y(), way.y()}};
+          {"distance along X [m]", ball.p.x(), distance.x()},
+          {"distance along Y [m]", ball.p.y(), distance.y()}};
 }
 
 std::vector<Quantity> down_a_slope(const Setting& s) {
@@ -133,7 +134,7 @@ std::vector<Quantity> rolling_resistance(const Setting& s) {
               friction(0.5) + resisting(s["length"], 0));
   run.run(static_cast<long>(v0 / change) + 5);
   std::vector<Quantity> found{
-      {"distance to rest [m]", run.body("ball").p.x(), stopping_way(v0, change, s.h(), s.theta())},
+      {"distance to rest [m]", run.body("ball").p.x(), stopping_distance(v0, change, s.h(), s.theta())},
       {"speed at rest [m/s]", run.body("ball").v.norm(), 0, 1}};
   for (const double side : {0.999, 1.001}) {
     const double slope = std::atan(side * s["length"] / k_radius);
