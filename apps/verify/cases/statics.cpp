@@ -95,8 +95,8 @@ std::vector<Quantity> three_legs(const Setting& s) {
 }
 
 std::vector<Quantity> ball_on_three(const Setting& s) {
-  constexpr double k_sine = 0.6, k_cosine = 0.8,
-                   k_below = 2;  // direction of the line of centres; mass of each ball below [kg]
+  constexpr double k_sine = 0.6, k_cosine = 0.8;  // of the angle of the line of centres to the vertical
+  constexpr double k_below = 2;                   // mass of each ball below [kg]
   const std::vector<std::string> balls{"a", "b", "c", "top"};
   const double normal = s["top_mass"] * k_gravity / 3, half = k_sine / (1 + k_cosine);
   const double between = half, on_floor = normal * half / (k_below * k_gravity + normal);
@@ -174,8 +174,8 @@ std::vector<Quantity> ladder(const Setting& s) {
   const double angle = s["angle_deg"] * k_deg, length = 2, thick = 0.1, mass = 2;
   const double c = std::cos(angle), n = std::sin(angle);
   const Vec3 centre(-0.5 * (length * c + thick * n), 0, 0.5 * (length * n + thick * c));
-  // Moments about the foot give this ratio of the wall's force to the weight. The wall acts length sin(angle) above the
-  // foot.
+  // The moments about the foot give this ratio of the wall's force to the weight. The lever arm of the wall's force is
+  // length sin(angle).
   const double needed = 0.5 * (length * c - thick * n) / (length * n);
   const auto with = [&](double mu) {
     Trial run = s.trial(of("ladder", "position", centre) + of("ladder", "rotation_deg", Vec3(0, -s["angle_deg"], 0)) +
