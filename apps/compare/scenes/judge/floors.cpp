@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "apps/compare/scenes/judge/merits.h"
+#include "apps/compare/scenes/judge/pairing.h"
 #include "core/base/statistics.h"
 
 namespace nilas {
@@ -25,9 +26,7 @@ int most_realisations(const std::vector<Merit>& merits) {
 std::vector<double> perturbed_differences(const Plan& plan, const RunTable& rows, const std::string& headline) {
   std::vector<double> differences;
   for (int r = 0; r < plan.realisations; ++r)
-    if (const RunRow* first = done_run(rows, RunKind::grid, 0, r), *other = done_run(rows, RunKind::twin, 0, r);
-        first != nullptr && other != nullptr)
-      differences.push_back(mean_load(*first, headline) - mean_load(*other, headline));
+    if (const auto difference = perturbed_difference(rows, headline, r)) differences.push_back(*difference);
   return differences;
 }
 

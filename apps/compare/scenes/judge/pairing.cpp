@@ -1,24 +1,18 @@
 #include "apps/compare/scenes/judge/pairing.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace nilas {
 
 namespace {
 
-std::optional<double> perturbed_difference(const Findings& found, int realisation) {
-  const RunRow* first = done_run(found.rows, RunKind::grid, 0, realisation);
-  const RunRow* perturbed = done_run(found.rows, RunKind::twin, 0, realisation);
-  if (first == nullptr || perturbed == nullptr) return std::nullopt;
-  return mean_load(*first, found.headline) - mean_load(*perturbed, found.headline);
-}
-
 double limit_of(const Findings& found, const std::vector<std::size_t>& alike, int realisation) {
   std::vector<double> loads;
   for (const std::size_t setting : alike)
     if (const RunRow* row = done_run(found.rows, RunKind::grid, setting, realisation))
       loads.push_back(mean_load(*row, found.headline));
-  return chance_limit(perturbed_difference(found, realisation), loads);
+  return chance_limit(perturbed_difference(found.rows, found.headline, realisation), loads);
 }
 
 /// The paired difference of a setting. `other`: returns the run of a realisation to compare with, or null.
@@ -40,6 +34,21 @@ PairedDifference difference(const Findings& found, const Merit& merit, const std
 }
 
 }  // namespace
+
+std::optional<double> perturbed_difference(const RunTable& rows, const std::string& headline, int realisation) {
+  const RunRow* first = done_run(rows, RunKind::grid, 0, realisation);
+  const RunRow* perturbed = done_run(rows, RunKind::twin, 0, realisation);
+  if (first == nullptr || perturbed == nullptr) return std::nullopt;
+  return mean_load(*first, headline) - mean_load(*perturbed, headline);
+}
+
+double widest_limit(const std::vector<Merit>& merits, PairedDifference Merit::*member) {
+  double widest = 0;
+  for (const auto& m : merits)
+    for (const double limit : (m.*member).limits)
+      if (std::isfinite(limit)) widest = std::max(widest, limit);
+  return widest;
+}
 
 std::vector<std::size_t> alike_settings(const Plan& plan) {
   const CompareSetting& own = plan.settings.front();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/compare/scenes/judge/pairing.h"
 #include "core/output/loads/ice_load_text.h"
 
 namespace nilas {
@@ -49,15 +50,6 @@ std::string named(const std::vector<const Merit*>& list, const Findings& found, 
   return names;
 }
 
-/// The widest chance limit of the realisations [N], of those that were measured; 0 if none was.
-double widest_limit(const Findings& found, PairedDifference Merit::*member) {
-  double widest = 0;
-  for (const auto& m : found.merits)
-    for (const double limit : (m.*member).limits)
-      if (std::isfinite(limit)) widest = std::max(widest, limit);
-  return widest;
-}
-
 using Member = PairedDifference Merit::*;
 
 std::string by_setting(const std::vector<const Merit*>& list, const Findings& found, Member member,
@@ -83,7 +75,7 @@ std::string one_realisation_line(const std::vector<const Merit*>& list, const Fi
       "In the one realisation that was run, the mean ice load differs significantly from that of {} (chance alone "
       "makes at "
       "most {} there, 95 %): {}. This says nothing about other ice.",
-      other, force_text(widest_limit(found, member)), by_setting(list, found, member, labels));
+      other, force_text(widest_limit(found.merits, member)), by_setting(list, found, member, labels));
 }
 
 std::string some_realisations_line(const std::vector<const Merit*>& list, const Findings& found, Member member,
@@ -144,7 +136,7 @@ std::vector<std::string> difference_lines(const Findings& found, PairedDifferenc
     lines.push_back(found.shared.size() == 1 ? one_realisation_line(somewhere, found, member, other, labels)
                                              : some_realisations_line(somewhere, found, member, other, labels));
   if (everywhere.empty() && somewhere.empty() && !none.empty()) {
-    const double limit = widest_limit(found, member);
+    const double limit = widest_limit(found.merits, member);
     lines.push_back(fmt::format(
         "No setting's mean ice load differs significantly from that of {}, not even run by run on the same ice{}.",
         other, limit > 0 ? fmt::format(", where chance alone makes up to {} (95 %)", force_text(limit)) : ""));

@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 
+#include "apps/compare/scenes/judge/pairing.h"
 #include "apps/compare/scenes/judge/ranking.h"
 #include "core/base/statistics.h"
 #include "core/output/text/plot.h"
@@ -230,15 +231,6 @@ std::vector<DifferenceRow> difference_rows(const Findings& found, const std::vec
   return rows;
 }
 
-/// The widest chance limit [N], of those that were measured; infinite if none was.
-double chance_band(const Findings& found) {
-  double widest = std::numeric_limits<double>::infinity();
-  for (const auto& m : found.merits)
-    for (const double limit : m.from_own.limits)
-      if (std::isfinite(limit)) widest = std::isfinite(widest) ? std::max(widest, limit) : limit;
-  return widest;
-}
-
 /// The marks of the means, in layers by their significance.
 Json mean_layers(const std::vector<DifferenceRow>& rows, const std::vector<double>& widths) {
   struct Layer {
@@ -290,12 +282,12 @@ std::optional<Picture> differences(const Findings& found, const std::vector<std:
   }
   constexpr double k_margin = 0.1;
   const double margin = shown.high > shown.low ? k_margin * (shown.high - shown.low) : 1;
-  const double low = shown.low - margin, high = shown.high + margin, limit = chance_band(found);
+  const double low = shown.low - margin, high = shown.high + margin,
+               limit = widest_limit(found.merits, &Merit::from_own);
   Json data{{"low", low},    {"high", high}, {"bottom", static_cast<double>(rows.size()) - 0.3},
             {"rows", names}, {"runs", runs}, {"layers", mean_layers(rows, widths)}};
   data["band"] = nullptr;
-  if (std::isfinite(limit) && limit > 0)
-    data["band"] = {{"from", std::max(-limit, low)}, {"to", std::min(limit, high)}};
+  if (limit > 0) data["band"] = {{"from", std::max(-limit, low)}, {"to", std::min(limit, high)}};
   return Picture{.name = "differences",
                  .script = "differences.gnuplot",
                  .height = 140 + 22 * static_cast<int>(rows.size()),
