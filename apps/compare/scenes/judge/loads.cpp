@@ -23,11 +23,7 @@ std::optional<LoadSpan> window_of(const Plan& plan, const RunTable& rows, int re
   LoadSpan span = *row->result.summary.window;
   span.to = std::min(span.to, plan.end);  // runs that began before the plan was shortened are longer
   if (!(span.to > span.from)) return std::nullopt;
-  double coarsest = 0;
-  for (const auto& setting : plan.settings) coarsest = std::max(coarsest, setting.step);
-  constexpr double k_rounding = 1e-6;  // of a step
-  const double steps = std::floor((span.from - plan.start) / coarsest + k_rounding);
-  span.from = plan.start + steps * coarsest;
+  span.from = plan.coarsest_end(span.from);
   return span;
 }
 

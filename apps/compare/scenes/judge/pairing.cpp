@@ -52,8 +52,7 @@ double widest_limit(const std::vector<Merit>& merits, PairedDifference Merit::*m
 
 std::vector<std::size_t> alike_settings(const Plan& plan) {
   const CompareSetting& own = plan.settings.front();
-  constexpr double k_usual = 1e-6;  // [m/s]
-  const double loosest = own.tolerance > 0 ? own.tolerance : k_usual;
+  const double loosest = own.tolerance > 0 ? own.tolerance : k_usual_tolerance;
   std::vector<std::size_t> alike;
   for (std::size_t s = 0; s < plan.settings.size(); ++s) {
     const CompareSetting& other = plan.settings[s];

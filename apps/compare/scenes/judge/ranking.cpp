@@ -99,12 +99,9 @@ std::vector<Order> orders_of(const Plan& plan, const Findings& found) {
       steps.push_back(plan.settings[other].step);
       errors.push_back(m.error);
     }
-    constexpr std::size_t k_least = 3;
-    if (steps.size() < k_least || !one_way(steps, errors)) continue;
-    CompareSetting one = plan.settings[s];
-    one.step = plan.settings.front().step;
-    orders.push_back({label_of(one, plan.settings.front()), order_of(steps, errors, alike ? reference.step : 0),
-                      static_cast<int>(steps.size())});
+    if (steps.size() < k_least_order_steps || !one_way(steps, errors)) continue;
+    orders.push_back({label_without_step(plan.settings[s], plan.settings.front()),
+                      order_of(steps, errors, alike ? reference.step : 0), static_cast<int>(steps.size())});
   }
   return orders;
 }

@@ -4,6 +4,9 @@
 
 namespace nilas {
 
+/// The least number of steps whose errors show an order.
+constexpr std::size_t k_least_order_steps = 3;
+
 /// Sets Merit::dominated if another setting is no slower and no worse, and better in one of both. Errors below the
 /// floor count as equal. A setting that is not complete is dominated.
 std::vector<Merit> with_dominance(std::vector<Merit> merits);
@@ -12,8 +15,8 @@ std::vector<Merit> with_dominance(std::vector<Merit> merits);
 /// the most accurate one, or the scene's own setting if that is among them.
 Choice choose(const std::vector<Merit>& merits, const Measure& measure, double common_floor, double time_spread);
 
-/// The orders p of errors C h^p, for settings that differ only in the step and have three or more significant errors.
-/// If the reference has the same integrator and a step r itself, errors are C (h^p - r^p).
+/// The orders p of errors C h^p, for settings that differ only in the step and have at least k_least_order_steps
+/// significant errors. If the reference has the same integrator and a step r itself, errors are C (h^p - r^p).
 std::vector<Order> orders_of(const Plan& plan, const Findings& found);
 
 /// Whether the error of any setting is known.

@@ -40,8 +40,7 @@ double time_of(SolverName solver) {
 constexpr double k_per_decade = 2.5;
 
 double tolerance_weight(double tolerance) {
-  constexpr double k_usual = 1e-6;
-  return tolerance > 0 ? std::pow(k_per_decade, std::log10(k_usual / tolerance)) : 1;
+  return tolerance > 0 ? std::pow(k_per_decade, std::log10(k_usual_tolerance / tolerance)) : 1;
 }
 
 /// The cost of the solver that `auto` falls back on for ccp, measured in presawn-a.xml and towing.xml.
@@ -87,8 +86,7 @@ double loosest_reference(double tolerance) {
 
 std::vector<double> measured_tolerances(double asked, bool fixed, const CompareSetting& own) {
   std::vector<double> tolerances{asked};
-  constexpr double k_usual = 1e-6;  // for scenes with a fixed number of sweeps [m/s]
-  const double loosest = loosest_reference(own.tolerance > 0 ? own.tolerance : k_usual);
+  const double loosest = loosest_reference(own.tolerance > 0 ? own.tolerance : k_usual_tolerance);
   if (!fixed && loosest > asked) tolerances.push_back(loosest);
   return tolerances;
 }

@@ -14,9 +14,6 @@ namespace nilas {
 
 namespace {
 
-/// The tolerance of other settings where the scene asks for a fixed number of sweeps [m/s].
-constexpr double k_usual_tolerance = 1e-6;
-
 bool holds(const std::vector<CompareSetting>& settings, const CompareSetting& one) {
   return std::find(settings.begin(), settings.end(), one) != settings.end();
 }

@@ -78,19 +78,13 @@ Draft whole_draft(const PlanInput& input) {
   return draft;
 }
 
-double coarsest_step(const std::vector<CompareSetting>& settings) {
-  double step = 0;
-  for (const auto& setting : settings) step = std::max(step, setting.step);
-  return step;
-}
-
-/// The tightest tolerance of the settings that are kept [m/s]; 1e-6 if all of them make a fixed number of sweeps.
+/// The tightest tolerance of the settings that are kept [m/s]; k_usual_tolerance if all of them make a fixed number of
+/// sweeps.
 double tightest_tolerance(const Draft& draft) {
-  constexpr double k_usual = 1e-6;
   double least = std::numeric_limits<double>::infinity();
   for (const std::size_t k : draft.kept)
     if (draft.input->settings[k].tolerance > 0) least = std::min(least, draft.input->settings[k].tolerance);
-  return std::isfinite(least) ? least : k_usual;
+  return std::isfinite(least) ? least : k_usual_tolerance;
 }
 
 Draft with_core_only(Draft draft) {
@@ -131,14 +125,14 @@ double rounded(double length) {
   return std::floor(length / unit) * unit;
 }
 
-/// Cuts the simulated time, but keeps a share of the time from the start of the load's window on, and at least 20
-/// steps.
+/// Cuts the simulated time, but keeps a share of the time from the start of the load's window on, and at least
+/// k_least_mean_steps.
 Draft shortened(Draft draft, double share) {
-  constexpr int k_least_steps = 20, k_halvings = 40;
+  constexpr int k_halvings = 40;
   const double full = draft.length, step = coarsest_step(draft.input->settings);
   const double window_from = draft.input->cost.window_from;
   const double before = std::isnan(window_from) ? 0 : std::clamp(window_from - draft.input->request.start, 0.0, full);
-  const double least = std::min(full, before + std::max(share * (full - before), k_least_steps * step));
+  const double least = std::min(full, before + std::max(share * (full - before), k_least_mean_steps * step));
   double low = least, high = full;
   for (int k = 0; k < k_halvings; ++k) {
     draft.length = 0.5 * (low + high);

@@ -3,12 +3,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace nilas {
 
 const CompareSetting& Plan::setting_of(const PlannedRun& run) const {
   if (run.kind == RunKind::reference) return reference;
   return run.kind == RunKind::check ? check : settings[run.setting];
+}
+
+double Plan::coarsest_end(double t) const {
+  const double step = coarsest_step(settings);
+  return start + std::floor((t - start) / step + k_step_rounding) * step;
+}
+
+double rounded_budget(double seconds) {
+  const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(seconds)) - 1));
+  return std::ceil(seconds / unit) * unit;
 }
 
 std::vector<Omission> absent_simplifications(const Scene& scene) {

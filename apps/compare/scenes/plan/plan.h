@@ -10,6 +10,10 @@ namespace nilas {
 
 /// The time of a budget that is kept for reading and drawing at its end [s].
 constexpr double k_closing_s = 3;
+/// The least number of the coarsest steps over which a mean load is meaningful.
+constexpr int k_least_mean_steps = 20;
+/// The share of a step that counts as rounding of a time.
+constexpr double k_step_rounding = 1e-6;
 
 enum class RunKind { grid, twin, reference, check };
 const char* name_of(RunKind kind);
@@ -48,7 +52,12 @@ struct Plan {
   bool vary_seed = true;  ///< realisations differ in the seed, not only in the perturbed start
 
   const CompareSetting& setting_of(const PlannedRun& run) const;
+  /// The last end of a coarsest step up to a simulated time [s].
+  double coarsest_end(double t) const;
 };
+
+/// A wall time [s] rounded up to two digits, or to whole seconds if it is short.
+double rounded_budget(double seconds);
 
 /// Adds realisations until there are `realisations`. Their runs are in the order of the first's, without a check.
 void extend_realisations(Plan& plan, int realisations);

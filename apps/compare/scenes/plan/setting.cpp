@@ -26,12 +26,11 @@ CompareSetting setting_of(const Scene& scene) {
 }
 
 CompareSetting without_simplifications(const Scene& scene) {
-  constexpr double k_tolerance = 1e-6;  // [m/s]
-  constexpr int k_iterations = 1000;    // the default of <contact>
+  constexpr int k_iterations = 1000;  // the default of <contact>
   CompareSetting setting = setting_of(scene);
   setting.law = "coulomb";
   if (setting.solver == "pgs") setting.solver = "auto";
-  if (setting.tolerance == 0) setting.tolerance = k_tolerance;
+  if (setting.tolerance == 0) setting.tolerance = k_usual_tolerance;
   setting.stabilisation = "projection";
   // a preset's fixed number of sweeps is a simplification, too
   setting.more = {{"contact/@max_iterations", std::to_string(std::max(k_iterations, scene.contact.max_iterations))}};
@@ -101,11 +100,22 @@ std::string full_label(const CompareSetting& setting) {
   return label;
 }
 
+std::string label_without_step(CompareSetting setting, const CompareSetting& first) {
+  setting.step = first.step;
+  return label_of(setting, first);
+}
+
 std::string simplifications_text(const CompareSetting& setting) {
   std::string text;
   for (const Simplification which : setting.simplifications)
     text += std::string(text.empty() ? "" : ";") + name_of(which);
   return text;
+}
+
+double coarsest_step(const std::vector<CompareSetting>& settings) {
+  double step = 0;
+  for (const auto& setting : settings) step = std::max(step, setting.step);
+  return step;
 }
 
 }  // namespace nilas

@@ -7,6 +7,9 @@
 
 namespace nilas {
 
+/// The tolerance that stands in for a fixed number of sweeps [m/s].
+constexpr double k_usual_tolerance = 1e-6;
+
 struct CompareSetting {
   std::string solver, law, integrator, stabilisation;
   double step = 0;       ///< time step [s]
@@ -32,10 +35,15 @@ CompareSetting with_simplifications(const Scene& scene, const std::vector<Simpli
 std::string label_of(const CompareSetting& setting, const CompareSetting& first);
 /// The label with all axes: "auto, coulomb, step 0.01 s, tolerance 1e-4 m/s, projection, moreau".
 std::string full_label(const CompareSetting& setting);
+/// The label that a setting would have with the first setting's step. Settings that differ in the step alone share it.
+std::string label_without_step(CompareSetting setting, const CompareSetting& first);
 /// The simplifications of a setting as tables name them: "pyramid;50 sweeps".
 std::string simplifications_text(const CompareSetting& setting);
 /// The names of the axes on which two settings differ, in the order solver, law, step, tolerance, stabilisation,
 /// integrator.
 std::vector<std::string> differences(const CompareSetting& a, const CompareSetting& b);
+
+/// The coarsest step of the settings [s].
+double coarsest_step(const std::vector<CompareSetting>& settings);
 
 }  // namespace nilas

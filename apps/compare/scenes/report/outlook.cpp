@@ -16,11 +16,7 @@ namespace {
 constexpr double k_reserve = 1.15;  // runs may take a little longer than others did
 
 /// A wall time [s] as a budget: with a reserve, rounded up to two digits.
-double budget_for(double seconds) {
-  const double wanted = k_reserve * seconds + k_closing_s;
-  const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(wanted)) - 1));
-  return std::ceil(wanted / unit) * unit;
-}
+double budget_for(double seconds) { return rounded_budget(k_reserve * seconds + k_closing_s); }
 
 int missing_runs(const Findings& found) {
   return static_cast<int>(std::count_if(found.rows.begin(), found.rows.end(),

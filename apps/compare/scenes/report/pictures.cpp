@@ -21,8 +21,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr double k_room = 1.6;  // factor between what is shown and the end of a logarithmic axis
 
-constexpr std::size_t k_least_steps = 3;  // of a line of errors over the step
-
 /// The text in double quotes, as gnuplot reads texts in data.
 std::string quoted(const std::string& text) {
   std::string out = "\"";
@@ -141,17 +139,15 @@ std::optional<Picture> steps(const Plan& plan, const Findings& found) {
   };
   std::map<std::string, Line> lines;
   Extent step, error;
-  const CompareSetting& own = plan.settings.front();
   for (const auto& m : found.merits) {
-    CompareSetting setting = plan.settings[m.setting];
+    const CompareSetting& setting = plan.settings[m.setting];
     if (!(m.error > 0) || m.failed > 0 || m.partial) continue;
     step.add(setting.step);
-    setting.step = own.step;
-    Line& line = lines[label_of(setting, own)];
-    line.rows += fmt::format("{} {}\n", plan.settings[m.setting].step, m.error);
+    Line& line = lines[label_without_step(setting, plan.settings.front())];
+    line.rows += fmt::format("{} {}\n", setting.step, m.error);
     line.errors.push_back(m.error);
   }
-  std::erase_if(lines, [](const auto& line) { return line.second.errors.size() < k_least_steps; });
+  std::erase_if(lines, [](const auto& line) { return line.second.errors.size() < k_least_order_steps; });
   if (lines.empty()) return std::nullopt;
   Json data{{"quantity", quantity_of(found.measure)}, {"unit", found.measure.unit}, {"lines", Json::array()}};
   constexpr int k_dashes = 5;

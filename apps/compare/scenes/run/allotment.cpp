@@ -9,16 +9,11 @@ namespace nilas {
 
 namespace {
 
-constexpr double k_long_s = 30;       // shorter budgets keep less than k_closing_s for the end [s]
-constexpr double k_least_steps = 20;  // of the coarsest setting, over which a mean is meaningful
-constexpr double k_rounding = 1e-6;   // of a step
+constexpr double k_long_s = 30;  // shorter budgets keep less than k_closing_s for the end [s]
 constexpr double k_infinity = std::numeric_limits<double>::infinity();
 
-double coarsest(const Plan& plan) {
-  double step = 0;
-  for (const auto& setting : plan.settings) step = std::max(step, setting.step);
-  return step;
-}
+/// The shortest simulated time that gives a mean load [s].
+double least_length(const Plan& plan) { return k_least_mean_steps * coarsest_step(plan.settings); }
 
 /// The share of the time left that the first run may take. With one job another run must follow it.
 double first_share(int jobs) {
@@ -41,11 +36,10 @@ std::optional<double> needed_budget(const Plan& plan, const RunEnd& first, doubl
   constexpr double k_reserve = 1.2;
   const double reached = first.reached_s - plan.start;
   if (!(reached > 0)) return std::nullopt;
-  const double end = std::isnan(first.window_from_s) ? plan.end : first.window_from_s + k_least_steps * coarsest(plan);
+  const double end = std::isnan(first.window_from_s) ? plan.end : first.window_from_s + least_length(plan);
   const double one = first.wall_s / reached * (end - plan.start);
   const double wanted = measuring_s + k_closing_s + k_reserve * one / first_share(jobs);
-  const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(wanted)) - 1));
-  return std::ceil(wanted / unit) * unit;
+  return rounded_budget(wanted);
 }
 
 Allotment::Allotment(Plan& plan, double budget_s, double stated_budget_s, int jobs, double first_pace)
@@ -89,7 +83,7 @@ double Allotment::missing_s(const std::function<bool(const PlannedRun&)>& counts
 }
 
 double Allotment::least_end() const {
-  return std::isnan(window_from_) ? k_infinity : window_from_ + k_least_steps * coarsest(plan_);
+  return std::isnan(window_from_) ? k_infinity : window_from_ + least_length(plan_);
 }
 
 /// Whether all runs may be cut to the time that one has reached: not if another setting is done over more than twice
@@ -101,8 +95,7 @@ bool Allotment::worth_telling(double reached_s) const {
 }
 
 void Allotment::end_at(double t) {
-  const double step = coarsest(plan_);
-  const double end = plan_.start + std::floor((t - plan_.start) / step + k_rounding) * step;
+  const double end = plan_.coarsest_end(t);
   if (!(end < plan_.end)) return;
   plan_.end = end;
   const auto of_time = [](const Omission& o) { return o.what.starts_with("simulated time"); };
@@ -168,7 +161,7 @@ RunVerdict Allotment::ended(const PlannedRun& run, const RunEnd& end) {
     return RunVerdict::as_it_ended;
   }
   if (!end.timed_out) return RunVerdict::as_it_ended;
-  if (end.reached_s >= plan_.end - k_rounding * coarsest(plan_)) {
+  if (end.reached_s >= plan_.end - k_step_rounding * coarsest_step(plan_.settings)) {
     beside_done_ = beside_done_ || beside;
     return RunVerdict::far_enough;
   }
