@@ -2,6 +2,7 @@
 #include "apps/compare/scenes/report/answer.h"
 #include "apps/compare/scenes/report/paired_text.h"
 #include "apps/compare/scenes/report/tables.h"
+#include "apps/compare/scenes/run/study_json.h"
 #include "apps/compare/workshop/json_store.h"
 
 namespace nilas {
@@ -74,15 +75,9 @@ Json setting_json(const SceneReport& report, const Merit& m) {
           {"imbalance_relative", number_or_null(m.energy_error)}};
 }
 
-Json omissions_json(const std::vector<Omission>& omissions) {
-  Json list = Json::array();
-  for (const auto& one : omissions) list.push_back({{"what", one.what}, {"why", one.why}});
-  return list;
-}
-
 /// The simplifications that have no row in an ablation: they change nothing in the scene, or Nilas makes them itself.
 Json absent_json(const SceneStudy& study) {
-  Json list = omissions_json(study.absent);
+  Json list = to_json(study.absent);
   for (const Inexpressible& one : inexpressible_simplifications())
     if (study.ablation) list.push_back({{"what", one.name}, {"why", one.reason}});
   return list;
@@ -123,8 +118,8 @@ Json report_json(const SceneReport& report) {
           {"chosen", found.choice.chosen ? Json(report.label(*found.choice.chosen)) : Json(nullptr)},
           {"settings", settings},
           {"orders", orders},
-          {"left_out", omissions_json(study.plan.omissions)},
-          {"cannot_run", omissions_json(study.refused)},
+          {"left_out", to_json(study.plan.omissions)},
+          {"cannot_run", to_json(study.refused)},
           {"simplifications_without_a_row", absent_json(study)},
           {"not_done_for_the_budget", report.late},
           {"with_more_time", outlook_json(report.outlook)},
