@@ -7,9 +7,8 @@
 
 #include "apps/compare/problems/problem_report.h"
 #include "apps/compare/problems/problem_study_run.h"
-#include "apps/compare/workshop/templates.h"
+#include "apps/compare/workshop/page_text.h"
 #include "core/output/file/output_file.h"
-#include "core/output/text/fill_template.h"
 #include "core/output/text/html.h"
 
 namespace nilas {
@@ -216,7 +215,8 @@ void write_problem_page(const std::filesystem::path& folder, const ProblemReport
                         const std::string& no_pictures) {
   Json sentences = Json::array();
   for (const auto& c : comparisons) sentences.push_back(fmt::format("Law {}. {}", c.law, headline(c)));
-  Json view{{"style", compare_template("page.css")},
+  Json view{{"page_title", "nilas compare --problems"},
+            {"page_heading", "Solvers on stored contact problems"},
             {"subtitle", fmt::format("{} rows of runs on the problems in {}", report.rows.size(),
                                      report.problems.filename().string())},
             {"status", status_text(report)},
@@ -231,7 +231,7 @@ void write_problem_page(const std::filesystem::path& folder, const ProblemReport
   add_outcomes(report, view);
   add_figures(folder, pictures, view);
   add_method(report, view);
-  write_whole(folder / "compare.html", fill_template(compare_template("problem_page.html"), view, Escape::html));
+  write_whole(folder / "compare.html", page_text("problem_page.html", view));
 }
 
 }  // namespace nilas

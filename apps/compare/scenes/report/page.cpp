@@ -9,9 +9,8 @@
 #include "apps/compare/scenes/report/paired_text.h"
 #include "apps/compare/scenes/report/tables.h"
 #include "apps/compare/workshop/json_store.h"
-#include "apps/compare/workshop/templates.h"
+#include "apps/compare/workshop/page_text.h"
 #include "core/output/file/output_file.h"
-#include "core/output/text/fill_template.h"
 #include "core/output/text/html.h"
 
 namespace nilas {
@@ -184,10 +183,10 @@ Json view_of(const SceneReport& report) {
   const std::string quantity = found.measure.is_load()        ? "mean ice load"
                                : found.measure.name == "turn" ? "attitude"
                                                               : "position, rms";
-  return {{"style", compare_template("page.css")},
-          {"scene", report.study.scene.stem().string()},
-          {"heading",
-           report.study.ablation ? "effect and cost of each simplification" : "accuracy and cost of contact settings"},
+  const std::string scene = report.study.scene.stem().string();
+  return {{"page_title", scene + ": nilas compare"},
+          {"page_heading", scene + (report.study.ablation ? ": effect and cost of each simplification"
+                                                          : ": accuracy and cost of contact settings")},
           {"subtitle", fmt::format("{:g} s simulated, {} settings, {} realisation{}", plan.end - plan.start,
                                    plan.settings.size(), plan.realisations, plan.realisations == 1 ? "" : "s")},
           {"status", report.ended_by.empty() ? "" : "This comparison is not complete: " + report.ended_by + "."},
@@ -215,7 +214,7 @@ void write_page(const std::filesystem::path& folder, Json view, const std::vecto
     figures.push_back({{"svg", inline_svg(folder / (picture + ".svg"))}, {"caption", caption_of(picture)}});
   view["figures"] = figures;
   view["no_figures"] = no_figures;
-  write_whole(folder / "compare.html", fill_template(compare_template("scene_page.html"), view, Escape::html));
+  write_whole(folder / "compare.html", page_text("scene_page.html", std::move(view)));
 }
 
 }  // namespace
