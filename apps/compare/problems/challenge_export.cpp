@@ -15,6 +15,8 @@
 #include "apps/compare/problems/challenge_catalogue.h"
 #include "apps/compare/problems/challenge_scenes.h"
 #include "apps/compare/problems/problem_study_plan.h"
+#include "apps/compare/workshop/json_store.h"
+#include "apps/compare/workshop/special_numbers.h"
 #include "apps/verify/jobs.h"
 #include "contact/fclib/fclib_io.h"
 #include "contact/registry.h"
@@ -28,7 +30,6 @@ namespace nilas {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 constexpr double k_wanted = 1e-10, k_certified = 1e-8;  // [m/s]
 constexpr int k_iterations = 3000;                      // unlike a time limit, it gives the same files each time
@@ -111,7 +112,7 @@ std::vector<Source> sources_of(const ProblemExportOptions& options) {
   return all;
 }
 
-std::string table_of(const std::vector<Exported>& all) {
+std::string exported_table(const std::vector<Exported>& all) {
   std::string csv = csv_header(
       {"name", "source", "contacts", "velocities", "mass_ratio_1", "law", "solver", "law_map_m_s", "certified"});
   for (const auto& one : all) {
@@ -123,7 +124,7 @@ std::string table_of(const std::vector<Exported>& all) {
   return csv;
 }
 
-Json json_of(const std::vector<Exported>& all) {
+Json exported_json(const std::vector<Exported>& all) {
   Json problems = Json::array();
   for (const auto& one : all)
     problems.push_back({{"name", one.name},
@@ -138,7 +139,7 @@ Json json_of(const std::vector<Exported>& all) {
   return {{"problems", problems}};
 }
 
-std::string line_of(const Exported& one) {
+std::string exported_line(const Exported& one) {
   return fmt::format("{:<24}{:>6} contacts  {:<7} {:.1e} m/s  {}\n", one.name, one.contacts, one.solver, one.law_map,
                      one.certified() ? "certified" : "NOT certified");
 }
@@ -162,14 +163,14 @@ int export_problems(const ProblemExportOptions& options) {
              }
              if (options.quiet) return;
              const std::lock_guard hold(writing);
-             std::cerr << (slots[k] ? line_of(*slots[k]) : fmt::format("{:<24}the bodies never touch\n", source.name));
+             std::cerr << (slots[k] ? exported_line(*slots[k]) : fmt::format("{:<24}the bodies never touch\n", source.name));
            },
            {});
   std::vector<Exported> all;
   for (auto& slot : slots)
     if (slot) all.push_back(std::move(*slot));
-  write_whole(options.out / "problems.csv", table_of(all));
-  if (options.json) std::cout << json_of(all).dump(2) << "\n";
+  write_whole(options.out / "problems.csv", exported_table(all));
+  if (options.json) std::cout << exported_json(all).dump(2) << "\n";
   const auto certified = std::count_if(all.begin(), all.end(), [](const Exported& one) { return one.certified(); });
   if (!options.quiet && !options.json)
     std::cout << fmt::format("{} problems, {} with certified solutions (law_map_m_s at most {} m/s), in {}\n",

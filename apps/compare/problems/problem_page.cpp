@@ -7,6 +7,7 @@
 
 #include "apps/compare/problems/problem_report.h"
 #include "apps/compare/problems/problem_study_run.h"
+#include "apps/compare/workshop/json_store.h"
 #include "apps/compare/workshop/page_text.h"
 #include "core/output/file/output_file.h"
 #include "core/output/text/html.h"
@@ -14,8 +15,6 @@
 namespace nilas {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string milliseconds(double seconds) {
   constexpr double k_ms = 1e3;

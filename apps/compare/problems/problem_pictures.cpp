@@ -8,6 +8,7 @@
 #include <set>
 #include <tuple>
 
+#include "apps/compare/workshop/json_store.h"
 #include "contact/registry.h"
 #include "core/output/file/csv_row.h"
 #include "core/output/file/output_file.h"
@@ -16,8 +17,6 @@
 namespace nilas {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t k_panels = 6;  // single problems
 constexpr double k_widest = 1e4;     // end of the performance profile at most

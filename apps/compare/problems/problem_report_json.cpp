@@ -2,12 +2,11 @@
 
 #include "apps/compare/problems/problem_report.h"
 #include "apps/compare/problems/problem_study_table.h"
+#include "apps/compare/workshop/json_store.h"
 
 namespace nilas {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json profile_json(const Profile& profile) {
   Json points = Json::array();

@@ -19,12 +19,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double k_usual_budget = 1200;  // [s]
-constexpr const char* k_json = "compare.json";
 constexpr const char* k_table = "compare.csv";
 
-StudyFiles own_files() {
-  return {{k_json, k_table}, [](const std::string& name) {
-            static const std::set<std::string> names{k_json, k_table, "compare.html", k_problem_work};
+StudyFiles problem_study_files() {
+  return {{k_problem_json, k_table}, [](const std::string& name) {
+            static const std::set<std::string> names{k_problem_json, k_table, "compare.html", k_problem_work};
             const std::string part = ".part";  // a file that was being replaced when the study was killed
             const std::string whole = name.ends_with(part) ? name.substr(0, name.size() - part.size()) : name;
             return names.count(whole) > 0 || is_problem_picture_file(name);
@@ -44,7 +43,7 @@ std::string machine() {
 
 /// The options of an earlier study from its compare.json. `report` gets its time limit and its wall time.
 ProblemStudyOptions stored_options(const ProblemStudyOptions& asked, ProblemReport& report) {
-  const fs::path file = asked.resume / k_json;
+  const fs::path file = asked.resume / k_problem_json;
   const auto json = read_json(file);
   ProblemStudyOptions options = asked;
   try {
@@ -136,8 +135,8 @@ OpenedProblems open_problems(const ProblemStudyOptions& asked) {
   const StudyChoice choice{options.solvers, options.laws, options.tolerances, report.limit_s};
   validate(choice);
   std::vector<StudyFile> files = survey(options.folder);
-  StudyFolder folder = goes_on ? StudyFolder::open(options.out, own_files())
-                               : StudyFolder::claim(options.out, own_files(), options.force);
+  StudyFolder folder = goes_on ? StudyFolder::open(options.out, problem_study_files())
+                               : StudyFolder::claim(options.out, problem_study_files(), options.force);
   const fs::path csv = options.out / k_table;
   ProblemTable table = goes_on ? ProblemTable(csv, read_study(csv)) : ProblemTable(csv);
   fs::create_directories(options.out / k_problem_work);

@@ -56,6 +56,8 @@ struct OpenedProblems {
   double elapsed_s() const;
 };
 
+/// The name of the report as JSON in the folder of the study.
+constexpr const char* k_problem_json = "compare.json";
 /// The name of the folder, within that of the study, for the output of runs until it is judged.
 constexpr const char* k_problem_work = ".runs";
 

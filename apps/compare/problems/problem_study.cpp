@@ -21,7 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* k_json = "compare.json";
 
 /// The report on what is done so far, as it was written.
 struct WrittenReport {
@@ -46,7 +45,7 @@ WrittenReport write_report(const OpenedProblems& study, bool with_pictures) {
     written.no_pictures = error.what();
   }
   write_problem_page(study.options.out, report, written.comparisons, pictures, written.no_pictures);
-  write_json(study.options.out / k_json, problem_report_json(report, written.comparisons));
+  write_json(study.options.out / k_problem_json, problem_report_json(report, written.comparisons));
   return written;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <numeric>
 
+#include "apps/compare/workshop/special_numbers.h"
 #include "contact/registry.h"
 #include "core/base/error.h"
 
@@ -95,7 +96,7 @@ std::vector<Block> all_blocks(const std::vector<StudyFile>& files, const StudyCh
   return blocks;
 }
 
-double rounded(double seconds) {
+double with_two_digits(double seconds) {
   const double unit = std::pow(10, std::floor(std::log10(seconds)) - 1);
   return std::round(seconds / unit) * unit;
 }
@@ -160,7 +161,7 @@ StudyPlan make_plan(const std::vector<StudyFile>& files, const StudyChoice& choi
   }
   const double share = core_seconds / static_cast<double>(std::max<std::size_t>(count, 1)) - start_s;
   plan.limit_s =
-      choice.limit_s > 0 ? choice.limit_s : rounded(std::clamp(k_shares * share, k_least_limit, k_most_limit));
+      choice.limit_s > 0 ? choice.limit_s : with_two_digits(std::clamp(k_shares * share, k_least_limit, k_most_limit));
   bool full = false;
   for (const auto& block : blocks) {
     double estimate = 0, most = 0;

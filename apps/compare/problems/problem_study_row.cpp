@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "apps/compare/workshop/special_numbers.h"
+
 namespace nilas {
 
 const char* to_string(RunOutcome outcome) {

@@ -1,8 +1,8 @@
 #pragma once
 /// The result of one run of a study of stored problems: a row of compare.csv.
-#include <limits>
 #include <string>
 
+#include "apps/compare/workshop/special_numbers.h"
 #include "contact/measure/measure.h"
 
 namespace nilas {
@@ -25,8 +25,6 @@ const char* in_words(RunOutcome outcome);
 
 /// A tolerance as text, such as "1e-6".
 std::string in_words(double tolerance);
-
-constexpr double k_unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// The figures of a stored problem that a study needs.
 struct StudyProblem {

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "apps/compare/workshop/json_store.h"
+#include "apps/compare/workshop/special_numbers.h"
 #include "core/base/error.h"
 
 namespace nilas {
 
 namespace {
-
-using Json = nlohmann::json;
 
 constexpr double k_grace_s = 2,
                  k_grace_factor = 1.5;  // for the start, the repeated solves and solvers that seldom look at the clock
@@ -30,7 +30,7 @@ Json result_in(const std::string& printed) {
   return result.is_object() ? result : Json();
 }
 
-double number(const Json& result, const char* name) {
+double number_in(const Json& result, const char* name) {
   const auto found = result.find(name);
   return found != result.end() && found->is_number() ? found->get<double>() : k_unknown;
 }
@@ -38,12 +38,12 @@ double number(const Json& result, const char* name) {
 void take(const Json& result, StudyRow& row) {
   row.claimed = result.value("claimed", "");
   row.iterations = result.value("iterations", 0);
-  row.seconds = number(result, "seconds");
+  row.seconds = number_in(result, "seconds");
   row.open = result.value("open", 0);
   row.sticking = result.value("sticking", 0);
   row.sliding = result.value("sliding", 0);
   row.message = result.value("message", "");
-  for (const auto& column : residual_columns()) row.residuals.*column.member = number(result, column.name);
+  for (const auto& column : residual_columns()) row.residuals.*column.member = number_in(result, column.name);
 }
 
 RunOutcome outcome_of(const StudyRow& row, double limit_s) {

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <chrono>
-#include <limits>
 #include <set>
 
 #include "apps/compare/problems/problem_study_plan.h"
+#include "apps/compare/workshop/special_numbers.h"
 #include "contact/fclib/fclib_io.h"
 #include "core/base/error.h"
 
@@ -54,7 +54,7 @@ void look_into(StudyFile& file) {
 }  // namespace
 
 double contact_mass_ratio(const ContactProblem& problem) {
-  double lightest = std::numeric_limits<double>::infinity(), heaviest = 0;
+  double lightest = k_infinity, heaviest = 0;
   const auto see = [&](int block, const MatX& rows) {
     if (block < 0) return;
     const MatX mass = problem.mass(block);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 
+#include "apps/compare/workshop/json_store.h"
+#include "apps/compare/workshop/special_numbers.h"
 #include "contact/registry.h"
 #include "core/base/csv.h"
 #include "core/base/error.h"
@@ -13,8 +15,6 @@
 namespace nilas {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// A column: how it is written as text and as JSON, and how it is read.
 struct Column {
@@ -34,9 +34,9 @@ void write_cell(const std::string& x, CsvRow& out) { out.text(x); }
 void write_cell(int x, CsvRow& out) { out.integer(x); }
 void write_cell(double x, CsvRow& out) { std::isnan(x) ? out.text("") : out.shortest(x); }
 
-Json json_of(const std::string& x) { return x; }
-Json json_of(int x) { return x; }
-Json json_of(double x) { return std::isfinite(x) ? Json(x) : Json(); }
+Json cell_json(const std::string& x) { return x; }
+Json cell_json(int x) { return x; }
+Json cell_json(double x) { return std::isfinite(x) ? Json(x) : Json(); }
 
 bool read_cell(const std::string& text, std::string& x) {
   x = text;
@@ -52,7 +52,7 @@ bool read_cell(const std::string& text, double& x) {
 template <class Get>
 Column column(const std::string& name, Get get) {
   return {name, [get](const StudyRow& row, CsvRow& out) { write_cell(get(row), out); },
-          [get](const StudyRow& row) { return json_of(get(row)); },
+          [get](const StudyRow& row) { return cell_json(get(row)); },
           [get](StudyRow& row, const std::string& text) { return read_cell(text, get(row)); }};
 }
 
@@ -109,21 +109,21 @@ std::vector<Column> make_columns() {
   return all;
 }
 
-const std::vector<Column>& columns() {
+const std::vector<Column>& study_columns() {
   static const std::vector<Column> all = make_columns();
   return all;
 }
 
 bool read_row(const std::vector<std::string>& cells, StudyRow& row) {
-  if (cells.size() != columns().size()) return false;
+  if (cells.size() != study_columns().size()) return false;
   for (std::size_t k = 0; k < cells.size(); ++k)
-    if (!columns()[k].read(row, cells[k])) return false;
+    if (!study_columns()[k].read(row, cells[k])) return false;
   return true;
 }
 
 std::vector<std::string> column_names() {
   std::vector<std::string> names;
-  for (const auto& one : columns()) names.push_back(one.name);
+  for (const auto& one : study_columns()) names.push_back(one.name);
   return names;
 }
 
@@ -140,13 +140,13 @@ std::string study_header() { return csv_header(column_names()); }
 
 std::string study_line(const StudyRow& row) {
   CsvRow out;
-  for (const auto& one : columns()) one.write(row, out);
+  for (const auto& one : study_columns()) one.write(row, out);
   return std::string(out.line());
 }
 
 Json study_json(const StudyRow& row) {
   Json object = Json::object();
-  for (const auto& one : columns()) object[one.name] = one.value(row);
+  for (const auto& one : study_columns()) object[one.name] = one.value(row);
   return object;
 }
 

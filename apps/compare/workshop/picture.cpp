@@ -1,12 +1,13 @@
 #include "apps/compare/workshop/picture.h"
 
+#include "apps/compare/workshop/json_store.h"
 #include "apps/compare/workshop/templates.h"
 #include "core/output/text/fill_template.h"
 
 namespace nilas {
 
 std::string script_of(const Picture& picture) {
-  using Json = nlohmann::ordered_json;
+  
   constexpr double k_font = 12;
   const std::string drawing = fill_template(compare_template(picture.script), picture.data, Escape::gnuplot);
   Json formats = Json::array();

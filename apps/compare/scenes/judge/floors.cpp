@@ -2,18 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "apps/compare/scenes/judge/merits.h"
 #include "apps/compare/scenes/judge/pairing.h"
+#include "apps/compare/workshop/special_numbers.h"
 #include "core/base/statistics.h"
 
 namespace nilas {
 
 namespace {
-
-constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double k_infinity = std::numeric_limits<double>::infinity();
 
 /// The largest number of realisations that a setting has. It may be below the planned number.
 int most_realisations(const std::vector<Merit>& merits) {
@@ -40,7 +37,7 @@ double own_variance(const Merit& m) {
 struct VarianceParts {
   double runs, reference;
 };
-VarianceParts parts_of(const Chance& chance, const Judges& judges) {
+VarianceParts variance_parts(const Chance& chance, const Judges& judges) {
   const double reference = judges.one_run ? 0.5 * chance.variance.value : 0;
   return {chance.variance.value - reference, reference};
 }
@@ -54,7 +51,7 @@ double floor_of(double variance, double degrees, int realisations, double refere
 
 Chance chance_of(const Plan& plan, const RunTable& rows, const Judges& judges, const std::vector<int>& shared,
                  const std::string& headline, const Measure& measure, const std::vector<Merit>& merits) {
-  if (!measure.is_load()) return {{}, 0, k_nan};
+  if (!measure.is_load()) return {{}, 0, k_unknown};
   const int most = most_realisations(merits);
   std::vector<std::vector<double>> settings;
   for (const auto& m : merits)
@@ -62,7 +59,7 @@ Chance chance_of(const Plan& plan, const RunTable& rows, const Judges& judges, c
       settings.push_back(over_runs(rows, m.setting, shared, [](const RunRow& row) { return row.load_difference; }));
   if (judges.one_run && settings.size() == 1) settings.clear();  // it scatters as one run does, not as a difference
   const PooledVariance pooled = pooled_variance(perturbed_differences(plan, rows, headline), settings);
-  if (!(pooled.degrees > 0)) return {pooled, k_nan, k_nan};
+  if (!(pooled.degrees > 0)) return {pooled, k_unknown, k_unknown};
   return {pooled, std::sqrt(0.5 * pooled.value), student_95(pooled.degrees) * std::sqrt(pooled.value)};
 }
 
@@ -70,14 +67,14 @@ double common_floor(const std::vector<Merit>& merits, const Judges& judges, cons
                     const Chance& chance, const Horizon& horizon) {
   if (!measure.is_load())
     return !horizon.known ? k_infinity : horizon.ends ? horizon.threshold_m : k_rounding_share * measure.scale;
-  const VarianceParts parts = parts_of(chance, judges);
+  const VarianceParts parts = variance_parts(chance, judges);
   return floor_of(parts.runs, chance.variance.degrees, most_realisations(merits), parts.reference) +
          k_rounding_share * measure.scale;
 }
 
 std::vector<Merit> with_floors(std::vector<Merit> merits, const Judges& judges, const Measure& measure,
                                const Chance& chance, double common) {
-  const VarianceParts parts = parts_of(chance, judges);
+  const VarianceParts parts = variance_parts(chance, judges);
   const double degrees = chance.variance.degrees;
   for (auto& m : merits) {
     m.floor = common;
@@ -87,7 +84,7 @@ std::vector<Merit> with_floors(std::vector<Merit> merits, const Judges& judges, 
       const bool wild = !std::isnan(own) && own > fisher_95(count - 1, degrees) * parts.runs;
       m.floor = floor_of(wild ? own : parts.runs, wild ? count - 1 : degrees, count, parts.reference) +
                 k_rounding_share * measure.scale;
-      if (m.done == 0) m.floor = k_nan;
+      if (m.done == 0) m.floor = k_unknown;
     }
     m.significant = m.error > m.floor;
   }

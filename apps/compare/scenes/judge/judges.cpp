@@ -12,7 +12,7 @@ bool judges_others(const RunRow& row, const Judges& judges) {
   return judges.setting ? row.is_grid(*judges.setting) : row.run.kind == judges.kind;
 }
 
-bool any_done(const RunTable& rows, RunKind kind) {
+bool any_of_kind_done(const RunTable& rows, RunKind kind) {
   return std::any_of(rows.begin(), rows.end(),
                      [&](const RunRow& row) { return row.run.kind == kind && row.result.done(); });
 }
@@ -33,7 +33,7 @@ std::optional<std::size_t> most_accurate(const Plan& plan, const RunTable& rows)
 
 /// Replaces a reference that has no run by the runs that come nearest to it.
 void replace_reference(const Plan& plan, const RunTable& rows, Judges& judges) {
-  if (any_done(rows, RunKind::check)) {
+  if (any_of_kind_done(rows, RunKind::check)) {
     judges.kind = RunKind::check;
     judges.stand_in = "the reference at twice its step";
   } else if (const auto finest = most_accurate(plan, rows)) {
@@ -53,7 +53,7 @@ Judges judges_of(const Plan& plan, const RunTable& rows, Judged judged) {
     for (const auto& row : rows)
       if (row.run.kind == RunKind::reference && !row.result.done() && judges.trouble.empty())
         judges.trouble = row.result.status + (row.result.cause.empty() ? "" : ": " + row.result.cause);
-    if (!any_done(rows, RunKind::reference)) replace_reference(plan, rows, judges);
+    if (!any_of_kind_done(rows, RunKind::reference)) replace_reference(plan, rows, judges);
   }
   judges.realisations = static_cast<int>(
       std::count_if(rows.begin(), rows.end(), [&](const RunRow& row) { return judges_others(row, judges); }));

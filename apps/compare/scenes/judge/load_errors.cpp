@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "apps/compare/workshop/special_numbers.h"
 #include "core/base/statistics.h"
 
 namespace nilas {
 
 namespace {
 
-constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double k_same = 1e-9;  // relative difference of two equal steps
 
 /// The error of a first-order step [N]: the difference of a step and its half is the error of the half, and twice that
@@ -24,7 +23,7 @@ double family_step_part(const Plan& plan, const Findings& found, std::size_t set
       other.step = family.step;
       if (other == family) return m.load_difference.mean;
     }
-    return k_nan;
+    return k_unknown;
   };
   const double h = plan.settings[setting].step;
   for (const std::size_t of : {setting, std::size_t{0}}) {
@@ -35,7 +34,7 @@ double family_step_part(const Plan& plan, const Findings& found, std::size_t set
     if (!std::isnan(half)) return half;
     if (!std::isnan(whole)) return whole;
   }
-  return k_nan;
+  return k_unknown;
 }
 
 /// The error of the step [N]: that of the family, and for coarser steps than the reference's check at least twice the
@@ -116,7 +115,7 @@ double LoadErrorParts::total() const {
 }
 
 /// The parts of a run's load error; nothing if the run does not state its own error.
-static std::optional<LoadErrorParts> parts_of(const Plan& plan, const Findings& found, const RunRow& row) {
+static std::optional<LoadErrorParts> load_error_parts(const Plan& plan, const Findings& found, const RunRow& row) {
   const auto own = row.result.summary.load_errors.find(found.headline);
   if (own == row.result.summary.load_errors.end()) return std::nullopt;
   const LoadErrorFigures& figures = own->second;
@@ -138,7 +137,7 @@ LoadErrors load_errors(const Plan& plan, const Findings& found) {
   for (const auto& row : found.rows) {
     std::optional<LoadErrorParts>& parts = errors.of_rows.emplace_back();
     if (row.run.kind != RunKind::grid || !row.load_difference) continue;
-    parts = parts_of(plan, found, row);
+    parts = load_error_parts(plan, found, row);
     if (!parts) continue;
     measured.push_back(std::abs(*row.load_difference));
     alone.push_back(parts->alone);

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nilas {
 
 namespace {
 
-const RunRow* any_done(const RunTable& rows, int realisation) {
+const RunRow* first_done(const RunTable& rows, int realisation) {
   for (const auto& row : rows)
     if (row.run.realisation == realisation && row.result.done()) return &row;
   return nullptr;
@@ -17,7 +16,7 @@ const RunRow* any_done(const RunTable& rows, int realisation) {
 std::optional<LoadSpan> window_of(const Plan& plan, const RunTable& rows, int realisation) {
   const RunRow* row = judge_of(rows, realisation);
   if (row == nullptr) row = done_run(rows, RunKind::grid, 0, realisation);
-  if (row == nullptr) row = any_done(rows, realisation);
+  if (row == nullptr) row = first_done(rows, realisation);
   if (row == nullptr) return std::nullopt;
   if (!row->result.summary.window) return std::nullopt;
   LoadSpan span = *row->result.summary.window;

@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "apps/compare/workshop/special_numbers.h"
 #include "core/base/statistics.h"
 
 namespace nilas {
 
 namespace {
-
-constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
 
 bool contains(const std::vector<int>& list, int value) {
   return std::find(list.begin(), list.end(), value) != list.end();
@@ -52,13 +50,13 @@ struct SettingRuns {
   }
   /// The largest absolute value; NaN without values.
   double worst(const std::function<std::optional<double>(const RunRow&)>& value) const {
-    double most = k_nan;
+    double most = k_unknown;
     for (const double v : all(value)) most = std::isnan(most) ? std::abs(v) : std::max(most, std::abs(v));
     return most;
   }
 };
 
-void add_accuracy(const SettingRuns& runs, Merit& m) {
+void read_accuracy(const SettingRuns& runs, Merit& m) {
   const auto summary = [](const RunRow& row) -> const RunSummary& { return row.result.summary; };
   m.penetration_max_m = runs.worst([&](const RunRow& row) { return summary(row).penetration_max_m; });
   m.penetration_mean_m = runs.worst([&](const RunRow& row) { return row.result.penetration_mean_m; });
@@ -75,7 +73,7 @@ void add_accuracy(const SettingRuns& runs, Merit& m) {
 Estimate estimate_of(const std::vector<double>& values) {
   Estimate e;
   e.count = static_cast<int>(values.size());
-  e.mean = values.empty() ? k_nan : mean_of(values);
+  e.mean = values.empty() ? k_unknown : mean_of(values);
   e.standard_error = std::sqrt(variance_of(values) / static_cast<double>(std::max<std::size_t>(values.size(), 1)));
   return e;
 }
@@ -108,12 +106,12 @@ std::vector<Merit> merits_of(const Plan& plan, const RunTable& rows, const Judge
     m.load_difference = estimate_of(runs.all([](const RunRow& row) { return row.load_difference; }));
     m.motion = runs.motion(&MotionError::rms_m);
     m.turn = runs.motion(&MotionError::turn_rad);
-    add_accuracy(runs, m);
+    read_accuracy(runs, m);
     m.time = median_of(runs.all([](const RunRow& row) { return row.result.compute_per_second(); }));
     m.ms_per_step = median_of(runs.all([](const RunRow& row) { return row.result.ms_per_step(); }));
     const auto errors = runs.all([&](const RunRow& row) { return measured_error(row, measure); });
     m.judges = judges.setting == s;
-    m.error = m.judges && m.done > 0 ? 0 : errors.empty() ? k_nan : std::abs(mean_of(errors));
+    m.error = m.judges && m.done > 0 ? 0 : errors.empty() ? k_unknown : std::abs(mean_of(errors));
     merits.push_back(m);
   }
   return merits;
@@ -130,7 +128,7 @@ double time_spread(const Plan& plan, const RunTable& rows) {
   }
   double squares = 0;
   for (const double r : relative) squares += r * r / static_cast<double>(relative.size());
-  return relative.empty() ? k_nan : std::sqrt(squares);
+  return relative.empty() ? k_unknown : std::sqrt(squares);
 }
 
 std::vector<Merit> with_time_spread(std::vector<Merit> merits, double relative) {

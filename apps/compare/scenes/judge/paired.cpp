@@ -1,16 +1,15 @@
 #include "apps/compare/scenes/judge/paired.h"
 
 #include <cmath>
-#include <limits>
 
+#include "apps/compare/workshop/special_numbers.h"
 #include "core/base/statistics.h"
 
 namespace nilas {
 
 PairedDifference paired_difference(std::vector<int> realisations, std::vector<double> values,
                                    std::vector<double> limits, double rounding, bool one_for_all) {
-  constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
-  PairedDifference found{std::move(realisations), std::move(values), std::move(limits), k_nan, k_nan};
+  PairedDifference found{std::move(realisations), std::move(values), std::move(limits), k_unknown, k_unknown};
   const std::size_t count = found.values.size();
   if (count == 0) return found;
   found.mean = mean_of(found.values);
@@ -46,7 +45,7 @@ double chance_limit(std::optional<double> twin_difference, const std::vector<dou
     variance = 2 * variance_of(alike);
     degrees = static_cast<double>(alike.size() - 1);
   }
-  return degrees > 0 ? student_95(degrees) * std::sqrt(variance) : std::numeric_limits<double>::infinity();
+  return degrees > 0 ? student_95(degrees) * std::sqrt(variance) : k_infinity;
 }
 
 }  // namespace nilas

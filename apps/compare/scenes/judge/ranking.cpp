@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "apps/compare/workshop/special_numbers.h"
 #include "core/base/statistics.h"
 
 namespace nilas {

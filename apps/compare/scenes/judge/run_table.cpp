@@ -4,6 +4,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "apps/compare/workshop/special_numbers.h"
+
 namespace nilas {
 
 namespace {

@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
+
+#include "apps/compare/workshop/special_numbers.h"
 
 namespace nilas {
 
@@ -39,7 +40,7 @@ struct Draft {
   /// The step of the reference [s]: half the finest step that is kept, or its own if it goes from event to event.
   double reference_step() const {
     if (!input->request.check) return input->reference.step;
-    double finest = std::numeric_limits<double>::infinity();
+    double finest = k_infinity;
     for (const std::size_t k : kept) finest = std::min(finest, input->settings[k].step);
     return 0.5 * finest;
   }
@@ -74,14 +75,14 @@ Draft whole_draft(const PlanInput& input) {
   for (std::size_t k = 0; k < input.settings.size(); ++k) draft.kept.push_back(k);
   draft.candidates = draft.kept;
   draft.room_s = request.budget_s > 0 ? std::max(0.0, k_share * request.budget_s - k_closing_s) * request.jobs
-                                      : std::numeric_limits<double>::infinity();
+                                      : k_infinity;
   return draft;
 }
 
 /// The tightest tolerance of the settings that are kept [m/s]; k_usual_tolerance if all of them make a fixed number of
 /// sweeps.
 double tightest_tolerance(const Draft& draft) {
-  double least = std::numeric_limits<double>::infinity();
+  double least = k_infinity;
   for (const std::size_t k : draft.kept)
     if (draft.input->settings[k].tolerance > 0) least = std::min(least, draft.input->settings[k].tolerance);
   return std::isfinite(least) ? least : k_usual_tolerance;
@@ -120,7 +121,7 @@ Draft with_realisations(Draft draft, int at_most) {
 }
 
 /// The length rounded down to two digits, which a noisy estimate does not change often.
-double rounded(double length) {
+double rounded_down(double length) {
   const double unit = std::pow(10.0, std::floor(std::log10(length)) - 1);
   return std::floor(length / unit) * unit;
 }
@@ -138,7 +139,7 @@ Draft shortened(Draft draft, double share) {
     draft.length = 0.5 * (low + high);
     (draft.fits() ? low : high) = draft.length;
   }
-  draft.length = std::max(least, std::floor(rounded(low) / step) * step);
+  draft.length = std::max(least, std::floor(rounded_down(low) / step) * step);
   return draft;
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 std::string plural(std::size_t count) { return count == 1 ? "" : "s"; }
 
-void say_coverage(const SceneReport& report, std::vector<std::string>& lines) {
+void say_coverage_limits(const SceneReport& report, std::vector<std::string>& lines) {
   const Findings& found = report.found;
   const Plan& plan = report.study.plan;
   if (found.shared.size() < static_cast<std::size_t>(plan.realisations) && !found.shared.empty())
@@ -46,7 +46,7 @@ double unconverged_reference(const Findings& found) {
   return share;
 }
 
-void say_reference(const SceneReport& report, std::vector<std::string>& lines) {
+void say_reference_limits(const SceneReport& report, std::vector<std::string>& lines) {
   const Findings& found = report.found;
   const SceneStudy& study = report.study;
   if (!found.judges.stand_in.empty())
@@ -72,7 +72,7 @@ void say_reference(const SceneReport& report, std::vector<std::string>& lines) {
                                 study.plan.reference.tolerance, percent_text(share)));
 }
 
-void say_times(const StudyTiming& timing, double time_spread, std::vector<std::string>& lines) {
+void say_time_limits(const StudyTiming& timing, double time_spread, std::vector<std::string>& lines) {
   if (timing.jobs > timing.cores)
     lines.push_back(fmt::format("{} jobs share {} core{}. They slow each other down, and by how much is not measured.",
                                 timing.jobs, timing.cores, plural(static_cast<std::size_t>(timing.cores))));
@@ -91,15 +91,15 @@ std::vector<std::string> caveat_lines(const SceneReport& report) {
   if (!report.ended_by.empty())
     lines.push_back("This comparison is not complete (" + report.ended_by +
                     "). It shows what was done until then, and --resume continues it.");
-  say_coverage(report, lines);
-  say_reference(report, lines);
+  say_coverage_limits(report, lines);
+  say_reference_limits(report, lines);
   if (!found.horizon.known)
     lines.emplace_back("How long motions can be predicted is not known, because no perturbed run is done.");
   for (const auto& m : found.merits)
     if (m.failed > 0)
       lines.push_back(
           fmt::format("\"{}\": {} of {} runs failed ({}).", report.label(m.setting), m.failed, m.planned, m.trouble));
-  say_times(report.timing, found.time_spread, lines);
+  say_time_limits(report.timing, found.time_spread, lines);
   return lines;
 }
 

@@ -8,7 +8,7 @@ namespace nilas {
 
 namespace {
 
-void say_reference(const SceneReport& report, std::vector<std::string>& lines) {
+void say_reference_method(const SceneReport& report, std::vector<std::string>& lines) {
   const SceneStudy& study = report.study;
   const Findings& found = report.found;
   if (!found.judges.stand_in.empty()) {
@@ -32,7 +32,7 @@ void say_reference(const SceneReport& report, std::vector<std::string>& lines) {
   }
 }
 
-void say_ablation(const SceneStudy& study, std::vector<std::string>& lines) {
+void say_ablation_method(const SceneStudy& study, std::vector<std::string>& lines) {
   lines.emplace_back(
       "Each simplification is judged by the same scene without any: exact friction cone, projection, continuous "
       "detection, "
@@ -66,7 +66,7 @@ std::string realisations_line(const SceneReport& report) {
   return fmt::format("Each setting has {} realisations: the scene itself, then {}.", plan.realisations, others);
 }
 
-void say_loads(const SceneReport& report, std::vector<std::string>& lines) {
+void say_load_method(const SceneReport& report, std::vector<std::string>& lines) {
   const Findings& found = report.found;
   if (!found.measure.is_load()) return;
   std::string windows;
@@ -92,7 +92,7 @@ void say_loads(const SceneReport& report, std::vector<std::string>& lines) {
       "settings that solve the same law with the same steps at least as tightly; at Student's 95 % limit.");
 }
 
-void say_times(const SceneReport& report, std::vector<std::string>& lines) {
+void say_time_method(const SceneReport& report, std::vector<std::string>& lines) {
   const StudyTiming& timing = report.timing;
   lines.push_back(fmt::format(
       "Computing times are processor times of one process on a core of its own with one thread, without reading, "
@@ -115,11 +115,11 @@ std::vector<std::string> method_lines(const SceneReport& report) {
   const Findings& found = report.found;
   std::vector<std::string> lines;
   if (study.ablation)
-    say_ablation(study, lines);
+    say_ablation_method(study, lines);
   else
-    say_reference(report, lines);
+    say_reference_method(report, lines);
   lines.push_back(realisations_line(report));
-  say_loads(report, lines);
+  say_load_method(report, lines);
   lines.push_back(!found.horizon.known
                       ? "How long motions can be predicted was not measured, because no perturbed run is done."
                   : found.horizon.ends
@@ -127,7 +127,7 @@ std::vector<std::string> method_lines(const SceneReport& report) {
                                     "apart first differ by {}.",
                                     found.horizon.until_s, quantity_text(found.horizon.threshold_m, "m"))
                       : "Motions are compared over the whole time, because the perturbed runs stay close to the runs.");
-  say_times(report, lines);
+  say_time_method(report, lines);
   for (const auto& list : by_reason(study.plan.omissions)) lines.push_back("Left out for " + list + ".");
   for (const auto& refused : study.refused)
     lines.push_back(fmt::format("Cannot run: {}: {}", refused.what, refused.why));

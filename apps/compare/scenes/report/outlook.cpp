@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "apps/compare/scenes/judge/floors.h"
+#include "apps/compare/workshop/json_store.h"
 #include "core/output/loads/ice_load_text.h"
 #include "core/output/text/console.h"
 
@@ -114,7 +115,7 @@ std::vector<std::string> outlook_lines(const Outlook& view, const SceneStudy& st
 }
 
 nlohmann::ordered_json outlook_json(const Outlook& view) {
-  using Json = nlohmann::ordered_json;
+  
   Json json = Json::object();
   json["next"] = nullptr;
   if (view.next)

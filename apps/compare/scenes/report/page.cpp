@@ -10,6 +10,7 @@
 #include "apps/compare/scenes/report/tables.h"
 #include "apps/compare/workshop/json_store.h"
 #include "apps/compare/workshop/page_text.h"
+#include "apps/compare/workshop/special_numbers.h"
 #include "core/output/file/output_file.h"
 #include "core/output/text/html.h"
 
@@ -17,13 +18,11 @@ namespace nilas {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-std::string number(double value, const char* format = "{:.3g}") {
+std::string number_text(double value, const char* format = "{:.3g}") {
   return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "";
 }
 std::string with_error(double value, double error, const char* format = "{:.4g}") {
-  return number(value, format) + (std::isfinite(value) && std::isfinite(error) ? fmt::format(" ± {:.2g}", error) : "");
+  return number_text(value, format) + (std::isfinite(value) && std::isfinite(error) ? fmt::format(" ± {:.2g}", error) : "");
 }
 /// The text with each "+-", as terminals have it, replaced by one sign.
 std::string typeset(std::string text) {
@@ -74,9 +73,9 @@ Json load_cells(const Merit& m) {
           {"reference_class", class_of(m.from_reference)},
           {"from_own", typeset(difference_cell(m.from_own))},
           {"own_class", class_of(m.from_own)},
-          {"std", number(m.load_std.mean)},
-          {"p99", number(m.load_p99.mean)},
-          {"max", number(m.load_max.mean)}};
+          {"std", number_text(m.load_std.mean)},
+          {"p99", number_text(m.load_p99.mean)},
+          {"max", number_text(m.load_max.mean)}};
 }
 
 /// The error with its share of the scale, or a remark if it may be chance.
@@ -98,32 +97,31 @@ Json setting_row(const SceneReport& report, const Merit& m) {
           {"label", report.label(m.setting)},
           {"full", full_label(report.study.plan.settings[m.setting])},
           {"time", with_error(m.time, m.time_spread, "{:.3g}")},
-          {"ms_per_step", number(m.ms_per_step)},
+          {"ms_per_step", number_text(m.ms_per_step)},
           {"error", error_text(m, found.measure)},
           {"error_class", m.significant ? "n" : "n weak"},
-          {"load_or_floor", found.measure.is_load() ? mean_load_text(m) : number(m.floor)},
+          {"load_or_floor", found.measure.is_load() ? mean_load_text(m) : number_text(m.floor)},
           {"load_cells", found.measure.is_load() ? load_cells(m) : Json(nullptr)},
-          {"motion", number(m.motion.mean)},
-          {"penetration", number(m.penetration_max_m)},
-          {"energy", number(m.energy_error, "{:.1e}")},
-          {"residual", number(m.law_map_m_s, "{:.1e}")},
-          {"unconverged", number(100 * m.unconverged_share, "{:.2g}")},
+          {"motion", number_text(m.motion.mean)},
+          {"penetration", number_text(m.penetration_max_m)},
+          {"energy", number_text(m.energy_error, "{:.1e}")},
+          {"residual", number_text(m.law_map_m_s, "{:.1e}")},
+          {"unconverged", number_text(100 * m.unconverged_share, "{:.2g}")},
           {"remark", remark_of(m, found.choice)}};
 }
 
 Json run_row(const SceneReport& report, const RunRow& row) {
-  constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
   const bool grid = row.run.kind == RunKind::grid;
   return {{"kind", row.result.done() ? "" : "fails"},
           {"id", row.run.id},
           {"label", grid ? report.label(row.run.setting) : plain_name_of(row.run.kind)},
           {"realisation", row.run.realisation},
           {"status", row.result.status},
-          {"cpu", number(row.result.wall_s > 0 ? row.result.cpu_s : k_nan)},
-          {"ms", number(row.result.ms_per_step())},
-          {"from_reference", number(row.load_difference.value_or(k_nan))},
-          {"from_own", number(row.own_difference.value_or(k_nan))},
-          {"motion", number(row.motion ? row.motion->rms_m : k_nan)},
+          {"cpu", number_text(row.result.wall_s > 0 ? row.result.cpu_s : k_unknown)},
+          {"ms", number_text(row.result.ms_per_step())},
+          {"from_reference", number_text(row.load_difference.value_or(k_unknown))},
+          {"from_own", number_text(row.own_difference.value_or(k_unknown))},
+          {"motion", number_text(row.motion ? row.motion->rms_m : k_unknown)},
           {"cause", row.result.cause}};
 }
 
@@ -160,9 +158,9 @@ Json reference_view(const SceneReport& report) {
   if (!found.measure.is_load() || !found.judges.stand_in.empty() || report.study.ablation) return nullptr;
   const ReferenceLoads& reference = found.reference;
   return {{"load", with_error(reference.mean.mean, reference.mean.standard_error)},
-          {"std", number(reference.std.mean)},
-          {"p99", number(reference.p99.mean)},
-          {"max", number(reference.max.mean)}};
+          {"std", number_text(reference.std.mean)},
+          {"p99", number_text(reference.p99.mean)},
+          {"max", number_text(reference.max.mean)}};
 }
 
 /// A sentence about the first setting, because labels name only the differences from it.

@@ -5,19 +5,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "apps/compare/scenes/judge/pairing.h"
 #include "apps/compare/scenes/judge/ranking.h"
+#include "apps/compare/workshop/json_store.h"
+#include "apps/compare/workshop/special_numbers.h"
 #include "core/base/statistics.h"
 #include "core/output/text/plot.h"
 
 namespace nilas {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr double k_room = 1.6;  // factor between what is shown and the end of a logarithmic axis
 
@@ -30,7 +29,7 @@ std::string quoted(const std::string& text) {
 
 /// The smallest and largest value that is shown.
 struct Extent {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
+  double low = k_infinity, high = -low;
   void add(double x) {
     low = std::min(low, x);
     high = std::max(high, x);
@@ -207,9 +206,8 @@ struct DifferenceRow {
 };
 
 std::vector<DifferenceRow> difference_rows(const Findings& found, const std::vector<std::string>& labels) {
-  constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
   std::vector<DifferenceRow> rows;
-  DifferenceRow perturbed{"perturbed run: chance alone", {}, k_nan}, reference{"the reference", {}, k_nan};
+  DifferenceRow perturbed{"perturbed run: chance alone", {}, k_unknown}, reference{"the reference", {}, k_unknown};
   if (!found.merits.empty()) reference.certainty = found.merits.front().from_reference.certainty;
   for (const int r : found.shared) {
     const RunRow *other = done_run(found.rows, RunKind::twin, 0, r), *judge = judge_of(found.rows, r);

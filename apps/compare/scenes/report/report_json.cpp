@@ -9,8 +9,6 @@ namespace nilas {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Json json_of(const Estimate& e) {
   return {{"mean", number_or_null(e.mean)}, {"standard_error", number_or_null(e.standard_error)}, {"runs", e.count}};
 }

@@ -5,12 +5,11 @@
 
 #include "apps/compare/scenes/report/paired_text.h"
 #include "apps/compare/workshop/csv_table.h"
+#include "apps/compare/workshop/special_numbers.h"
 
 namespace nilas {
 
 namespace {
-
-constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
 
 struct NamedStatistic {
   const char* name;
@@ -39,7 +38,7 @@ std::vector<std::string> channels_of(const RunTable& rows) {
 
 /// Adds the columns of a setting. `setting` returns the setting of a row, which is empty if it has none.
 template <class Row, class Setting>
-void add_setting(std::vector<CsvColumn<Row>>& columns, const Setting& setting) {
+void add_setting_columns(std::vector<CsvColumn<Row>>& columns, const Setting& setting) {
   columns.push_back({"solver", [=](const Row& r, CsvCell cell) { cell = setting(r).solver; }});
   columns.push_back({"law", [=](const Row& r, CsvCell cell) { cell = setting(r).law; }});
   columns.push_back({"step_s", [=](const Row& r, CsvCell cell) { cell = setting(r).step; }});
@@ -56,12 +55,12 @@ void add(std::vector<CsvColumn<Row>>& columns, const std::string& name, const Va
 
 using RunColumns = std::vector<CsvColumn<RunRow>>;
 
-void add_identity(const SceneStudy& study, RunColumns& columns) {
+void add_identity_columns(const SceneStudy& study, RunColumns& columns) {
   add(columns, "id", [](const RunRow& r) { return r.run.id; });
   add(columns, "kind", [](const RunRow& r) { return name_of(r.run.kind); });
-  add_setting(columns, [&](const RunRow& r) {
+  add_setting_columns(columns, [&](const RunRow& r) {
     const bool given = r.run.kind == RunKind::reference && study.reference != "auto";
-    return given ? CompareSetting{"", "", "", "", k_nan, k_nan} : study.plan.setting_of(r.run);
+    return given ? CompareSetting{"", "", "", "", k_unknown, k_unknown} : study.plan.setting_of(r.run);
   });
   add(columns, "realisation", [](const RunRow& r) { return r.run.realisation; });
   const auto overrides = [&](const RunRow& r) {
@@ -73,8 +72,8 @@ void add_identity(const SceneStudy& study, RunColumns& columns) {
   add(columns, "cause", [](const RunRow& r) { return without_commas(r.result.cause); });
 }
 
-void add_times(const Plan& plan, RunColumns& columns) {
-  const auto if_begun = [](const RunRow& r, double time) { return r.result.wall_s > 0 ? time : k_nan; };
+void add_time_columns(const Plan& plan, RunColumns& columns) {
+  const auto if_begun = [](const RunRow& r, double time) { return r.result.wall_s > 0 ? time : k_unknown; };
   add(columns, "simulated_s", [&](const RunRow& r) { return r.result.summary.time_end_s - plan.start; });
   add(columns, "cpu_s", [=](const RunRow& r) { return if_begun(r, r.result.cpu_s); });
   add(columns, "wall_s", [=](const RunRow& r) { return if_begun(r, r.result.wall_s); });
@@ -85,18 +84,18 @@ void add_times(const Plan& plan, RunColumns& columns) {
         [p](const RunRow& r) { return r.result.summary.phase_ms[p]; });
 }
 
-void add_errors(RunColumns& columns) {
+void add_error_columns(RunColumns& columns) {
   const auto of_motion = [](double MotionError::*member) {
-    return [member](const RunRow& r) { return r.motion ? (*r.motion).*member : k_nan; };
+    return [member](const RunRow& r) { return r.motion ? (*r.motion).*member : k_unknown; };
   };
   const auto along = [](Eigen::Index axis) {
-    return [axis](const RunRow& r) { return r.motion ? r.motion->axes_m[axis] : k_nan; };
+    return [axis](const RunRow& r) { return r.motion ? r.motion->axes_m[axis] : k_unknown; };
   };
   const auto part = [](double LoadErrorParts::*member) {
-    return [member](const RunRow& r) { return r.load_error ? (*r.load_error).*member : k_nan; };
+    return [member](const RunRow& r) { return r.load_error ? (*r.load_error).*member : k_unknown; };
   };
-  add(columns, "load_difference_N", [](const RunRow& r) { return r.load_difference.value_or(k_nan); });
-  add(columns, "own_difference_N", [](const RunRow& r) { return r.own_difference.value_or(k_nan); });
+  add(columns, "load_difference_N", [](const RunRow& r) { return r.load_difference.value_or(k_unknown); });
+  add(columns, "own_difference_N", [](const RunRow& r) { return r.own_difference.value_or(k_unknown); });
   add(columns, "motion_rms_m", of_motion(&MotionError::rms_m));
   add(columns, "motion_largest_m", of_motion(&MotionError::largest_m));
   add(columns, "motion_x_m", along(0));
@@ -109,7 +108,7 @@ void add_errors(RunColumns& columns) {
   add(columns, "momentum_imbalance_relative",
       [](const RunRow& r) { return r.result.summary.momentum_imbalance_relative; });
   add(columns, "stabilisation_J", [](const RunRow& r) { return r.result.stabilisation_J; });
-  add(columns, "load_error_estimate_N", [](const RunRow& r) { return r.load_error ? r.load_error->total() : k_nan; });
+  add(columns, "load_error_estimate_N", [](const RunRow& r) { return r.load_error ? r.load_error->total() : k_unknown; });
   add(columns, "load_error_solver_N", part(&LoadErrorParts::solver));
   add(columns, "load_error_law_N", part(&LoadErrorParts::law));
   add(columns, "load_error_chaos_N", part(&LoadErrorParts::chaos));
@@ -117,7 +116,7 @@ void add_errors(RunColumns& columns) {
   add(columns, "load_error_alone_N", part(&LoadErrorParts::alone));
 }
 
-void add_summary(const std::vector<std::string>& channels, RunColumns& columns) {
+void add_summary_columns(const std::vector<std::string>& channels, RunColumns& columns) {
   add(columns, "unconverged_steps", [](const RunRow& r) { return r.result.summary.unconverged_steps; });
   add(columns, "steps", [](const RunRow& r) { return r.result.summary.steps; });
   add(columns, "floes_end", [](const RunRow& r) { return r.result.summary.floes_end; });
@@ -131,18 +130,18 @@ void add_summary(const std::vector<std::string>& channels, RunColumns& columns) 
 }
 
 /// The figures of a difference; NaN or empty without one.
-double mean_difference(const PairedDifference& d) { return d.realisations.empty() ? k_nan : d.mean; }
-double half_width(const PairedDifference& d) { return d.realisations.empty() ? k_nan : d.half_width; }
+double mean_difference(const PairedDifference& d) { return d.realisations.empty() ? k_unknown : d.mean; }
+double half_width(const PairedDifference& d) { return d.realisations.empty() ? k_unknown : d.half_width; }
 std::string certainty_of(const PairedDifference& d) { return d.realisations.empty() ? "" : name_of(d.certainty); }
 
 using MeritColumns = std::vector<CsvColumn<Merit>>;
 
-void add_judgement(const SceneReport& report, MeritColumns& columns) {
+void add_judgement_columns(const SceneReport& report, MeritColumns& columns) {
   const Findings& found = report.found;
   const std::string& unit = found.measure.unit;
   add(columns, "number", [](const Merit& m) { return static_cast<int>(m.setting) + 1; });
   add(columns, "label", [&](const Merit& m) { return report.label(m.setting); });
-  add_setting(columns, [&](const Merit& m) { return report.study.plan.settings[m.setting]; });
+  add_setting_columns(columns, [&](const Merit& m) { return report.study.plan.settings[m.setting]; });
   add(columns, "trouble", [](const Merit& m) { return without_commas(m.trouble); });
   add(columns, "runs", [](const Merit& m) { return m.planned; });
   add(columns, "done", [](const Merit& m) { return m.done; });
@@ -152,12 +151,12 @@ void add_judgement(const SceneReport& report, MeritColumns& columns) {
   add(columns, "error_" + unit, [](const Merit& m) { return m.error; });
   add(columns, "floor_" + unit, [](const Merit& m) { return m.floor; });
   add(columns, "told_from_chaos", [](const Merit& m) { return m.significant; });
-  add(columns, "reference_moves_" + unit, [&](const Merit&) { return found.check.moves.value_or(k_nan); });
+  add(columns, "reference_moves_" + unit, [&](const Merit&) { return found.check.moves.value_or(k_unknown); });
   add(columns, "dominated", [](const Merit& m) { return m.dominated; });
   add(columns, "chosen", [&](const Merit& m) { return found.choice.chosen == m.setting; });
 }
 
-void add_loads(MeritColumns& columns) {
+void add_load_columns(MeritColumns& columns) {
   add(columns, "load_N", [](const Merit& m) { return m.load.mean; });
   add(columns, "load_se_N", [](const Merit& m) { return m.load.standard_error; });
   add(columns, "load_difference_N", [](const Merit& m) { return m.load_difference.mean; });
@@ -174,7 +173,7 @@ void add_loads(MeritColumns& columns) {
   add(columns, "load_p99_N", [](const Merit& m) { return m.load_p99.mean; });
 }
 
-void add_accuracy(MeritColumns& columns) {
+void add_accuracy_columns(MeritColumns& columns) {
   add(columns, "motion_rms_m", [](const Merit& m) { return m.motion.mean; });
   add(columns, "motion_rms_se_m", [](const Merit& m) { return m.motion.standard_error; });
   add(columns, "turn_rad", [](const Merit& m) { return m.turn.mean; });
@@ -209,18 +208,18 @@ LoadRow load_row(const RunTable& rows, const Merit& m, const std::string& channe
 
 std::string runs_csv(const SceneReport& report) {
   RunColumns columns;
-  add_identity(report.study, columns);
-  add_times(report.study.plan, columns);
-  add_errors(columns);
-  add_summary(channels_of(report.found.rows), columns);
+  add_identity_columns(report.study, columns);
+  add_time_columns(report.study.plan, columns);
+  add_error_columns(columns);
+  add_summary_columns(channels_of(report.found.rows), columns);
   return csv_text(columns, report.found.rows);
 }
 
 std::string settings_csv(const SceneReport& report) {
   MeritColumns columns;
-  add_judgement(report, columns);
-  add_loads(columns);
-  add_accuracy(columns);
+  add_judgement_columns(report, columns);
+  add_load_columns(columns);
+  add_accuracy_columns(columns);
   return csv_text(columns, report.found.merits);
 }
 

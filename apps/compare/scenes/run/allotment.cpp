@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/compare/workshop/special_numbers.h"
+
 namespace nilas {
 
 namespace {
 
 constexpr double k_long_s = 30;  // shorter budgets keep less than k_closing_s for the end [s]
-constexpr double k_infinity = std::numeric_limits<double>::infinity();
 
 /// The shortest simulated time that gives a mean load [s].
 double least_length(const Plan& plan) { return k_least_mean_steps * coarsest_step(plan.settings); }

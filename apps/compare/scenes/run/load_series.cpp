@@ -1,8 +1,8 @@
 #include "apps/compare/scenes/run/load_series.h"
 
 #include <algorithm>
-#include <limits>
 
+#include "apps/compare/workshop/special_numbers.h"
 #include "core/base/csv.h"
 #include "core/output/file/csv_row.h"
 #include "core/output/file/output_file.h"
@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* k_kept = "ice_load.csv";
 
-std::vector<std::string> columns() {
+std::vector<std::string> kept_columns() {
   std::vector<std::string> names{"time_s"};
   names.insert(names.end(), k_course_channels.begin(), k_course_channels.end());
   return names;
@@ -28,8 +28,8 @@ bool holds_rows(const std::filesystem::path& file) {
 
 void keep_load_series(const std::filesystem::path& run_folder) {
   if (!holds_rows(run_folder / "vessel.csv")) return;
-  const auto read = csv_columns(run_folder / "vessel.csv", columns());
-  std::string text = csv_header(columns());
+  const auto read = csv_columns(run_folder / "vessel.csv", kept_columns());
+  std::string text = csv_header(kept_columns());
   CsvRow row;
   for (std::size_t k = 0; k < read.front().size(); ++k) {
     row.clear();
@@ -43,14 +43,13 @@ LoadSeries read_load_series(const std::filesystem::path& run_folder, double star
   LoadSeries series;
   series.start = start;
   if (!holds_rows(run_folder / k_kept)) return series;
-  auto read = csv_columns(run_folder / k_kept, columns());
+  auto read = csv_columns(run_folder / k_kept, kept_columns());
   series.end = std::move(read[0]);
   for (std::size_t c = 0; c < series.loads.size(); ++c) series.loads[c] = std::move(read[c + 1]);
   return series;
 }
 
 LoadStatistics statistics_over(const LoadSeries& series, std::size_t channel, double from, double to) {
-  constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> inside;
   double impulse = 0, length = 0, begin = series.start;
   for (std::size_t k = 0; k < series.end.size(); ++k) {
@@ -61,7 +60,7 @@ LoadStatistics statistics_over(const LoadSeries& series, std::size_t channel, do
     if (2 * within > end - begin) inside.push_back(load);
     begin = end;
   }
-  if (inside.empty()) return {k_nan, k_nan, k_nan, k_nan};
+  if (inside.empty()) return {k_unknown, k_unknown, k_unknown, k_unknown};
   LoadStatistics statistics = load_statistics(inside);
   statistics.mean = impulse / length;
   return statistics;

@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
-#include <limits>
 
+#include "apps/compare/workshop/json_store.h"
+#include "apps/compare/workshop/special_numbers.h"
 #include "core/base/csv.h"
 #include "core/base/error.h"
 #include "core/base/statistics.h"
@@ -15,10 +16,6 @@
 namespace nilas {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
 
 /// The last line of a log that is no warning, cut to 300 characters.
 std::string last_words(const std::filesystem::path& log) {
@@ -59,7 +56,7 @@ double RunResult::ms_per_step() const {
 
 double RunResult::compute_per_second() const {
   const double length = summary.real_time_factor * summary.wall_s;
-  return length > 0 ? 1e-3 * ms_per_step() * summary.steps / length : k_nan;
+  return length > 0 ? 1e-3 * ms_per_step() * summary.steps / length : k_unknown;
 }
 
 Json to_json(const RunResult& result) {
@@ -79,7 +76,7 @@ RunResult run_result_from(const Json& json) {
   result.cause = json.at("cause");
   result.cpu_s = json.at("cpu_s");
   result.wall_s = json.at("wall_s");
-  const auto number = [&](const char* name) { return json.at(name).is_number() ? json.at(name).get<double>() : k_nan; };
+  const auto number = [&](const char* name) { return json.at(name).is_number() ? json.at(name).get<double>() : k_unknown; };
   result.stabilisation_J = number("stabilisation_J");
   result.penetration_mean_m = number("penetration_mean_m");
   result.first_steps_ms = number("first_steps_ms");

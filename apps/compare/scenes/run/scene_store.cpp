@@ -11,14 +11,12 @@ namespace nilas {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr int k_version = 4;
 
 constexpr const char* k_study = "study.json";
 
 /// The names of the entries that a comparison writes.
-StudyFiles own_files() {
+StudyFiles scene_study_files() {
   static const std::set<std::string> names{k_study,        "compare.json", "compare.html", "compare.csv",
                                            "settings.csv", "loads.csv",    "runs",         "results"};
   static const std::regex pictures(R"((differences|front|motion|steps|ablation)\.(svg|png))");
@@ -34,13 +32,13 @@ void make_folder(const std::filesystem::path& folder) {
 }  // namespace
 
 SceneStore::SceneStore(const std::filesystem::path& path, bool force)
-    : folder_(StudyFolder::claim(path, own_files(), force)) {
+    : folder_(StudyFolder::claim(path, scene_study_files(), force)) {
   write_json(path / k_study, {{"version", k_version}});
   make_folder(path / "runs");
   make_folder(path / "results");
 }
 
-SceneStore::SceneStore(const std::filesystem::path& path) : folder_(StudyFolder::open(path, own_files())) {}
+SceneStore::SceneStore(const std::filesystem::path& path) : folder_(StudyFolder::open(path, scene_study_files())) {}
 
 void SceneStore::write(const SceneStudy& study) const {
   Json json;

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 
+#include "apps/compare/workshop/json_store.h"
+
 namespace nilas {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// Writes the fields that it visits into a JSON object.
 struct FieldWriter {
