@@ -37,7 +37,7 @@ std::map<std::string, double> input_values(const Case& one, bool vary) {
 }
 
 /// Returns the slope of log(error) over log(step) by least squares.
-double slope(const std::vector<double>& steps, const std::vector<double>& errors) {
+double fitted_order(const std::vector<double>& steps, const std::vector<double>& errors) {
   double mean_x = 0, mean_y = 0, up = 0, down = 0;
   const auto n = static_cast<double>(steps.size());
   for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -99,7 +99,7 @@ std::vector<Row> judge_order(const Case& one, const Model& model, bool vary, dou
     }
     const double bound = by_integrator(one.coarsest, one, model);
     row.tolerance = bound * std::pow(steps.back() / steps.front(), order);
-    row.order = slope(steps, errors);
+    row.order = fitted_order(steps, errors);
     row.proven_order = order;
     row.holds = errors.front() <= bound && row.error <= row.tolerance && row.order >= order - k_order_allowance;
     rows.push_back(row);

@@ -32,7 +32,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double k_wanted = 1e-10, k_certified = 1e-8;  // [m/s]
-constexpr int k_iterations = 3000;                      // unlike a time limit, it gives the same files each time
+constexpr int k_most_iterations = 3000;                 // unlike a time limit, it gives the same files each time
 
 /// A problem that is to be written.
 struct Source {
@@ -59,7 +59,7 @@ Answer best_answer(const ContactProblem& problem) {
     const SolverEntry& entry = find_solver(name);
     if (problem.has_moments() && !entry.moments) continue;
     ContactSolution solution =
-        entry.make({.tolerance = k_wanted, .max_iterations = k_iterations})->solve(problem, VecX());
+        entry.make({.tolerance = k_wanted, .max_iterations = k_most_iterations})->solve(problem, VecX());
     const double map = measure(problem, solution.r).law_map_m_s;
     if (best.solver.empty() || map < best.law_map) best = {std::move(solution), name, map};
     if (best.law_map <= k_wanted) break;
@@ -151,21 +151,22 @@ int export_problems(const ProblemExportOptions& options) {
   claim_folder(options.out, options.force);
   std::vector<std::optional<Exported>> slots(sources.size());
   std::mutex writing;
-  run_jobs(sources.size(), options.threads,
-           [&](std::size_t k) {
-             Source source = sources[k];
-             auto problem = source.make(source.what);
-             if (problem) {
-               problem->law = Law::coulomb;
-               Answer answer = best_answer(*problem);
-               const std::lock_guard hold(writing);
-               slots[k] = write_problem(options.out, source, *problem, std::move(answer));
-             }
-             if (options.quiet) return;
-             const std::lock_guard hold(writing);
-             std::cerr << (slots[k] ? exported_line(*slots[k]) : fmt::format("{:<24}the bodies never touch\n", source.name));
-           },
-           {});
+  run_jobs(
+      sources.size(), options.threads,
+      [&](std::size_t k) {
+        Source source = sources[k];
+        auto problem = source.make(source.what);
+        if (problem) {
+          problem->law = Law::coulomb;
+          Answer answer = best_answer(*problem);
+          const std::lock_guard hold(writing);
+          slots[k] = write_problem(options.out, source, *problem, std::move(answer));
+        }
+        if (options.quiet) return;
+        const std::lock_guard hold(writing);
+        std::cerr << (slots[k] ? exported_line(*slots[k]) : fmt::format("{:<24}the bodies never touch\n", source.name));
+      },
+      {});
   std::vector<Exported> all;
   for (auto& slot : slots)
     if (slot) all.push_back(std::move(*slot));

@@ -96,14 +96,14 @@ Json with_looks(const std::vector<std::string>& solvers) {
   return list;
 }
 
-constexpr int k_height = 430;
+constexpr int k_profile_height = 430;
 constexpr double k_png = 1.5;  // size of the PNG over that of the SVG
 
 Picture profile_picture(const SolverComparison& c, bool performance) {
   const auto [low, high] = decades(performance ? c.by_ratio : c.by_time);
   return {.name = fmt::format("{}-{}-{}", performance ? "performance" : "data", c.law, in_words(c.tolerance)),
           .script = "profile.gnuplot",
-          .height = k_height,
+          .height = k_profile_height,
           .png_factor = k_png,
           .data = {{"low", low},
                    {"high", performance ? std::min(k_widest, high) : high},
@@ -119,7 +119,7 @@ Picture profile_picture(const SolverComparison& c, bool performance) {
 Picture medians_picture(const SolverComparison& c) {
   return {.name = "work-precision-" + c.law,
           .script = "work_precision.gnuplot",
-          .height = k_height,
+          .height = k_profile_height,
           .png_factor = k_png,
           .data = {{"law", c.law}, {"solvers", with_looks(c.solvers)}}};
 }

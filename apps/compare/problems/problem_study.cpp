@@ -21,7 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-
 /// The report on what is done so far, as it was written.
 struct WrittenReport {
   ProblemReport report;  ///< the report with its sorted rows
@@ -29,7 +28,7 @@ struct WrittenReport {
   std::string no_pictures;  ///< why there are none; empty: there are
 };
 
-WrittenReport write_report(const OpenedProblems& study, bool with_pictures) {
+WrittenReport write_problem_report(const OpenedProblems& study, bool with_pictures) {
   WrittenReport written;
   ProblemReport& report = written.report = study.report;
   report.rows = study.table.rows();
@@ -72,12 +71,12 @@ class Progress {
   /// Takes notice of a run that ended. Returns whether the page is to be written.
   bool ended(double elapsed_s) {
     constexpr std::size_t k_marks = 20;
-    constexpr double k_percent = 100, k_page_every_s = 20;
+    constexpr double k_page_every_s = 20;
     ++ended_;
     const std::size_t mark = k_marks * ended_ / runs_;
     if (mark > last_mark_)
-      narrator_.line(fmt::format("{:.0f} % of the runs, {}", k_percent * static_cast<double>(mark) / k_marks,
-                                 duration_text(elapsed_s)));
+      narrator_.line(
+          fmt::format("{:.0f} % of the runs, {}", 100 * static_cast<double>(mark) / k_marks, duration_text(elapsed_s)));
     last_mark_ = mark;
     if (elapsed_s - page_at_s_ <= k_page_every_s) return false;
     page_at_s_ = elapsed_s;
@@ -93,7 +92,7 @@ class Progress {
 /// The contents of a file; empty without one, because a run that was ended early may have left none.
 std::string contents(const fs::path& file) { return fs::exists(file) ? file_bytes(file) : ""; }
 
-void make_runs(OpenedProblems& study, const Narrator& narrator, const std::function<bool()>& stop) {
+void make_problem_runs(OpenedProblems& study, const Narrator& narrator, const std::function<bool()>& stop) {
   const std::vector<StudyRun>& runs = study.plan.runs;
   const auto file_of = [&](std::size_t k, const char* kind) {
     return study.options.out / k_problem_work / fmt::format("{}.{}", k, kind);
@@ -116,7 +115,7 @@ void make_runs(OpenedProblems& study, const Narrator& narrator, const std::funct
                             contents(file_of(k, "log"))));
     fs::remove(file_of(k, "json"));
     fs::remove(file_of(k, "log"));
-    if (progress.ended(study.elapsed_s())) write_report(study, false);
+    if (progress.ended(study.elapsed_s())) write_problem_report(study, false);
   };
   run_children(tasks, study.options.jobs, hooks);
 }
@@ -125,12 +124,12 @@ void make_runs(OpenedProblems& study, const Narrator& narrator, const std::funct
 /// then throws the error again.
 void run_session(OpenedProblems& study, const Narrator& narrator, const std::function<bool()>& stop) {
   try {
-    write_report(study, false);
-    make_runs(study, narrator, stop);
+    write_problem_report(study, false);
+    make_problem_runs(study, narrator, stop);
   } catch (const FileError&) {
     try {
       study.report.status = "stopped by a file error";
-      write_report(study, false);
+      write_problem_report(study, false);
     } catch (const FileError&) {
     }
     std::error_code ignored;
@@ -160,7 +159,7 @@ int run_problem_study(const ProblemStudyOptions& options, const std::function<bo
   const bool stopped = stop && stop();
   study.report.status = stopped ? "interrupted" : study.report.dropped.empty() ? "done" : "out of budget";
   study.table.close();
-  const WrittenReport written = write_report(study, true);
+  const WrittenReport written = write_problem_report(study, true);
   fs::remove_all(study.options.out / k_problem_work);
   study.folder.release();
   tell_end(written, study, narrator);

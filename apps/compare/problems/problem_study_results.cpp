@@ -15,7 +15,6 @@ namespace {
 
 constexpr double k_heavy = 1e4;  // mass ratio
 constexpr double k_good = 1e-4;  // residual of an answer that shows whether contacts slide or stick [m/s]
-constexpr double k_percent = 100;
 
 template <class Value>
 void add_once(std::vector<Value>& list, const Value& value) {
@@ -127,10 +126,10 @@ std::string headline(const SolverComparison& c) {
   text += fmt::format(", in {:.3g} times the time of the fastest (geometric mean)", c.scores[most].mean_ratio);
   if (quickest == most)
     text += fmt::format(", and was itself the fastest on {:.0f} % of them.",
-                        k_percent * static_cast<double>(c.scores[most].fastest) / static_cast<double>(problems));
+                        100 * static_cast<double>(c.scores[most].fastest) / static_cast<double>(problems));
   else
     text += fmt::format("; {} was the fastest most often, on {:.0f} % of them, and solved {}.", c.solvers[quickest],
-                        k_percent * static_cast<double>(c.scores[quickest].fastest) / static_cast<double>(problems),
+                        100 * static_cast<double>(c.scores[quickest].fastest) / static_cast<double>(problems),
                         count_of(c.scores[quickest].solved, problems));
   const auto unsolved = std::count_if(c.times.begin(), c.times.end(), [](const std::vector<double>& times) {
     return std::none_of(times.begin(), times.end(), [](double t) { return std::isfinite(t); });

@@ -7,7 +7,6 @@
 namespace nilas {
 
 std::string script_of(const Picture& picture) {
-  
   constexpr double k_font = 12;
   const std::string drawing = fill_template(compare_template(picture.script), picture.data, Escape::gnuplot);
   Json formats = Json::array();

@@ -22,7 +22,7 @@ struct ReportOptions {
   double window = 0.2;
 };
 
-int report(const ReportOptions& options) {
+int draw_report(const ReportOptions& options) {
   const std::filesystem::path run = options.run, out = options.out.empty() ? run : std::filesystem::path(options.out);
   const Scene scene = read_scene(run / "scene.xml");
   WarningCounts warnings(make_logger("off", ""));
@@ -67,7 +67,7 @@ void add_report(CLI::App& app, Action& action) {
       "Draws the vessel or fixed body of this name. The default is the vessel, or all fixed bodies without "
       "one.");
   command->add_option("--out", options->out, "Writes the pictures into this folder. The default is the run folder.");
-  command->callback([&action, options] { action = [options] { return report(*options); }; });
+  command->callback([&action, options] { action = [options] { return draw_report(*options); }; });
 }
 
 }  // namespace nilas

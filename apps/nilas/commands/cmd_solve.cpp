@@ -83,7 +83,7 @@ Outcome solve_form(const Problem& problem, const ContactSolver& solver, const So
   return out;
 }
 
-ordered_json report(const SolveOptions& options, const FclibProblem& problem, const Outcome& outcome) {
+ordered_json solve_report(const SolveOptions& options, const FclibProblem& problem, const Outcome& outcome) {
   const auto& solution = outcome.solution;
   const bool failed = solution.status == SolveStatus::numerical_error;
   const bool late = solution.status == SolveStatus::iteration_limit && options.max_seconds > 0 &&
@@ -148,7 +148,7 @@ int solve_problem(const SolveOptions& options) {
   const Outcome outcome =
       std::visit([&](const auto& form) { return solve_form(form, *solver, options); }, problem.problem);
   progress.end();
-  print(report(options, problem, outcome), options.json);
+  print(solve_report(options, problem, outcome), options.json);
   std::cout.flush();
   if (!options.write.empty()) {
     write_fclib(options.write, problem, &outcome.solution);

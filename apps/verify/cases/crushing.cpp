@@ -12,7 +12,7 @@ namespace {
 /// The area of the sides of wedge and pyramid over its projection along the motion. Their half angle is atan 1/2.
 const double k_slant = std::sqrt(5.0);
 
-Overrides ice(const Setting& s, const std::string& model) {
+Overrides crushing_ice(const Setting& s, const std::string& model) {
   return {{"fracture/@compressive_strength", text(s["strength"])},
           {"fracture/crushing/@model", model},
           {"ice/floe[1]/@thickness", text(s["thickness"])}};
@@ -21,7 +21,7 @@ Overrides ice(const Setting& s, const std::string& model) {
 /// The wedge is as wide in the ice as it is deep. The force follows from the area where the step finds the contacts.
 std::vector<Quantity> steady_wedge(const Setting& s) {
   const double speed = s["speed"], start = -0.0025;
-  Trial run = s.trial(ice(s, "explicit") + Overrides{{"vessel/carriage/@speed", text(speed)}});
+  Trial run = s.trial(crushing_ice(s, "explicit") + Overrides{{"vessel/carriage/@speed", text(speed)}});
   double worst = 0, largest = 0;
   const long n = s.steps(1);
   double work = 0;
@@ -45,7 +45,7 @@ Overrides impact(const Setting& s, const std::string& mesh) {
 /// The step is implicit in the velocity: m (v - v+) = h strength T (x + h v+) and x+ = x + h v+, until v+ = 0. T is the
 /// thickness.
 std::vector<Quantity> wedge_impact(const Setting& s) {
-  Trial run = s.trial(ice(s, "compliant") + impact(s, "wedge.stl"));
+  Trial run = s.trial(crushing_ice(s, "compliant") + impact(s, "wedge.stl"));
   const double start = run.body("indenter").p.x(), k = s["strength"] * s["thickness"], m = s["mass"], h = s.h();
   const double limit = s["speed"] * std::sqrt(m / k);
   double x = 0, v = s["speed"], force = 0, largest = 0;
@@ -67,7 +67,7 @@ std::vector<Quantity> wedge_impact(const Setting& s) {
 /// The force is C A^exponent times the projected area, which is k x^q with q = 2 + 2 exponent at the depth x.
 std::vector<Quantity> popov(const Setting& s) {
   const double exponent = s["exponent"], coefficient = s["coefficient"], m = s["mass"], speed = s["speed"];
-  Trial run = s.trial(ice(s, "pressure-area") + impact(s, "pyramid.stl") +
+  Trial run = s.trial(crushing_ice(s, "pressure-area") + impact(s, "pyramid.stl") +
                       Overrides{{"fracture/crushing/@coefficient", text(coefficient)},
                                 {"fracture/crushing/@exponent", text(exponent)}});
   const double k = coefficient * std::pow(k_slant, exponent), q = 2 + 2 * exponent;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double k_water = 1025, k_fresh = 1000;  // densities of the scenes' water [kg/m^3]
 
-Overrides ice(double density, double thickness) {
+Overrides floating_ice(double density, double thickness) {
   return {{"ice/@density", text(density)}, {"ice/@thickness", text(thickness)}};
 }
 
@@ -26,7 +26,7 @@ struct Oscillation {
 
 std::vector<Quantity> draught(const Setting& s) {
   const double t = s["thickness"], ratio = s["density"] / k_water;
-  Trial run = s.trial(ice(s["density"], t));
+  Trial run = s.trial(floating_ice(s["density"], t));
   const double centre = run.body("floe").p.z();
   run.run(s.steps(1));
   const BodyState floe = run.body("floe");
@@ -37,7 +37,7 @@ std::vector<Quantity> draught(const Setting& s) {
 
 std::vector<Quantity> heave(const Setting& s) {
   const double t = s["thickness"], draught = t * s["density"] / k_water, offset = 0.02;
-  Trial run = s.trial(ice(s["density"], t) + Overrides{{"ice/floe[1]/@z", text(offset)}});
+  Trial run = s.trial(floating_ice(s["density"], t) + Overrides{{"ice/floe[1]/@z", text(offset)}});
   Oscillation exact{offset, 0};
   double worst = 0;
   for (long k = 0; k < s.steps(5); ++k) {
@@ -53,7 +53,7 @@ std::vector<Quantity> heave(const Setting& s) {
           {"heave after 5 s [m]", run.body("floe").p.z() - (0.5 * t - draught), exact.x, offset}};
 }
 
-std::vector<Quantity> roll(const Setting& s) {
+std::vector<Quantity> free_roll(const Setting& s) {
   const double length = 3, beam = s["beam"], t = 1, ratio = 0.9, draught = ratio * t, angle = 1e-5;
   const double mass = ratio * k_fresh * length * beam * t;
   const double metacentric = 0.5 * draught + beam * beam / (12 * draught) - 0.5 * t;
@@ -156,7 +156,7 @@ std::vector<Case> floating() {
   up.reference = true;
   Case& rolls = add(63, "Rolling raft, and whether it floats upright",
                     "omega = sqrt(m g GM/I), GM = d/2 + b^2/(12 d) - t/2; upright iff b/t > sqrt(6 r (1 - r))",
-                    {{"beam", 2, "m"}}, "beam", roll);
+                    {{"beam", 2, "m"}}, "beam", free_roll);
   rolls.scene = "raft.xml";
   rolls.solvers = no_contact;
   rolls.tolerance = 1e-8;

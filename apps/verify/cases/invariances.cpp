@@ -94,7 +94,7 @@ std::vector<Quantity> heavier(const Setting& s) {
           {"force on the lower ball over the factor [N]", other.contact_force_on("low").norm() / factor, load}};
 }
 
-std::vector<Quantity> larger(const Setting& s) {
+std::vector<Quantity> enlarged(const Setting& s) {
   // By Froude's law lengths scale by lambda, and speeds and times by its square root.
   const double lambda = s["lambda"], slower = std::sqrt(lambda);
   Trial one = s.trial(of("block", "velocity", "2 1 0"));
@@ -200,7 +200,7 @@ std::vector<Case> invariances() {
   add(71, "All masses multiplied by a factor", "the same velocities, and forces multiplied by the factor",
       {{"factor", 1000, ""}, mu}, "factor", heavier);
   add(72, "Froude scaling", "lengths scale by lambda, times and speeds by sqrt(lambda)", {{"lambda", 25, ""}}, "lambda",
-      larger)
+      enlarged)
       .scene = "block.xml";
   add(73, "Mirror image of the scene", "y -> -y", {mu}, "mu", mirrored);
   add(74, "Two copies of the scene, far apart", "each copy moves as if it were alone", {mu}, "mu", twice).also = {

@@ -11,7 +11,7 @@ namespace nilas {
 namespace {
 
 /// Turns floor and block about Y by `degrees`, downhill along +X, and gives the block this speed downhill [m/s].
-Overrides slope(double degrees, double speed) {
+Overrides on_slope(double degrees, double speed) {
   const Vec3 up(std::sin(degrees * k_deg), 0, std::cos(degrees * k_deg));
   const Vec3 down(std::cos(degrees * k_deg), 0, -std::sin(degrees * k_deg));
   const std::string turn = "0 " + text(degrees) + " 0";
@@ -28,7 +28,7 @@ std::vector<Quantity> threshold(const Setting& s) {
   std::vector<Quantity> found;
   for (const double side : {1.0, -1.0}) {
     const double mu = steep * (1 + side * k_near);
-    Trial run = s.trial(slope(angle, 0) + friction(mu));
+    Trial run = s.trial(on_slope(angle, 0) + friction(mu));
     run.run(n);
     const double a = k_gravity * (std::sin(angle * k_deg) - mu * std::cos(angle * k_deg));
     found.push_back(
@@ -40,7 +40,7 @@ std::vector<Quantity> threshold(const Setting& s) {
 
 std::vector<Quantity> slide(const Setting& s) {
   const double angle = s["slope_deg"] * k_deg, n = static_cast<double>(s.steps(1));
-  Trial run = s.trial(slope(s["slope_deg"], 0) + friction(s["mu"]));
+  Trial run = s.trial(on_slope(s["slope_deg"], 0) + friction(s["mu"]));
   const Vec3 start = run.body("block").p;
   run.run(s.steps(1));
   const double a = k_gravity * (std::sin(angle) - s["mu"] * std::cos(angle));

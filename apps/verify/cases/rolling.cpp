@@ -21,7 +21,7 @@ struct Round {
 constexpr Round k_ball{"ball.xml", "ball", "ball", 0.4}, k_cylinder{"roller.xml", "roller", "cylinder", 0.5},
     k_hoop{"roller.xml", "roller", "hoop", 1};
 
-Trial roll(const Setting& s, const Round& round, const Overrides& changes) {
+Trial rolled(const Setting& s, const Round& round, const Overrides& changes) {
   Overrides all = changes;
   const double axial = round.share * k_mass * k_radius * k_radius;
   if (round.body == std::string("roller"))
@@ -31,7 +31,7 @@ Trial roll(const Setting& s, const Round& round, const Overrides& changes) {
 
 void slide_into_rolling(const Setting& s, const Round& round, std::vector<Quantity>& found) {
   const double v0 = s["speed"], last = v0 / (1 + round.share), change = s["mu"] * k_gravity * s.h();
-  Trial run = roll(s, round, of(round.body, "velocity", Vec3(v0, 0, 0)) + friction(s["mu"]));
+  Trial run = rolled(s, round, of(round.body, "velocity", Vec3(v0, 0, 0)) + friction(s["mu"]));
   const long n = static_cast<long>((v0 - last) / change) + 10;
   run.run(n);
   const BodyState body = run.body(round.body);
@@ -105,9 +105,9 @@ std::vector<Quantity> down_a_slope(const Setting& s) {
   for (const Round& round : {k_ball, k_cylinder, k_hoop}) {
     const double limit = round.share / (1 + round.share) * std::tan(slope);
     for (const double mu : {1.01 * limit, 0.5 * limit}) {
-      Trial run = roll(s, round,
-                       of(round.body, "velocity", "0 0 0") + friction(mu) +
-                           gravity(k_gravity * Vec3(std::sin(slope), 0, -std::cos(slope))));
+      Trial run = rolled(s, round,
+                         of(round.body, "velocity", "0 0 0") + friction(mu) +
+                             gravity(k_gravity * Vec3(std::sin(slope), 0, -std::cos(slope))));
       run.run(n);
       const bool rolls = mu >= limit;
       const double a = rolls ? k_gravity * std::sin(slope) / (1 + round.share)

@@ -10,7 +10,6 @@ namespace nilas {
 
 namespace {
 
-constexpr double k_unknown = RunSummary::k_none;
 constexpr LoadStatistics k_no_statistics{k_unknown, k_unknown, k_unknown, k_unknown};
 
 }  // namespace

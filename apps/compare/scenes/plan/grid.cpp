@@ -74,13 +74,13 @@ void add_product(const CompareSetting& own, const GridRequest& request, std::vec
 }
 
 /// Solver and law together, the second axis of the default grid.
-struct Model {
+struct SolverAndLaw {
   std::string solver, law;
 };
 
-std::vector<Model> default_models(const CompareSetting& own) {
+std::vector<SolverAndLaw> default_models(const CompareSetting& own) {
   const std::string smooth = own.law == "frictionless" ? "frictionless" : "coulomb";
-  std::vector<Model> models{{"auto", smooth}, {"nsgs", smooth}};
+  std::vector<SolverAndLaw> models{{"auto", smooth}, {"nsgs", smooth}};
   if (smooth == "coulomb") {
     models.push_back({"pgs", "pyramid"});
     models.push_back({"auto", "ccp"});
@@ -92,13 +92,13 @@ std::vector<Model> default_models(const CompareSetting& own) {
   return models;
 }
 
-CompareSetting with_model(CompareSetting setting, const Model& model) {
+CompareSetting with_model(CompareSetting setting, const SolverAndLaw& model) {
   const bool same_solver = setting.solver == model.solver;
   setting.solver = model.solver;
   setting.law = model.law;
   if (setting.tolerance == 0 && !same_solver) {
     setting.tolerance = k_usual_tolerance;
-    setting.more = {{"contact/@max_iterations", "1000"}};
+    setting.more = {{"contact/@max_iterations", std::to_string(defaults::k_max_iterations)}};
   }
   return setting;
 }
@@ -109,7 +109,7 @@ void add_default(const CompareSetting& own, std::vector<CompareSetting>& all) {
   constexpr double k_decades = 100;
   std::vector<double> steps{own.step / 2, own.step * 2}, tolerances;
   if (own.tolerance > 0) tolerances = {own.tolerance * k_decades, own.tolerance / k_decades};
-  const std::vector<Model> models = default_models(own);
+  const std::vector<SolverAndLaw> models = default_models(own);
   const auto stepped = [](CompareSetting s, double step) { return s.step = step, s; };
   const auto aiming = [](CompareSetting s, double tolerance) { return s.tolerance = tolerance, s; };
   for (const double step : steps) all.push_back(stepped(own, step));
@@ -218,10 +218,10 @@ CompareSetting reference_setting(const Scene& scene, const Overrides& overrides,
   reference.law = scene.contact.law.law == Law::frictionless ? "frictionless" : "coulomb";
   reference.tolerance = tolerance;
   reference.stabilisation = "projection";
-  constexpr int k_iterations = 1000;  // the default of <contact>
-  reference.more = {{"contact/@gyroscopic", "true"},
-                    {"contact/@max_iterations", std::to_string(std::max(k_iterations, scene.contact.max_iterations))},
-                    {"contact/@on_failure", "record"}};
+  reference.more = {
+      {"contact/@gyroscopic", "true"},
+      {"contact/@max_iterations", std::to_string(std::max(defaults::k_max_iterations, scene.contact.max_iterations))},
+      {"contact/@on_failure", "record"}};
   const auto taken = [&] {
     try {
       read_with(scene, overrides, reference);

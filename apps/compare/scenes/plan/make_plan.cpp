@@ -13,7 +13,7 @@ namespace nilas {
 namespace {
 
 /// The share of the budget for the runs. The rest is for starting, reading, drawing and for estimates that are too low.
-constexpr double k_share = 0.85;
+constexpr double k_share_of_runs = 0.85;
 
 /// A plan while it is cut to fit: an input, what is kept of it, and what that costs.
 struct Draft {
@@ -74,7 +74,7 @@ Draft whole_draft(const PlanInput& input) {
   Draft draft{&input, {}, {}, request.realisations, request.end - request.start, input.reference.tolerance, 0};
   for (std::size_t k = 0; k < input.settings.size(); ++k) draft.kept.push_back(k);
   draft.candidates = draft.kept;
-  draft.room_s = request.budget_s > 0 ? std::max(0.0, k_share * request.budget_s - k_closing_s) * request.jobs
+  draft.room_s = request.budget_s > 0 ? std::max(0.0, k_share_of_runs * request.budget_s - k_closing_s) * request.jobs
                                       : k_infinity;
   return draft;
 }
@@ -272,7 +272,7 @@ Plan make_plan(const PlanInput& input) {
   const Draft whole = whole_draft(input);
   const bool first_judges = !input.request.reference && !input.request.fixed_length;
   Plan plan = plan_of(first_judges ? cut_against_first(whole) : cut_against_reference(whole));
-  plan.whole_s = (whole.wall_seconds() + k_closing_s) / k_share;
+  plan.whole_s = (whole.wall_seconds() + k_closing_s) / k_share_of_runs;
   return plan;
 }
 

@@ -26,14 +26,14 @@ CompareSetting setting_of(const Scene& scene) {
 }
 
 CompareSetting without_simplifications(const Scene& scene) {
-  constexpr int k_iterations = 1000;  // the default of <contact>
   CompareSetting setting = setting_of(scene);
   setting.law = "coulomb";
   if (setting.solver == "pgs") setting.solver = "auto";
   if (setting.tolerance == 0) setting.tolerance = k_usual_tolerance;
   setting.stabilisation = "projection";
   // a preset's fixed number of sweeps is a simplification, too
-  setting.more = {{"contact/@max_iterations", std::to_string(std::max(k_iterations, scene.contact.max_iterations))}};
+  setting.more = {
+      {"contact/@max_iterations", std::to_string(std::max(defaults::k_max_iterations, scene.contact.max_iterations))}};
   for (const Simplification which : all_simplifications()) {
     const Overrides changes = taking_out(which, scene);
     setting.more.insert(setting.more.end(), changes.begin(), changes.end());

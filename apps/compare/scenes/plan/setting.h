@@ -4,11 +4,12 @@
 #include <vector>
 
 #include "apps/compare/scenes/plan/simplification.h"
+#include "core/choices/defaults.h"
 
 namespace nilas {
 
 /// The tolerance that stands in for a fixed number of sweeps [m/s].
-constexpr double k_usual_tolerance = 1e-6;
+constexpr double k_usual_tolerance = defaults::k_tolerance;
 
 struct CompareSetting {
   std::string solver, law, integrator, stabilisation;

@@ -53,7 +53,7 @@ const std::vector<SimplificationText>& texts() {
   return all;
 }
 
-const SimplificationText& text_of(Simplification which) {
+const SimplificationText& entry_of(Simplification which) {
   return *std::find_if(texts().begin(), texts().end(), [&](const auto& t) { return t.which == which; });
 }
 
@@ -135,8 +135,8 @@ std::string no_effect_on_ice(Simplification simplification, const Scene& scene) 
 
 }  // namespace
 
-const char* name_of(Simplification simplification) { return text_of(simplification).name; }
-const char* meaning_of(Simplification simplification) { return text_of(simplification).meaning; }
+const char* name_of(Simplification simplification) { return entry_of(simplification).name; }
+const char* meaning_of(Simplification simplification) { return entry_of(simplification).meaning; }
 
 const std::vector<Simplification>& all_simplifications() {
   static const std::vector<Simplification> all = [] {

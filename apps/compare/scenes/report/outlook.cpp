@@ -14,10 +14,10 @@ namespace nilas {
 
 namespace {
 
-constexpr double k_reserve = 1.15;  // runs may take a little longer than others did
+constexpr double k_time_reserve = 1.15;  // runs may take a little longer than others did
 
 /// A wall time [s] as a budget: with a reserve, rounded up to two digits.
-double budget_for(double seconds) { return rounded_budget(k_reserve * seconds + k_closing_s); }
+double budget_for(double seconds) { return rounded_budget(k_time_reserve * seconds + k_closing_s); }
 
 int missing_runs(const Findings& found) {
   return static_cast<int>(std::count_if(found.rows.begin(), found.rows.end(),
@@ -115,7 +115,6 @@ std::vector<std::string> outlook_lines(const Outlook& view, const SceneStudy& st
 }
 
 nlohmann::ordered_json outlook_json(const Outlook& view) {
-  
   Json json = Json::object();
   json["next"] = nullptr;
   if (view.next)

@@ -22,7 +22,8 @@ std::string number_text(double value, const char* format = "{:.3g}") {
   return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "";
 }
 std::string with_error(double value, double error, const char* format = "{:.4g}") {
-  return number_text(value, format) + (std::isfinite(value) && std::isfinite(error) ? fmt::format(" ± {:.2g}", error) : "");
+  return number_text(value, format) +
+         (std::isfinite(value) && std::isfinite(error) ? fmt::format(" ± {:.2g}", error) : "");
 }
 /// The text with each "+-", as terminals have it, replaced by one sign.
 std::string typeset(std::string text) {
@@ -205,8 +206,8 @@ Json view_of(const SceneReport& report) {
           {"ablation_hint", report.study.ablation ? "" : report.study.scene.filename().string()}};
 }
 
-void write_page(const std::filesystem::path& folder, Json view, const std::vector<std::string>& pictures,
-                const std::string& no_figures) {
+void write_scene_page(const std::filesystem::path& folder, Json view, const std::vector<std::string>& pictures,
+                      const std::string& no_figures) {
   Json figures = Json::array();
   for (const auto& picture : pictures)
     figures.push_back({{"svg", inline_svg(folder / (picture + ".svg"))}, {"caption", caption_of(picture)}});
@@ -218,7 +219,7 @@ void write_page(const std::filesystem::path& folder, Json view, const std::vecto
 }  // namespace
 
 void write_first_page(const std::filesystem::path& folder, const SceneReport& report) {
-  write_page(folder, view_of(report), {}, "The pictures are not drawn yet.");
+  write_scene_page(folder, view_of(report), {}, "The pictures are not drawn yet.");
 }
 
 std::string write_report(const std::filesystem::path& folder, const SceneReport& report) {
@@ -227,13 +228,13 @@ std::string write_report(const std::filesystem::path& folder, const SceneReport&
   write_whole(folder / "loads.csv", loads_csv(report));
   write_json(folder / "compare.json", report_json(report));
   const Json view = view_of(report);
-  write_page(folder, view, {}, "The pictures are not drawn yet.");  // the page is complete even if drawing fails
+  write_scene_page(folder, view, {}, "The pictures are not drawn yet.");  // the page is complete even if drawing fails
   const std::vector<Picture> pictures = pictures_of(report);
   const Drawings drawings = draw(folder, pictures);
   const std::string missing = !drawings.trouble.empty() ? "Pictures are missing: " + drawings.trouble
                               : pictures.empty()        ? "There is nothing to draw."
                                                         : "";
-  write_page(folder, view, drawings.drawn, missing);
+  write_scene_page(folder, view, drawings.drawn, missing);
   return drawings.trouble;
 }
 

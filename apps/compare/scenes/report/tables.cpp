@@ -108,7 +108,8 @@ void add_error_columns(RunColumns& columns) {
   add(columns, "momentum_imbalance_relative",
       [](const RunRow& r) { return r.result.summary.momentum_imbalance_relative; });
   add(columns, "stabilisation_J", [](const RunRow& r) { return r.result.stabilisation_J; });
-  add(columns, "load_error_estimate_N", [](const RunRow& r) { return r.load_error ? r.load_error->total() : k_unknown; });
+  add(columns, "load_error_estimate_N",
+      [](const RunRow& r) { return r.load_error ? r.load_error->total() : k_unknown; });
   add(columns, "load_error_solver_N", part(&LoadErrorParts::solver));
   add(columns, "load_error_law_N", part(&LoadErrorParts::law));
   add(columns, "load_error_chaos_N", part(&LoadErrorParts::chaos));

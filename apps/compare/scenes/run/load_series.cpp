@@ -11,7 +11,7 @@ namespace nilas {
 
 namespace {
 
-constexpr const char* k_kept = "ice_load.csv";
+constexpr const char* k_load_file = "ice_load.csv";
 
 std::vector<std::string> kept_columns() {
   std::vector<std::string> names{"time_s"};
@@ -36,14 +36,14 @@ void keep_load_series(const std::filesystem::path& run_folder) {
     for (const auto& column : read) row.shortest(column[k]);
     text += row.line();
   }
-  write_whole(run_folder / k_kept, text);
+  write_whole(run_folder / k_load_file, text);
 }
 
 LoadSeries read_load_series(const std::filesystem::path& run_folder, double start) {
   LoadSeries series;
   series.start = start;
-  if (!holds_rows(run_folder / k_kept)) return series;
-  auto read = csv_columns(run_folder / k_kept, kept_columns());
+  if (!holds_rows(run_folder / k_load_file)) return series;
+  auto read = csv_columns(run_folder / k_load_file, kept_columns());
   series.end = std::move(read[0]);
   for (std::size_t c = 0; c < series.loads.size(); ++c) series.loads[c] = std::move(read[c + 1]);
   return series;

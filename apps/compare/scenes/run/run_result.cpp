@@ -27,7 +27,7 @@ std::string last_words(const std::filesystem::path& log) {
   return last.substr(0, k_longest);
 }
 
-void judge(const ChildResult& ended, const std::filesystem::path& log, RunResult& result) {
+void judge_exit(const ChildResult& ended, const std::filesystem::path& log, RunResult& result) {
   if (ended.stopped) {
     result.status = "interrupted";
   } else if (ended.timed_out) {
@@ -76,7 +76,9 @@ RunResult run_result_from(const Json& json) {
   result.cause = json.at("cause");
   result.cpu_s = json.at("cpu_s");
   result.wall_s = json.at("wall_s");
-  const auto number = [&](const char* name) { return json.at(name).is_number() ? json.at(name).get<double>() : k_unknown; };
+  const auto number = [&](const char* name) {
+    return json.at(name).is_number() ? json.at(name).get<double>() : k_unknown;
+  };
   result.stabilisation_J = number("stabilisation_J");
   result.penetration_mean_m = number("penetration_mean_m");
   result.first_steps_ms = number("first_steps_ms");
@@ -88,7 +90,7 @@ RunResult read_run(const std::filesystem::path& folder, const std::filesystem::p
   RunResult result;
   result.cpu_s = ended.cpu_s;
   result.wall_s = ended.wall_s;
-  judge(ended, log, result);
+  judge_exit(ended, log, result);
   result.summary = read_run_summary(folder);
   if (result.done() && !result.summary.exists()) {
     result.status = "failed";
