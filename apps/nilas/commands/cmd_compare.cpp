@@ -64,6 +64,92 @@ CLI::Option* add_list(CLI::App& command, const std::string& flag, List& values, 
   return command.add_option(flag, values, description)->delimiter(',')->allow_extra_args(false);
 }
 
+/// Adds the flags that say what is compared. Returns that of an ablation.
+CLI::Option* add_grid_flags(CLI::App& command, GridRequest& grid) {
+  add_list(command, "--solvers", grid.solvers,
+           "Compares these contact solvers, separated by commas. `nilas solvers` lists the names.");
+  add_list(command, "--laws", grid.laws, "Compares these contact laws, separated by commas.");
+  add_list(command, "--dt", grid.steps, "Compares these time steps [s], above 0 and separated by commas.")
+      ->check(above(0));
+  add_list(command, "--tolerance", grid.tolerances,
+           "Compares these tolerances of the solver [m/s], separated by commas. 0 always makes the most iterations.")
+      ->check(at_least(0));
+  add_list(command, "--integrators", grid.integrators,
+           "Compares these integrators: semi-implicit-euler, moreau or reference.");
+  add_list(command, "--stabilisations", grid.stabilisations,
+           "Compares these stabilisations: none, baumgarte, split-impulse, tasora or projection.");
+  return command.add_flag(
+      "--ablate", grid.ablate,
+      "Compares the simplifications of game-engine based simulators, each alone and all together, instead of a grid of "
+      "settings.");
+}
+
+/// Adds the flags of the realisations, the reference and the budget. Returns that of the reference's tolerance.
+CLI::Option* add_effort_flags(CLI::App& command, StudyOptions& study) {
+  command
+      .add_option("--seeds", study.realisations,
+                  "Makes this many realisations of each setting, at least 1. The default is 3, or fewer if the budget "
+                  "is short. "
+                  "With --resume it is the total number.")
+      ->check(at_least(1));
+  command
+      .add_option("--reference", study.reference,
+                  "Measures errors against this reference: auto, or the folder of a run.")
+      ->capture_default_str();
+  auto* tolerance = command
+                        .add_option("--reference-tolerance", study.reference_tolerance,
+                                    "Solves the reference to this tolerance [m/s], above 0. Without this flag a short "
+                                    "budget may loosen it.")
+                        ->check(above(0))
+                        ->capture_default_str();
+  command
+      .add_option("--budget", study.budget_s,
+                  "Limits the wall time of the comparison [s]. The default is 1200, or the budget that a resumed "
+                  "comparison has. "
+                  "0 sets no limit for a scene.")
+      ->check(at_least(0));
+  command.add_option("--jobs", study.jobs, "Makes this many runs at a time, at least 1. The default is one per core.")
+      ->check(at_least(1));
+  return tolerance;
+}
+
+/// Adds the flags of the folder, the changes of the scene and the output. Returns that of the folder to resume.
+CLI::Option* add_output_flags(CLI::App& command, CompareOptions& options) {
+  StudyOptions& study = options.study;
+  auto* resume = command.add_option("--resume", study.resume,
+                                    "Continues the comparison in this folder. It replaces the scene argument.");
+  command.add_option("--out", study.out, "Writes into this folder. The default is runs/<scene>-compare-<time>.");
+  command.add_option("--until", options.scene.until, "Ends at this simulated time [s] instead of the scene's end.");
+  add_value_flags(command, options.scene);
+  command.add_flag("--keep-runs", study.keep_runs,
+                   "Keeps all outputs of every run, not only summaries, motions and ice loads.");
+  command.add_flag("--force", study.force,
+                   "Writes into the folder even if it is not empty. Files of an earlier comparison there are removed.");
+  command.add_flag("--json", study.json, "Prints compare.json on standard output, and nothing else there.");
+  command.add_flag("--quiet", study.quiet, "Prints only warnings and errors, no progress.");
+  return resume;
+}
+
+/// The flags and arguments on which the exclusions depend.
+struct ExcludingFlags {
+  CLI::Option *scene, *problems, *ablate, *resume;
+};
+
+/// Refuses flags that have no meaning together.
+void exclude_flags(const ExcludingFlags& flags) {
+  for (const char* flag : {"--solvers", "--laws", "--dt", "--tolerance", "--integrators", "--stabilisations"})
+    flags.ablate->excludes(flag);
+  for (const char* flag : {"--dt", "--integrators", "--stabilisations", "--ablate", "--seeds", "--reference",
+                           "--reference-tolerance", "--until", "--seed", "--set", "--keep-runs"})
+    flags.problems->excludes(flag);
+  flags.problems->excludes(flags.scene);
+  flags.ablate->excludes("--reference");
+  for (const char* flag : {"scene", "--problems", "--solvers", "--laws", "--dt", "--tolerance", "--integrators",
+                           "--stabilisations", "--ablate", "--reference", "--reference-tolerance", "--out", "--until",
+                           "--seed", "--set", "--keep-runs", "--force"})
+    flags.resume->excludes(flag);
+}
+
 }  // namespace
 
 void add_compare(CLI::App& app, Action& action) {
@@ -72,75 +158,15 @@ void add_compare(CLI::App& app, Action& action) {
                                      "problems. Tables and a page show what "
                                      "accuracy costs.");
   auto options = std::make_shared<CompareOptions>();
-  StudyOptions& study = options->study;
   auto* scene = command->add_option("scene", options->scene.file, "Compares on the scene in this XML file.");
   auto* problems =
       command->add_option("--problems", options->problems,
                           "Compares on the stored contact problems (FCLIB files) in this folder instead of on a "
                           "scene.");
-  add_list(*command, "--solvers", study.grid.solvers,
-           "Compares these contact solvers, separated by commas. `nilas solvers` lists the names.");
-  add_list(*command, "--laws", study.grid.laws, "Compares these contact laws, separated by commas.");
-  add_list(*command, "--dt", study.grid.steps, "Compares these time steps [s], above 0 and separated by commas.")
-      ->check(above(0));
-  add_list(*command, "--tolerance", study.grid.tolerances,
-           "Compares these tolerances of the solver [m/s], separated by commas. 0 always makes the most iterations.")
-      ->check(at_least(0));
-  add_list(*command, "--integrators", study.grid.integrators,
-           "Compares these integrators: semi-implicit-euler, moreau or reference.");
-  add_list(*command, "--stabilisations", study.grid.stabilisations,
-           "Compares these stabilisations: none, baumgarte, split-impulse, tasora or projection.");
-  auto* ablate = command->add_flag(
-      "--ablate", study.grid.ablate,
-      "Compares the simplifications of game-engine based simulators, each alone and all together, instead of a grid of "
-      "settings.");
-  command
-      ->add_option("--seeds", study.realisations,
-                   "Makes this many realisations of each setting, at least 1. The default is 3, or fewer if the budget "
-                   "is short. "
-                   "With --resume it is the total number.")
-      ->check(at_least(1));
-  command
-      ->add_option("--reference", study.reference,
-                   "Measures errors against this reference: auto, or the folder of a run.")
-      ->capture_default_str();
-  auto* tolerance = command
-                        ->add_option("--reference-tolerance", study.reference_tolerance,
-                                     "Solves the reference to this tolerance [m/s], above 0. Without this flag a short "
-                                     "budget may loosen it.")
-                        ->check(above(0))
-                        ->capture_default_str();
-  command
-      ->add_option("--budget", study.budget_s,
-                   "Limits the wall time of the comparison [s]. The default is 1200, or the budget that a resumed "
-                   "comparison has. "
-                   "0 sets no limit for a scene.")
-      ->check(at_least(0));
-  command->add_option("--jobs", study.jobs, "Makes this many runs at a time, at least 1. The default is one per core.")
-      ->check(at_least(1));
-  auto* resume = command->add_option("--resume", study.resume,
-                                     "Continues the comparison in this folder. It replaces the scene argument.");
-  command->add_option("--out", study.out, "Writes into this folder. The default is runs/<scene>-compare-<time>.");
-  command->add_option("--until", options->scene.until, "Ends at this simulated time [s] instead of the scene's end.");
-  add_value_flags(*command, options->scene);
-  command->add_flag("--keep-runs", study.keep_runs,
-                    "Keeps all outputs of every run, not only summaries, motions and ice loads.");
-  command->add_flag(
-      "--force", study.force,
-      "Writes into the folder even if it is not empty. Files of an earlier comparison there are removed.");
-  command->add_flag("--json", study.json, "Prints compare.json on standard output, and nothing else there.");
-  command->add_flag("--quiet", study.quiet, "Prints only warnings and errors, no progress.");
-  for (const char* flag : {"--solvers", "--laws", "--dt", "--tolerance", "--integrators", "--stabilisations"})
-    ablate->excludes(flag);
-  for (const char* flag : {"--dt", "--integrators", "--stabilisations", "--ablate", "--seeds", "--reference",
-                           "--reference-tolerance", "--until", "--seed", "--set", "--keep-runs"})
-    problems->excludes(flag);
-  problems->excludes(scene);
-  ablate->excludes("--reference");
-  for (const char* flag : {"scene", "--problems", "--solvers", "--laws", "--dt", "--tolerance", "--integrators",
-                           "--stabilisations", "--ablate", "--reference", "--reference-tolerance", "--out", "--until",
-                           "--seed", "--set", "--keep-runs", "--force"})
-    resume->excludes(flag);
+  auto* ablate = add_grid_flags(*command, options->study.grid);
+  auto* tolerance = add_effort_flags(*command, options->study);
+  auto* resume = add_output_flags(*command, *options);
+  exclude_flags({scene, problems, ablate, resume});
   command->callback([&action, options, scene, tolerance] {
     if (options->study.resume.empty() && options->problems.empty() && scene->count() == 0)
       throw CLI::RequiredError("scene");
