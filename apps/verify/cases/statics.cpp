@@ -237,14 +237,17 @@ std::vector<Quantity> several_times(const Setting& s) {
            static_cast<double>(twice.last().contacts) / static_cast<double>(once.last().contacts), 2}};
 }
 
-}  // namespace
+/// The solvers that reach 1e-12 m/s on more than eight points.
+const std::vector<std::string>& many_contacts() {
+  static const std::vector<std::string> solvers{"auto", "nsgs", "newton", "admm", "ipm", "eg", "eg-order-free"};
+  return solvers;
+}
 
-std::vector<Case> statics() {
-  const std::vector<std::string> many_contacts{"auto", "nsgs", "newton", "admm", "ipm", "eg", "eg-order-free"};
-  FamilyOfCases add('D', "column.xml", "Statics");
+/// Adds columns of bodies: their forces, and the rates at which Gauss-Seidel finds them.
+void add_columns(FamilyOfCases& add) {
   Case& five_cubes = add(34, "Column of five cubes", "force between k and k + 1 = (5 - k) m g; nothing moves",
                          {{"mass", 2, "kg"}}, "mass", column);
-  five_cubes.solvers = many_contacts;
+  five_cubes.solvers = many_contacts();
   five_cubes.note = "Left out: pgs and apgd, which do not reach 1e-12 m/s; enumerate (more than 8 contacts).";
   Case& two = add(35, "Convergence of Gauss-Seidel: heavy ball on a light one",
                   "a sweep multiplies the residual by M/(M + m)", {{"ratio", 10, ""}}, "ratio", sweeps_of_two);
@@ -265,6 +268,10 @@ std::vector<Case> statics() {
   heavy.scene = "heavy-on-light.xml";
   heavy.solvers = {"auto", "pgs", "nsgs", "eg", "eg-order-free", "apgd", "admm", "ipm", "newton"};
   heavy.note = "Left out: enumerate, which takes a quarter of a second for eight contacts.";
+}
+
+/// Adds bodies on several supports, and the limits at which they stand, slide or tip.
+void add_supports(FamilyOfCases& add) {
   add(38, "Plate on three corners", "N_i = m g/3 + 2/3 m a height/R cos(angle_i) under a load m a to the side",
       {{"share", 0.1, ""}}, "share", three_legs)
       .scene = "tripod.xml";
@@ -276,7 +283,7 @@ std::vector<Case> statics() {
       add(40, "Books over the edge of a table", "the books stand with overhangs up to L/2 (1, 1/2, 1/3, 1/4)",
           {{"length", 1, "m"}}, "length", books);
   harmonic.scene = "books.xml";
-  harmonic.solvers = many_contacts;
+  harmonic.solvers = many_contacts();
   harmonic.note = "Left out: pgs and apgd, which do not reach 1e-12 m/s; enumerate (more than 8 contacts).";
   add(41, "Block that rests, slides or tips",
       "tips iff tan a > b/h and mu > b/h, slides iff mu < tan a and mu < b/h; w = h M/I about the edge after one step",
@@ -285,6 +292,10 @@ std::vector<Case> statics() {
   add(42, "Ladder at a smooth wall", "stands iff mu >= x_c/(l sin a), force of the wall m g x_c/(l sin a)",
       {{"angle_deg", 60, "deg"}}, "angle_deg", ladder)
       .scene = "ladder.xml";
+}
+
+/// Adds problems that are hard for most solvers: a wide range of masses, no finite force, contacts met twice.
+void add_hard_problems(FamilyOfCases& add) {
   Case& row = add(48, "Ship hits a row of floes of 1e2 to 1e6 kg",
                   "v' = M v/sum(m), impulse on floe k = v' times the mass of floe k and all floes ahead of it",
                   {{"speed", 1, "m/s"}}, "speed", row_of_floes);
@@ -304,6 +315,15 @@ std::vector<Case> statics() {
                       "mu", several_times);
   doubled.scene = "two-floors.xml";
   doubled.also = {"block.xml"};
+}
+
+}  // namespace
+
+std::vector<Case> statics() {
+  FamilyOfCases add('D', "column.xml", "Statics");
+  add_columns(add);
+  add_supports(add);
+  add_hard_problems(add);
   return add.cases();
 }
 
