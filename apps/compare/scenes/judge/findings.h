@@ -54,7 +54,7 @@ struct Estimate {
 };
 
 /// The headline channel in the judging runs, over the shared realisations [N].
-struct ReferenceLoads {
+struct JudgingLoads {
   Estimate mean, std, max, p99;
 };
 
@@ -124,7 +124,7 @@ struct Findings {
   std::vector<std::optional<LoadSpan>> windows;  ///< one per realisation; nothing if no run of it is done
   Horizon horizon;
   Measure measure;
-  ReferenceLoads reference;
+  JudgingLoads reference;
   Chance chance;
   StepCheck check;
   double common_floor = 0;    ///< floor of a setting that scatters as the others do; infinite: not measured

@@ -61,7 +61,7 @@ RunTable with_load_differences(const Plan& plan, const std::string& headline, Ru
   return rows;
 }
 
-ReferenceLoads reference_loads(const RunTable& rows, const std::string& headline, const std::vector<int>& shared) {
+JudgingLoads reference_loads(const RunTable& rows, const std::string& headline, const std::vector<int>& shared) {
   if (headline.empty()) return {};
   std::vector<double> mean, std, max, p99;
   for (const auto& row : rows) {

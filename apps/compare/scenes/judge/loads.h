@@ -19,6 +19,6 @@ RunTable with_loads(const Plan& plan, const std::vector<std::optional<LoadSpan>>
 RunTable with_load_differences(const Plan& plan, const std::string& headline, RunTable rows);
 
 /// The loads of the runs that judge the shared realisations.
-ReferenceLoads reference_loads(const RunTable& rows, const std::string& headline, const std::vector<int>& shared);
+JudgingLoads reference_loads(const RunTable& rows, const std::string& headline, const std::vector<int>& shared);
 
 }  // namespace nilas

@@ -12,12 +12,13 @@ namespace {
 constexpr double k_same_place = 1e-9;  // a thousand times the offset by which realisations start apart [m]
 
 /// The motion of a run. It is empty if the run stored none, which is possible for a run folder of the user.
-Motion motion_of(const RunRow& row, const std::filesystem::path& folder) {
+SampledMotion motion_of(const RunRow& row, const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "runs" / row.run.id / "bodies.csv";
-  return std::filesystem::exists(file) && std::filesystem::file_size(file) > 0 ? read_motion(file) : Motion();
+  return std::filesystem::exists(file) && std::filesystem::file_size(file) > 0 ? read_motion(file) : SampledMotion();
 }
 
-std::optional<MotionError> motion_error(const Motion& motion, const Motion& truth, double from, double until) {
+std::optional<MotionError> motion_error(const SampledMotion& motion, const SampledMotion& truth, double from,
+                                        double until) {
   MotionError error;
   bool any = false;
   for (const auto& apart : distances(motion, truth)) {
@@ -32,7 +33,7 @@ std::optional<MotionError> motion_error(const Motion& motion, const Motion& trut
 }
 
 /// Shortens the horizon to that of one realisation, if it is earlier.
-void see_realisation(const Plan& plan, const Motion& motion, const Motion& perturbed, Horizon& horizon) {
+void see_realisation(const Plan& plan, const SampledMotion& motion, const SampledMotion& perturbed, Horizon& horizon) {
   constexpr double k_share = 1e-4;
   const auto apart_over_time = distances(motion, perturbed);
   if (apart_over_time.empty()) return;
@@ -53,10 +54,10 @@ void see_realisation(const Plan& plan, const Motion& motion, const Motion& pertu
 }  // namespace
 
 bool same_ice(const RunTable& rows, const std::vector<int>& shared, const std::filesystem::path& folder) {
-  Motion begin;
+  SampledMotion begin;
   for (const int r : shared) {
     const RunRow* row = done_run(rows, RunKind::grid, 0, r);
-    Motion motion = row == nullptr ? Motion() : motion_of(*row, folder);
+    SampledMotion motion = row == nullptr ? SampledMotion() : motion_of(*row, folder);
     if (motion.empty()) return false;
     motion.resize(1);
     if (begin.empty()) begin = motion;
@@ -82,7 +83,7 @@ RunTable with_motion_errors(const Plan& plan, const Horizon& horizon, const std:
   for (int r = 0; r < plan.realisations; ++r) {
     const RunRow* judge = judge_of(rows, r);
     if (judge == nullptr) continue;
-    const Motion truth = motion_of(*judge, folder);
+    const SampledMotion truth = motion_of(*judge, folder);
     for (auto& row : rows)
       if (row.run.realisation == r && row.result.done() && !row.judges)
         row.motion = motion_error(motion_of(row, folder), truth, plan.start, horizon.until_s);
@@ -90,7 +91,7 @@ RunTable with_motion_errors(const Plan& plan, const Horizon& horizon, const std:
   return rows;
 }
 
-Measure measure_of(const RunTable& rows, const std::string& headline, const ReferenceLoads& reference,
+Measure measure_of(const RunTable& rows, const std::string& headline, const JudgingLoads& reference,
                    const std::filesystem::path& folder) {
   if (!headline.empty() && std::abs(reference.mean.mean) > 0) return {"load", "N", std::abs(reference.mean.mean)};
   double turn = 0, distance = 0, path = 0;

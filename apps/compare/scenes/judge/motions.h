@@ -20,7 +20,7 @@ RunTable with_motion_errors(const Plan& plan, const Horizon& horizon, const std:
 
 /// The measure: the mean load if ice loads the vessel, else the distance of bodies, or the attitude of bodies that spin
 /// in place.
-Measure measure_of(const RunTable& rows, const std::string& headline, const ReferenceLoads& reference,
+Measure measure_of(const RunTable& rows, const std::string& headline, const JudgingLoads& reference,
                    const std::filesystem::path& folder);
 
 }  // namespace nilas

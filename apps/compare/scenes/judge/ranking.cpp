@@ -6,7 +6,6 @@
 #include <map>
 #include <set>
 
-#include "apps/compare/workshop/special_numbers.h"
 #include "core/base/statistics.h"
 
 namespace nilas {
@@ -68,8 +67,8 @@ Choice choose(const std::vector<Merit>& merits, const Measure& measure, double c
   const auto by_time = [](const Merit* a, const Merit* b) { return a->time < b->time; };
   const double fastest = (*std::min_element(enough.begin(), enough.end(), by_time))->time;
   // the factor by which times scatter: three standard deviations of a ratio
-  constexpr double k_sure = 3, k_unknown = 0.1;
-  const double sure = std::exp(k_sure * std::sqrt(2.0) * (std::isnan(time_spread) ? k_unknown : time_spread));
+  constexpr double k_sure = 3, k_spread_if_unknown = 0.1;
+  const double sure = std::exp(k_sure * std::sqrt(2.0) * (std::isnan(time_spread) ? k_spread_if_unknown : time_spread));
   std::erase_if(enough, [&](const Merit* m) { return m->time > fastest * sure; });
   const auto by_error = [](const Merit* a, const Merit* b) { return shown_error(*a) < shown_error(*b); };
   choice.chosen =

@@ -157,7 +157,7 @@ Json outlook_view(const SceneReport& report) {
 Json reference_view(const SceneReport& report) {
   const Findings& found = report.found;
   if (!found.measure.is_load() || !found.judges.stand_in.empty() || report.study.ablation) return nullptr;
-  const ReferenceLoads& reference = found.reference;
+  const JudgingLoads& reference = found.reference;
   return {{"load", with_error(reference.mean.mean, reference.mean.standard_error)},
           {"std", number_text(reference.std.mean)},
           {"p99", number_text(reference.p99.mean)},

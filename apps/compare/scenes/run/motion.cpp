@@ -41,10 +41,10 @@ std::optional<Distance> distance(const Sample& a, const Sample& b) {
 
 }  // namespace
 
-Motion read_motion(const std::filesystem::path& bodies_csv) {
+SampledMotion read_motion(const std::filesystem::path& bodies_csv) {
   const auto c = csv_columns(bodies_csv, {"time_s", "id", "x_m", "y_m", "z_m", "qw", "qx", "qy", "qz", "vx_m_s",
                                           "vy_m_s", "vz_m_s", "wx_rad_s", "wy_rad_s", "wz_rad_s"});
-  Motion motion;
+  SampledMotion motion;
   for (std::size_t k = 0; k < c[0].size(); ++k) {
     if (motion.empty() || motion.back().t != c[0][k]) motion.push_back({c[0][k], {}});
     motion.back().bodies[static_cast<std::int64_t>(c[1][k])] = {
@@ -54,7 +54,7 @@ Motion read_motion(const std::filesystem::path& bodies_csv) {
   return motion;
 }
 
-std::vector<Distance> distances(const Motion& a, const Motion& b) {
+std::vector<Distance> distances(const SampledMotion& a, const SampledMotion& b) {
   std::vector<Distance> all;
   std::size_t k = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -66,7 +66,7 @@ std::vector<Distance> distances(const Motion& a, const Motion& b) {
   return all;
 }
 
-double longest_path(const Motion& motion) {
+double longest_path(const SampledMotion& motion) {
   double way = 0;
   for (const auto& sample : motion)
     for (const auto& [id, body] : sample.bodies)

@@ -20,10 +20,10 @@ struct Sample {
   std::map<std::int64_t, SampledBody> bodies;
 };
 
-using Motion = std::vector<Sample>;
+using SampledMotion = std::vector<Sample>;
 
 /// Reads bodies.csv. Throws FileError where it cannot be read.
-Motion read_motion(const std::filesystem::path& bodies_csv);
+SampledMotion read_motion(const std::filesystem::path& bodies_csv);
 
 /// The distance between two motions at one time.
 struct Distance {
@@ -37,9 +37,9 @@ struct Distance {
 
 /// The distances, one per sample of `a` that `b` has too. Times may differ by up to half the interval between samples;
 /// the remainder is extrapolated with b's velocities.
-std::vector<Distance> distances(const Motion& a, const Motion& b);
+std::vector<Distance> distances(const SampledMotion& a, const SampledMotion& b);
 
 /// The longest straight distance of any body from its place in the first sample [m].
-double longest_path(const Motion& motion);
+double longest_path(const SampledMotion& motion);
 
 }  // namespace nilas

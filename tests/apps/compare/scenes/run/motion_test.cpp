@@ -29,7 +29,7 @@ TEST(Motion, IsReadByTimeAndId) {
   const auto file =
       folder.write("bodies.csv", std::string(k_header) + "0,1,a,0,0,0,1,0,0,0,0,0,0,0,0,0\n" +
                                      "0,2,\"b,c\",5,0,0,1,0,0,0,0,0,0,0,0,0\n" + "1,1,a,3,4,0,1,0,0,0,0,0,0,0,0,0\n");
-  const Motion motion = read_motion(file);
+  const SampledMotion motion = read_motion(file);
   ASSERT_EQ(motion.size(), 2U);
   EXPECT_EQ(motion[0].bodies.size(), 2U);
   EXPECT_EQ(motion[0].bodies.at(2).p.x(), 5);
@@ -41,10 +41,10 @@ SampledBody at(const Vec3& p, const Vec3& v = Vec3::Zero(), double yaw = 0) {
 }
 
 TEST(Distances, AreThoseOfTheBodiesThatBothHave) {
-  const Motion a{{0, {{1, at({0, 0, 0})}, {2, at({1, 0, 0})}}}},
+  const SampledMotion a{{0, {{1, at({0, 0, 0})}, {2, at({1, 0, 0})}}}},
       b{{0, {{1, at({3, 0, 4})}, {2, at({1, 0, 0}, Vec3::Zero(), 0.1)}}}};
   EXPECT_EQ(distances(a, b).size(), 1U);
-  Motion longer = a, other = b;
+  SampledMotion longer = a, other = b;
   longer.push_back({1, {{1, at({0, 0, 0})}, {3, at({1, 0, 0})}}});
   other.push_back({1, {{1, at({0, 2, 0})}}});
   const auto both = distances(longer, other);
@@ -60,8 +60,8 @@ TEST(Distances, AreThoseOfTheBodiesThatBothHave) {
 
 TEST(Distances, BridgeTimesThatDifferALittle) {
   const Vec3 v(2, 0, 0);
-  const Motion a{{0, {{1, at({0, 0, 0}, v)}}}, {1, {{1, at({2, 0, 0}, v)}}}};
-  const Motion b{{0, {{1, at({0, 0, 0}, v)}}}, {1.1, {{1, at({2.2, 0, 0}, v)}}}, {9, {}}};
+  const SampledMotion a{{0, {{1, at({0, 0, 0}, v)}}}, {1, {{1, at({2, 0, 0}, v)}}}};
+  const SampledMotion b{{0, {{1, at({0, 0, 0}, v)}}}, {1.1, {{1, at({2.2, 0, 0}, v)}}}, {9, {}}};
   const auto apart = distances(a, b);
   ASSERT_EQ(apart.size(), 2U);
   EXPECT_NEAR(apart[1].largest, 0, 1e-15);
