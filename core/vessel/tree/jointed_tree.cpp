@@ -1,16 +1,11 @@
 #include "core/vessel/tree/jointed_tree.h"
 
 #include "core/base/error.h"
-#include "core/vessel/tree/carried_vessel.h"
-#include "core/vessel/tree/cell_force.h"
-#include "core/vessel/tree/simbody_bodies.h"
-#include "core/vessel/tree/tree_rods.h"
+#include "core/vessel/tree/jointed_tree_implementation.h"
 
 namespace nilas {
 
 namespace {
-
-bool has_one_coordinate(JointKind kind) { return kind == JointKind::hinge || kind == JointKind::slider; }
 
 /// Rotation vector of the shorter rotation to the attitude q.
 Vec3 rotation_vector(const SimTK::Vec4& q) {
@@ -22,146 +17,19 @@ Vec3 rotation_vector(const SimTK::Vec4& q) {
 /// Whether the coordinates of such a joint begin with a quaternion.
 bool has_quaternion(JointKind kind) { return kind == JointKind::ball || kind == JointKind::free; }
 
-void demand_body(double mass, const Mat3& inertia, const std::string& where) {
-  if (!(mass > 0)) throw InputError(where + ": the mass must be > 0 kg");
-  if (!physically_valid_inertia(inertia))
-    throw InputError(where +
-                     ": the inertia about the centre of mass must be symmetric, its principal moments positive and "
-                     "none larger than the sum of the other two");
-}
-
 }  // namespace
-
-struct JointedTree::Implementation {
-  struct Body {
-    SimTK::MobilizedBody mobilized;
-    double mass = 0;
-    Mat3 inertia = Mat3::Identity();
-    Pose in_V;
-    int parent = -1;
-    PartModel part;                ///< only for a part
-    int first_q = 0, first_u = 0;  ///< indices among all coordinates and speeds of the tree
-  };
-
-  const SimTK::State& at(const SimTK::Stage& stage) const {
-    system.realize(state, stage);
-    return state;
-  }
-  const Body& body(int k) const { return bodies[k]; }
-  SimTK::Vector_<SimTK::SpatialVec> spatial(const std::vector<Wrench>& loads) const;
-  SimTK::Vector all_accelerations(const VecX& accelerations, const CarriageMotion::State& carriage_acceleration) const;
-  SimTK::Vector residual(const SimTK::Vector& accelerations, const SimTK::Vector_<SimTK::SpatialVec>& loads) const;
-
-  SimTK::MultibodySystem system;
-  SimTK::SimbodyMatterSubsystem matter{system};
-  SimTK::GeneralForceSubsystem forces{system};
-  SimTK::Force::DiscreteForces applied{forces, matter};
-  CellForces cells;
-  TreeRods rods;
-  SimTK::MobilizedBody::Planar carriage;
-  std::vector<Body> bodies;
-  SimTK::State state;
-  int carried = 0;  ///< number of the carriage's speeds, which come first
-  bool free_hull = false;
-  int speeds = 0;
-  VecX stiffness, damping;
-};
-
-SimTK::Vector_<SimTK::SpatialVec> JointedTree::Implementation::spatial(const std::vector<Wrench>& loads) const {
-  NILAS_DEMAND(loads.size() == bodies.size());
-  SimTK::Vector_<SimTK::SpatialVec> out(matter.getNumBodies(), SimTK::SpatialVec(SimTK::Vec3(0), SimTK::Vec3(0)));
-  for (std::size_t b = 0; b < bodies.size(); ++b)
-    out[bodies[b].mobilized.getMobilizedBodyIndex()] =
-        SimTK::SpatialVec(to_simbody(loads[b].torque), to_simbody(loads[b].force));
-  return out;
-}
-
-SimTK::Vector JointedTree::Implementation::all_accelerations(const VecX& accelerations,
-                                                             const CarriageMotion::State& of_carriage) const {
-  SimTK::Vector all(state.getNU(), 0.0);
-  if (carried > 0)
-    all(0, carried) = SimTK::Vector(SimTK::Vec3(of_carriage.yaw_rate, of_carriage.v.x(), of_carriage.v.y()));
-  for (int i = 0; i < accelerations.size(); ++i) all[carried + i] = accelerations[i];
-  return all;
-}
-
-/// Mobility forces that are missing for these accelerations under these loads.
-SimTK::Vector JointedTree::Implementation::residual(const SimTK::Vector& accelerations,
-                                                    const SimTK::Vector_<SimTK::SpatialVec>& loads) const {
-  SimTK::Vector residual;
-  matter.calcResidualForceIgnoringConstraints(at(SimTK::Stage::Velocity), SimTK::Vector(state.getNU(), 0.0), loads,
-                                              accelerations, residual);
-  return residual;
-}
 
 JointedTree::JointedTree(const VesselModel& model) : implementation_(std::make_unique<Implementation>()) {
   NILAS_DEMAND(!(model.fixed && model.carriage));
   Implementation& tree = *implementation_;
-  const Pose hull_in_V{Quat::Identity(), model.mass.com};
   Pose hull_in_G{model.pose_V.q.normalized(), Vec3::Zero()};
   hull_in_G.p = model.pose_V.p + hull_in_G.q * model.mass.com;
-  const double mass = model.fixed ? 1 : model.mass.mass;
-  const Mat3 inertia = model.fixed ? Mat3(Mat3::Identity()) : model.mass.inertia;
-  demand_body(mass, inertia, "vessel");
-  const SimTK::Body::Rigid hull = rigid_body(mass, inertia);
-  SimTK::MobilizedBody hull_mobilized;
-  if (model.fixed) {
-    hull_mobilized =
-        SimTK::MobilizedBody::Weld(tree.matter.updGround(), to_simbody(hull_in_G), hull, SimTK::Transform());
-  } else if (model.carriage) {
-    const TreeJoint joint = carriage_joint(model);
-    tree.carriage = add_carriage(tree.matter, joint);
-    tree.carried = 3;  // Simbody's planar mobilizer
-    hull_mobilized = add_carried(tree.carriage, hull, joint);
-    tree.cells.add(tree.forces, hull_mobilized, carriage_cells(*model.carriage));
-  } else {
-    hull_mobilized = SimTK::MobilizedBody::Free(tree.matter.updGround(), hull);
-    tree.free_hull = true;
-  }
-  tree.bodies.push_back({hull_mobilized, mass, inertia, hull_in_V, -1, {}, 0, 0});
-  for (std::size_t k = 0; k < model.parts.size(); ++k) {
-    const PartModel& part = model.parts[k];
-    NILAS_DEMAND(part.to >= -1 && part.to < static_cast<int>(k));
-    demand_body(part.mass, part.inertia_B, "part " + std::to_string(k + 1) + " of the vessel");
-    Implementation::Body& parent = tree.bodies[part.to + 1];
-    const SimTK::MobilizedBody body = add_part(parent.mobilized, parent.in_V, part);
-    tree.bodies.push_back({body, part.mass, part.inertia_B, part.in_V, part.to + 1, part, 0, 0});
-  }
-  for (const RodModel& rod : model.rods) {
-    NILAS_DEMAND(rod.on >= -1 && rod.on < static_cast<int>(model.parts.size()));
-    Implementation::Body& body = tree.bodies[rod.on + 1];
-    const Vec3 at_B = body.in_V.q.conjugate() * (rod.at_V - body.in_V.p);
-    tree.rods.add(tree.matter, body.mobilized, rod.on + 1, at_B, rod.to_G);
-  }
-  tree.state = tree.system.realizeTopology();
-  tree.system.realizeModel(tree.state);
-  tree.speeds = tree.state.getNU() - tree.carried;
-  if (tree.carried > 0) NILAS_DEMAND(static_cast<int>(tree.carriage.getFirstUIndex(tree.state)) == 0);
-  tree.stiffness = VecX::Zero(tree.speeds);
-  tree.damping = VecX::Zero(tree.speeds);
-  for (auto& body : tree.bodies) {
-    const int count = body.mobilized.getNumU(tree.state);
-    if (count == 0) continue;
-    body.first_q = static_cast<int>(body.mobilized.getFirstQIndex(tree.state));
-    body.first_u = static_cast<int>(body.mobilized.getFirstUIndex(tree.state));
-    if (&body == &tree.bodies.front()) continue;
-    tree.stiffness.segment(body.first_u - tree.carried, count).setConstant(body.part.stiffness);
-    tree.damping.segment(body.first_u - tree.carried, count).setConstant(body.part.damping);
-    if (!has_one_coordinate(body.part.joint)) continue;
-    tree.state.updQ()[body.first_q] = body.part.coordinate;
-    tree.state.updU()[body.first_u] = body.part.rate;
-  }
-  if (!tree.free_hull) return;
-  SimTK::Vector& q = tree.state.updQ();
-  const int at = tree.bodies.front().first_q, from = tree.bodies.front().first_u;
-  const Quat& attitude = hull_in_G.q;
-  const std::array<double, 7> start{attitude.w(),    attitude.x(),    attitude.y(),   attitude.z(),
-                                    hull_in_G.p.x(), hull_in_G.p.y(), hull_in_G.p.z()};
-  for (int i = 0; i < 7; ++i) q[at + i] = start[i];
-  for (int i = 0; i < 3; ++i) {
-    tree.state.updU()[from + i] = model.w[i];
-    tree.state.updU()[from + 3 + i] = model.v[i];
-  }
+  tree.add_hull(model, hull_in_G);
+  tree.add_parts(model);
+  tree.add_rods(model);
+  tree.begin_state();
+  tree.place_parts();
+  if (tree.free_hull) tree.place_free_hull(model, hull_in_G);
 }
 
 JointedTree::~JointedTree() = default;
