@@ -19,6 +19,7 @@ class Buoyancy : public ForceModule {
   Buoyancy(const Water& water, int threads) : water_(water), threads_(threads) {}
   std::string name() const override { return "buoyancy"; }
   bool conservative() const override { return true; }
+  VesselLoad load_on_vessel() const override { return VesselLoad::water; }
   void add_forces(const Bodies& bodies, double t, Wrenches& out) override;
   double potential_energy(const Bodies& bodies) override;
 

@@ -49,6 +49,7 @@ class Drag : public ForceModule {
   Drag(const Water& water, const DragCoefficients& coefficients, int threads, bool order_free)
       : water_(water), coefficients_(coefficients), threads_(threads), order_free_(order_free) {}
   std::string name() const override { return "drag"; }
+  VesselLoad load_on_vessel() const override { return VesselLoad::water; }
   void add_forces(const Bodies& bodies, double t, Wrenches& out) override;
   void limit(const Bodies& bodies, double h, Wrenches& out) const override;
 

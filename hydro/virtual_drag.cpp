@@ -8,6 +8,7 @@ class VirtualDrag : public ForceModule {
  public:
   VirtualDrag(double coefficient, const Vec3& velocity) : coefficient_(coefficient), velocity_(velocity) {}
   std::string name() const override { return "virtual_drag"; }
+  VesselLoad load_on_vessel() const override { return VesselLoad::none; }
   void add_forces(const Bodies& bodies, double /*t*/, Wrenches& out) override {
     for (std::size_t b = 0; b < out.size(); ++b) {
       if (bodies.kind[b] != BodyKind::floe || bodies.motion[b] != Motion::free) continue;

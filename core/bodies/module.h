@@ -29,6 +29,10 @@ struct SubstepLength {
   double ahead = 0;  ///< the share of it in which bodies move after the impulses [s]
 };
 
+/// How the outputs show the loads of a module on the vessel: not at all, since it never acts on one; within hydro_*, as
+/// loads of the water; or in columns of its own, <name>_f* and <name>_m*.
+enum class VesselLoad { none, water, own };
+
 class Module {
  public:
   virtual ~Module() = default;
@@ -41,6 +45,7 @@ class Module {
   virtual bool exerts_loads() const { return false; }
   /// True when the loads derive from potential_energy().
   virtual bool conservative() const { return false; }
+  virtual VesselLoad load_on_vessel() const { return VesselLoad::own; }
   /// Adds this module's wrenches at time t [s] for the present poses and velocities. `out` has one entry per body.
   virtual void add_forces(const Bodies& /*bodies*/, double /*t*/, Wrenches& /*out*/) {}
   /// Reduces its own wrenches (`out` holds no others) to those that are stable in an explicit step of length h [s]. By

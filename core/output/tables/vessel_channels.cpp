@@ -17,7 +17,10 @@ void add(const Wrench& wrench, std::vector<double>& values) {
 }  // namespace
 
 VesselChannels::VesselChannels(const RunInfo& info)
-    : has_carriage_(info.has_carriage), has_cells_(info.has_cells), has_hydro_(info.has_hydro) {
+    : num_modules_(info.vessel_loads.size()),
+      has_carriage_(info.has_carriage),
+      has_cells_(info.has_cells),
+      has_hydro_(info.has_hydro) {
   name_wrench("contact");
   if (has_carriage_) {
     name_wrench("carriage");
@@ -30,6 +33,7 @@ VesselChannels::VesselChannels(const RunInfo& info)
   }
   if (info.tare) tare_ = info.tare->cells;
   if (has_hydro_) name_wrench("hydro");
+  for (const std::string& module : info.vessel_loads) name_wrench(module);
   num_global_loads_ = names_.size();
   for (const char* name : {"x_m", "y_m", "z_m", "yaw_deg", "pitch_deg", "roll_deg", "vx_m_s", "vy_m_s", "vz_m_s",
                            "roll_rate_deg_s", "pitch_rate_deg_s", "yaw_rate_deg_s", "wx_rad_s", "wy_rad_s", "wz_rad_s"})
@@ -59,6 +63,7 @@ void VesselChannels::name_wrench(const std::string& source) {
 bool VesselChannels::read(const VesselRecord& record, std::vector<double>& values) const {
   NILAS_DEMAND(record.carriage.has_value() || !(has_carriage_ || has_cells_));
   NILAS_DEMAND(record.hydro.has_value() || !has_hydro_);
+  NILAS_DEMAND(record.module_loads.size() == num_modules_);
   values.clear();
   add(record.contact, values);
   if (has_carriage_) {
@@ -71,6 +76,7 @@ bool VesselChannels::read(const VesselRecord& record, std::vector<double>& value
     for (std::size_t k = 0; k < cells.size(); ++k) values.push_back(cells[k] - tare_[k]);
   }
   if (has_hydro_) add(*record.hydro, values);
+  for (const Wrench& load : record.module_loads) add(load, values);
 
   const VesselState& state = record.state;
   const EulerAngles angles = euler_angles(state.pose.q);

@@ -37,6 +37,7 @@ class VesselChannels {
   std::array<double, k_num_cells> tare_{};
   std::size_t first_cell_ = 0;
   std::size_t num_global_loads_ = 0;
+  std::size_t num_modules_ = 0;
   bool has_carriage_ = false, has_cells_ = false, has_hydro_ = false;
 };
 

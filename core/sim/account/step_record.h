@@ -47,6 +47,7 @@ struct VesselRecord {
   /// of absolute values; `law_residual` for exact Coulomb beyond that law, as a signed sum.
   Wrench solver_residual, law_residual;
   std::optional<Wrench> hydro;
+  std::vector<Wrench> module_loads;  ///< one per entry of RunInfo::vessel_loads
   VesselState state;  ///< state at the step's end
   /// Unit vector along the course, horizontal; docs/reference/conventions.md says which way it points.
   Vec2 course = Vec2::UnitX();
@@ -122,6 +123,7 @@ struct RunInfo {
   std::vector<std::string> work_names;                       ///< names of the ledger's columns work_<name>_J
   std::vector<std::pair<std::string, std::string>> modules;  ///< name of each module that was built, and why
   std::vector<std::string> not_built;
+  std::vector<std::string> vessel_loads;  ///< modules with columns of their own for their load on the vessel
   std::vector<std::string> module_columns;  ///< columns of steps.csv, in the order of the modules
   std::vector<Fault> warnings;              ///< implausible settings of the scene, with their places
   int floes = 0, bodies = 0;

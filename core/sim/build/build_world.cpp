@@ -35,12 +35,16 @@ static void build_modules(const ModuleSources& from, const ModuleList& modules, 
       if (entry.listed) parts.info.not_built.push_back(entry.name);
       continue;
     }
+    NILAS_DEMAND(std::none_of(parts.modules.begin(), parts.modules.end(), [&](const auto& other) {
+      return other->name() == built.module->name();  // names a group of the checkpoint and columns
+    }));
     Module& module = *parts.modules.emplace_back(std::move(built.module));
     if (entry.listed) parts.info.modules.emplace_back(entry.name, built.reason);
     for (std::string& column : module.columns()) parts.info.module_columns.push_back(std::move(column));
     if (!module.exerts_loads()) continue;
     parts.forces.push_back(&module);
     if (!module.conservative()) parts.info.work_names.push_back(module.name());
+    if (parts.vessel && module.load_on_vessel() == VesselLoad::own) parts.info.vessel_loads.push_back(module.name());
   }
 }
 

@@ -81,7 +81,7 @@ ReferenceIntegrator::ReferenceIntegrator(const Scene& scene, int threads, WorldP
       model_(model),
       gravity_(scene.gravity),
       vessel_(moving_vessel(parts)),
-      no_vessel_loads_(parts.num_parts, vessel_ && vessel_->is_towed()),
+      no_vessel_loads_(parts.num_parts, parts.info.vessel_loads.size(), vessel_ && vessel_->is_towed()),
       state_(parts.bodies, parts.info.work_names.size(), vessel_ ? &*vessel_ : nullptr,
              parts.vessel ? &no_vessel_loads_ : nullptr),
       contacts_(parts.friction, acceleration_solver(scene.contact, threads), scene.contact.law.law == Law::frictionless,
@@ -137,17 +137,25 @@ Wrenches ReferenceIntegrator::free_loads(double t) {
   return loads;
 }
 
+void ReferenceIntegrator::add_module_loads(std::size_t body, ReferenceVesselLoads& sum) const {
+  const Vec3 arm = parts_.bodies.p_GB[body] - parts_.bodies.p_GB[parts_.vessel_index];
+  std::size_t own = 0;
+  for (std::size_t m = 0; m < module_loads_.size(); ++m) {
+    const Wrench& on_body = module_loads_[m][body];
+    const Wrench load{on_body.force, on_body.torque + arm.cross(on_body.force)};
+    const VesselLoad kind = parts_.forces[m]->load_on_vessel();
+    if (kind == VesselLoad::water) sum.hydro += load;
+    if (kind == VesselLoad::own) sum.modules[own++] += load;
+  }
+}
+
 ReferenceLoads ReferenceIntegrator::loads(double t) {
   Bodies& bodies = parts_.bodies;
   ReferenceLoads out(bodies.id.size(), parts_.info.work_names.size(), no_vessel_loads_);
   out.total = free_loads(t);
   for (int k = 0; k < bodies.size(); ++k) {
     const auto b = static_cast<std::size_t>(k);
-    if (parts_.is_of_vessel(k))
-      for (const Wrenches& module : module_loads_) {
-        const Vec3 arm = bodies.p_GB[b] - bodies.p_GB[parts_.vessel_index];
-        out.vessel.hydro += {module[b].force, module[b].torque + arm.cross(module[b].force)};
-      }
+    if (parts_.is_of_vessel(k)) add_module_loads(b, out.vessel);
     if (!moves(k)) continue;
     const auto weigh = [&](const Wrench& load) {
       out.force_sum += load.force.norm();

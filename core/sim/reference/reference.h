@@ -55,6 +55,7 @@ class ReferenceIntegrator {
   void book_carriage(const Wrench& contact, const Velocities& before, ReferenceAccount& account) const;
   std::size_t carriage_work() const;
   void add_to_vessel(const ContactPoint& c, const Vec3& on_b, ReferenceVesselLoads& sum) const;
+  void add_module_loads(std::size_t body, ReferenceVesselLoads& sum) const;
   bool moves(int body) const;
   void set_levels(const std::vector<ContactPoint>& points);
   double approach(const ContactPoint& point) const;

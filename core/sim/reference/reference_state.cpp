@@ -17,22 +17,24 @@ Vec3 angular_momentum(const Bodies& bodies, std::size_t b) {
 
 }  // namespace
 
-ReferenceVesselLoads::ReferenceVesselLoads(int num_parts, bool towed) : on_parts(static_cast<std::size_t>(num_parts)) {
+ReferenceVesselLoads::ReferenceVesselLoads(int num_parts, std::size_t num_modules, bool towed)
+    : modules(num_modules), on_parts(static_cast<std::size_t>(num_parts)) {
   if (towed) carriage.emplace();
 }
 
 Eigen::Index ReferenceVesselLoads::size() const {
-  return k_whole + k_part * static_cast<Eigen::Index>(on_parts.size()) + (carriage ? k_carriage : 0);
+  return k_whole + k_part * static_cast<Eigen::Index>(on_parts.size() + modules.size()) + (carriage ? k_carriage : 0);
 }
 
 VecX ReferenceVesselLoads::numbers() const {
   VecX all(size());
   all.head<k_whole>() << contact.force, contact.torque, hydro.force, hydro.torque, ice;
   Eigen::Index at = k_whole;
-  for (const Wrench& load : on_parts) {
-    all.segment<k_part>(at) << load.force, load.torque;
-    at += k_part;
-  }
+  for (const auto* loads : {&on_parts, &modules})
+    for (const Wrench& load : *loads) {
+      all.segment<k_part>(at) << load.force, load.torque;
+      at += k_part;
+    }
   if (carriage)
     all.segment<k_carriage>(at) << carriage->about_com.force, carriage->about_com.torque, carriage->about_joint.torque,
         Eigen::Map<const Vec6>(carriage->cells.data());
@@ -44,10 +46,11 @@ void ReferenceVesselLoads::add(const VecX& all) {
   hydro += {all.segment<3>(6), all.segment<3>(9)};
   ice += all.segment<3>(12);
   Eigen::Index at = k_whole;
-  for (Wrench& load : on_parts) {
-    load += {all.segment<3>(at), all.segment<3>(at + 3)};
-    at += k_part;
-  }
+  for (auto* loads : {&on_parts, &modules})
+    for (Wrench& load : *loads) {
+      load += {all.segment<3>(at), all.segment<3>(at + 3)};
+      at += k_part;
+    }
   if (!carriage) return;
   const auto sums = all.segment<k_carriage>(at);
   carriage->about_com += {sums.segment<3>(0), sums.segment<3>(3)};

@@ -15,12 +15,13 @@ namespace nilas {
 /// centre of mass.
 struct ReferenceVesselLoads {
   Wrench contact, hydro;
+  std::vector<Wrench> modules;  ///< one per entry of RunInfo::vessel_loads
   Vec3 ice = Vec3::Zero();  ///< the contact force that floes exert
   /// Contact load on each part about its centre of mass, contacts within the vessel included.
   std::vector<Wrench> on_parts;
   std::optional<CarriageLoads> carriage;  ///< only for a towed vessel
 
-  ReferenceVesselLoads(int num_parts, bool towed);
+  ReferenceVesselLoads(int num_parts, std::size_t num_modules, bool towed);
   Eigen::Index size() const;
   VecX numbers() const;
   void add(const VecX& numbers);
@@ -45,7 +46,7 @@ struct ReferenceAccount {
   Vec3 impulse = Vec3::Zero();          ///< impulse of all loads on the bodies of momenta() [N s]
   Vec3 angular_impulse = Vec3::Zero();  ///< angular impulse about G's origin [N m s]
   double impulse_scale = 0, angular_scale = 0;
-  ReferenceVesselLoads vessel{0, false};
+  ReferenceVesselLoads vessel{0, 0, false};
 };
 
 /// Packs and unpacks the state y. Per free body y holds p, q (w x y z), v of the centre of mass and L = I w, all in G.

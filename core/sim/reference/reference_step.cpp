@@ -36,6 +36,7 @@ static VesselRecord vessel_record(World& world, ReferenceIntegrator& reference, 
     vessel.has_cells = parts.info.has_cells;
   }
   if (parts.info.has_hydro) vessel.hydro = mean(impulses.hydro);
+  for (const Wrench& load : impulses.modules) vessel.module_loads.push_back(mean(load));
   vessel.state = parts.vessel->state();
   vessel.course = course_at(parts, world.time());
   return vessel;

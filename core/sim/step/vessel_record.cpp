@@ -104,12 +104,13 @@ VesselRecord vessel_record(const World& world, const Loads& loads, const StepMot
   record.state = parts.vessel->state();
   if (parts.vessel->on_carriage()) record.carriage = parts.vessel->carriage_loads();
   record.has_cells = parts.info.has_cells;
-  if (parts.info.has_hydro) {
-    record.hydro.emplace();
-    for (const Wrenches& of_module : loads.by_module) {
-      const auto first = of_module.begin() + parts.vessel_index;
-      *record.hydro += on_whole_vessel(*first, hull, motion, {first + 1, first + 1 + parts.num_parts});
-    }
+  if (parts.info.has_hydro) record.hydro.emplace();
+  for (std::size_t m = 0; m < loads.by_module.size(); ++m) {
+    const auto first = loads.by_module[m].begin() + parts.vessel_index;
+    const Wrench load = on_whole_vessel(*first, hull, motion, {first + 1, first + 1 + parts.num_parts});
+    const VesselLoad kind = parts.forces[m]->load_on_vessel();
+    if (kind == VesselLoad::water) *record.hydro += load;
+    if (kind == VesselLoad::own) record.module_loads.push_back(load);
   }
   return record;
 }
@@ -127,6 +128,9 @@ void add_share(VesselRecord substep, double share, VesselRecord& step) {
   step.ice += share * substep.ice;
   add_share(substep.carriage, share, step.carriage);
   add_share(substep.hydro, share, step.hydro);
+  step.module_loads.resize(substep.module_loads.size());
+  for (std::size_t m = 0; m < substep.module_loads.size(); ++m)
+    add_share(substep.module_loads[m], share, step.module_loads[m]);
   step.parts.resize(substep.parts.size());
   for (std::size_t k = 0; k < substep.parts.size(); ++k) add_share(substep.parts[k], share, step.parts[k]);
   if (step.rods.size() == 0) step.rods = VecX::Zero(substep.rods.size());
