@@ -232,8 +232,9 @@ CompareSetting reference_setting(const Scene& scene, const Overrides& overrides,
   };
   reference.solver = "auto";
   reference.integrator = "reference";
-  // a hull in a field of floes, or towed into floes, has more contacts at once than that integrator can follow
-  const bool among_floes = scene.vessel && scene.ice && (!scene.ice->fields.empty() || scene.vessel->carriage);
+  // A field of floes, or a hull towed into floes, has more contacts at once than that integrator can follow.
+  const bool is_towed = scene.vessel && scene.vessel->carriage;
+  const bool among_floes = scene.ice && (!scene.ice->fields.empty() || is_towed);
   if (!among_floes && taken()) return reference;
   for (const auto& setting : grid.settings) reference.step = std::min(reference.step, 0.5 * setting.step);
   for (const char* integrator : {"moreau", "semi-implicit-euler"}) {
