@@ -1,7 +1,8 @@
 #include "contact/fclib/fclib_blocks.h"
 
 #include <algorithm>
-#include <numeric>
+
+#include "core/base/union_find.h"
 
 namespace nilas {
 
@@ -10,36 +11,6 @@ namespace {
 constexpr int k_rigid_body = 6, k_point_mass = 3;  ///< degrees of freedom
 
 using Blocks = std::vector<std::vector<int>>;
-
-/// Sets that grow together; the smallest member stands for its set.
-class JoinedSets {
- public:
-  explicit JoinedSets(int count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int root(int k) {
-    while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
-    return k;
-  }
-  void join(int a, int b) {
-    a = root(a), b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-  Blocks sets() {
-    Blocks all;
-    std::vector<int> place(parent_.size(), -1);
-    for (int k = 0; k < static_cast<int>(parent_.size()); ++k) {
-      int& set = place[root(k)];
-      if (set < 0) {
-        set = static_cast<int>(all.size());
-        all.emplace_back();
-      }
-      all[set].push_back(k);
-    }
-    return all;
-  }
-
- private:
-  std::vector<int> parent_;
-};
 
 /// Gathers consecutive parts into blocks of at most `size`; larger parts stay alone.
 Blocks gather(const Blocks& parts, std::size_t size) {
@@ -79,14 +50,14 @@ bool fits(const Blocks& blocks, int ndof, const Blocks& touched) {
 
 Blocks split_into_blocks(int ndof, const std::vector<MatrixEntry>& mass, const std::vector<MatrixEntry>& jacobian,
                          int num_contacts) {
-  JoinedSets joined(ndof);
+  UnionFind joined(ndof);
   for (const auto& entry : mass) joined.join(entry.row, entry.column);
-  const Blocks parts = joined.sets(), touched = touched_by_contact(jacobian, num_contacts);
+  const Blocks parts = joined.groups(), touched = touched_by_contact(jacobian, num_contacts);
   for (const Blocks& blocks : {parts, gather(parts, k_rigid_body), gather(parts, k_point_mass)})
     if (fits(blocks, ndof, touched)) return blocks;
   for (const auto& dofs : touched)
     for (const int dof : dofs) joined.join(dofs.front(), dof);
-  return joined.sets();
+  return joined.groups();
 }
 
 }  // namespace nilas
