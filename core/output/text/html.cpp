@@ -1,5 +1,6 @@
 #include "core/output/text/html.h"
 
+#include "core/base/error.h"
 #include "core/base/file_bytes.h"
 
 namespace nilas {
@@ -31,7 +32,8 @@ std::string html_text(const std::string& text) {
 std::string inline_svg(const std::filesystem::path& file) {
   const std::string svg = file_bytes(file);
   const auto start = svg.find("<svg");
-  return start == std::string::npos ? svg : svg.substr(start);
+  if (start == std::string::npos) throw FileError(file.string() + " holds no picture");
+  return svg.substr(start);
 }
 
 }  // namespace nilas
