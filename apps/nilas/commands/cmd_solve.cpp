@@ -176,7 +176,7 @@ void add_solve(CLI::App& app, Action& action) {
       ->capture_default_str();
   command
       ->add_option("--tolerance", options->tolerance,
-                   "Stops the solver at this residual law_map_m_s [m/s]. 0 makes all iterations.")
+                   "Stops the solver at this residual law_map_m_s [m/s]. With 0 it stops only when the residual is 0, when it stalls, or when the iterations are spent.")
       ->check(at_least(0))
       ->capture_default_str();
   command
