@@ -12,6 +12,7 @@ class PreparedProblem {
   /// `problem` must outlive this and stay as it is, apart from its coefficients of friction. Throws ContractError where
   /// its lists differ in length.
   explicit PreparedProblem(const ContactProblem& problem);
+  explicit PreparedProblem(ContactProblem&&) = delete;
 
   const ContactProblem& problem() const { return problem_; }
   const MassInverse& masses() const { return masses_; }

@@ -89,7 +89,8 @@ void write_checkpoint(const std::filesystem::path& path, const CheckpointOrigin&
   std::set<std::string> groups;
   for (const auto& [name, entry] : state.entries) {
     add_groups(k_group + name, groups, file);
-    std::visit([&](const auto& values) { file.add(k_group + name, values); }, entry);
+    const std::string place = k_group + name;
+    std::visit([&](const auto& values) { file.add(place, values); }, entry);
   }
   file.save(path, true);
 }

@@ -49,6 +49,7 @@ void solve(World& world, SolvedContacts& solved) {
   solved.slipping = std::move(found.slipping);
   world.warm.keep(problem.key, frames, solved.solution.r);
   for (const auto& module : world.parts.modules) module->end_guess();
+  solved.num_islands = static_cast<int>(prepared.islands().size());
   solved.residuals = measure(prepared, solved.solution.r, solved.solution.v, solved.d);
 }
 

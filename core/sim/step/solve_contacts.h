@@ -18,6 +18,7 @@ struct SolvedContacts {
   FoundContacts found;
   AssembledContacts contacts;
   ContactSolution solution;
+  int num_islands = 0;
   Residuals residuals;
   std::vector<double> d;      ///< per contact, as returned by `measure` [1/kg]
   SlippingContacts slipping;  ///< contacts that slip, for the next step

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "contact/problem/islands.h"
 #include "core/base/error.h"
 #include "core/base/hash.h"
 #include "core/sim/step/structure_record.h"
@@ -69,7 +68,7 @@ void StepBook::add(const Substep& substep, const Loads& loads, SolvedContacts so
   const WorldParts& parts = world_.parts;
   record_.positions_corrected = record_.positions_corrected && corrected.converged;
   record_.contacts = std::max(record_.contacts, solved.contacts.problem.num_points());
-  record_.islands = std::max(record_.islands, static_cast<int>(find_islands(solved.contacts.problem).size()));
+  record_.islands = std::max(record_.islands, solved.num_islands);
   warn_of_unnamed_pairs(world_, motion.points);
   world_.slipping = std::move(solved.slipping);
   const std::vector<Mat3> frames = std::move(solved.contacts.C);
