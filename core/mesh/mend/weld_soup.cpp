@@ -146,9 +146,8 @@ void drop_copies(const Points& points, Polygons& polygons, bool any_winding, std
     return any_winding || b[(start + 1) % b.size()] == a[1];
   };
   for (const auto& [corners, faces] : by_corners(polygons))
-    for (std::size_t k = 1; k < faces.size(); ++k)
-      again[faces[k]] = std::any_of(faces.begin(), faces.begin() + static_cast<std::ptrdiff_t>(k),
-                                    [&](std::size_t before) { return alike(faces[k], before); });
+    for (auto face = faces.begin(); face != faces.end(); ++face)
+      again[*face] = std::any_of(faces.begin(), face, [&, f = *face](std::size_t before) { return alike(f, before); });
   erase(points, polygons, again, "faces given more than once dropped", done);
 }
 
