@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "core/geometry/edge_cut.h"
+
 namespace nilas {
 
 namespace {
@@ -40,7 +42,7 @@ std::vector<Segment> waterline(const TriangleMesh& mesh, double level) {
     std::vector<Vec3> cut;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 &a = mesh.vertices[triangle[k]], &b = mesh.vertices[triangle[(k + 1) % 3]];
-      if ((a.z() < level) != (b.z() < level)) cut.push_back(a + (level - a.z()) / (b.z() - a.z()) * (b - a));
+      if (const auto point = edge_cut(a, b, level)) cut.push_back(*point);
     }
     if (cut.size() == 2) lines.push_back({cut[0], cut[1]});
   }

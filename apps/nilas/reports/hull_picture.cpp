@@ -8,6 +8,7 @@
 #include <fstream>
 #include <map>
 
+#include "apps/report/hull_lines.h"
 #include "core/base/error.h"
 #include "core/geometry/mesh_box.h"
 #include "core/output/text/plot.h"
@@ -78,7 +79,7 @@ void write_open_edges(const fs::path& file, const TriangleMesh& mesh) {
 }
 
 /// The view of a panel. `tilt` and `turn` are gnuplot's rotations about the horizontal and about the vertical [deg].
-struct View {
+struct HullView {
   const char* title;
   const char* data;
   double tilt, turn;
@@ -92,8 +93,8 @@ struct View {
 
 /// Writes the faces of a closed surface that look at the eye. Others would show through at the edges, because gnuplot
 /// sorts whole triangles by depth. All faces of an open surface (`two_sided`) are written.
-void write_faces(std::ofstream& out, const TriangleMesh& mesh, const Colour& colour, const View& view, double longest,
-                 bool two_sided = false) {
+void write_faces(std::ofstream& out, const TriangleMesh& mesh, const Colour& colour, const HullView& view,
+                 double longest, bool two_sided = false) {
   const Vec3 eye = view.direction();
   const double light = eye.z() > 0 ? 1 : -1;
   for (const auto& t : mesh.triangles) {
@@ -156,19 +157,16 @@ double longest_drawn(const TriangleMesh& mesh) {
 
 void write_waterline(const fs::path& file, const TriangleMesh& mesh, double level) {
   std::ofstream out(file);
-  for (const auto& t : mesh.triangles)
-    for (std::size_t k = 0, found = 0; k < 3; ++k) {
-      const Vec3 &a = mesh.vertices[t[k]], &b = mesh.vertices[t[(k + 1) % 3]];
-      if ((a.z() < level) == (b.z() < level)) continue;
-      const Vec3 p = a + (b - a) * ((level - a.z()) / (b.z() - a.z()));
-      out << fmt::format("{:.6g} {:.6g} {:.6g}\n", p.x(), p.y(), p.z()) << (++found == 2 ? "\n\n" : "");
-    }
+  for (const Segment& line : waterline(mesh, level)) {
+    for (const Vec3& p : line) out << fmt::format("{:.6g} {:.6g} {:.6g}\n", p.x(), p.y(), p.z());
+    out << "\n\n";
+  }
 }
 
 constexpr double k_width = 1100, k_height = 430;  // of a panel [px]
 
 /// The zoom of gnuplot at which the box fills a panel with equal scales, whichever of its sides is long.
-double zoom(const Eigen::AlignedBox3d& box, const View& view) {
+double zoom(const Eigen::AlignedBox3d& box, const HullView& view) {
   constexpr double k_pixels = 230, k_at = 1.35, k_room_across = 900, k_room_up = 300;  // of the longest side, measured
   const Vec3 size = box.sizes();
   const double turn = view.turn * k_pi / 180, tilt = view.tilt * k_pi / 180;
@@ -193,7 +191,7 @@ std::string bow_label(const TriangleMesh& mesh) {
 }
 
 /// The script of a panel: the faces in order of depth, then the marks over them in the same place.
-std::string panel(const View& view, const Eigen::AlignedBox3d& box, std::size_t row, std::size_t rows,
+std::string panel(const HullView& view, const Eigen::AlignedBox3d& box, std::size_t row, std::size_t rows,
                   const Marks& marks) {
   const double high = 1.0 / static_cast<double>(rows), low = 1 - high * static_cast<double>(row + 1);
   std::string text = fmt::format("set origin 0,{}\nset size 1,{}\nset view {},{},{:.4g}\nset view equal xyz\n", low,
@@ -211,7 +209,7 @@ double tics(double side) {
 }
 
 /// The script of a picture. Its tics name the y axis, because gnuplot omits the title of that axis in such views.
-std::string script(const std::string& picture, const TriangleMesh& mesh, const std::vector<View>& views,
+std::string script(const std::string& picture, const TriangleMesh& mesh, const std::vector<HullView>& views,
                    const Marks& marks) {
   Eigen::AlignedBox3d box = box_of(mesh);
   constexpr double k_spare = 1e-3;      // rounded coordinates stay within
@@ -241,9 +239,9 @@ void draw_hull(const Hull& hull, double level, const fs::path& folder) {
       fmt::format("{} convex part{}, from below", hull.parts.size(), hull.parts.size() == 1 ? "" : "s");
   const std::string water_title =
       fmt::format("mesh from above; waterline at a draught of {:.4g} m in blue", level - box_of(hull.fluid).min().z());
-  const std::vector<View> views{{water_title.c_str(), ".above.dat", 60, 30},
-                                {"mesh from below", ".below.dat", 115, 30},
-                                {parts_title.c_str(), ".parts.dat", 115, 30}};
+  const std::vector<HullView> views{{water_title.c_str(), ".above.dat", 60, 30},
+                                    {"mesh from below", ".below.dat", 115, 30},
+                                    {parts_title.c_str(), ".parts.dat", 115, 30}};
   {
     std::ofstream above(folder / ".above.dat"), below(folder / ".below.dat"), parts(folder / ".parts.dat");
     write_faces(above, drawn, k_steel, views[0], longest);

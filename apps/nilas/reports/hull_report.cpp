@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/geometry/edge_cut.h"
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/mesh_box.h"
 #include "core/hull/hull_attitude.h"
@@ -50,7 +51,7 @@ double block_coefficient(const TriangleMesh& mesh, double volume, double level) 
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 &a = mesh.vertices[t[k]], &b = mesh.vertices[t[(k + 1) % 3]];
       if (a.z() <= level) wet.extend(a);
-      if ((a.z() < level) != (b.z() < level)) wet.extend(a + (b - a) * ((level - a.z()) / (b.z() - a.z())));
+      if (const auto cut = edge_cut(a, b, level)) wet.extend(*cut);
     }
   return volume / wet.volume();
 }
