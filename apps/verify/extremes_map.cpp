@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/verify/extremes.h"
+#include "apps/verify/templates.h"
 #include "core/base/error.h"
+#include "core/output/text/fill_template.h"
 #include "core/output/text/plot.h"
 
 namespace nilas {
@@ -122,29 +124,23 @@ void write_extremes(const std::filesystem::path& folder, const std::vector<Cell>
   out << extremes_csv(cells);
   if (!out.flush()) throw FileError("cannot write " + (folder / "extremes.csv").string());
   const auto rows = distinct(cells, row_name), columns = distinct(cells, column_name);
-  std::string script = "$map << EOD\n";
+  std::string marks;
   for (const auto& cell : cells) {
     const auto x = std::find(columns.begin(), columns.end(), column_name(cell)) - columns.begin();
     const auto y = std::find(rows.begin(), rows.end(), row_name(cell)) - rows.begin();
-    script += fmt::format("{} {} {} {}\n", x, y, static_cast<int>(cell.hold),
-                          cell.hold == Hold::holds ? "." : std::string(1, letter(cell.hold)));
+    marks += fmt::format("{} {} {} {}\n", x, y, static_cast<int>(cell.hold),
+                         cell.hold == Hold::holds ? "." : std::string(1, letter(cell.hold)));
   }
-  script += "EOD\n";
-  script += fmt::format(
-      "set xrange [-0.5:{}]\nset yrange [{}:-0.5]\nset xtics ({}) rotate by 60 right noenhanced\n"
-      "set ytics ({}) noenhanced\nset cbrange [-0.5:5.5]\nunset colorbox\nunset key\nset lmargin 34\nset bmargin 9\n"
-      "set palette defined (0 '#009e73', 1 '#f0e442', 2 '#e69f00', 3 '#bbbbbb', 4 '#56b4e9', 5 '#d55e00') maxcolors 6\n"
-      "set title 'green . holds   yellow s tolerance missed and reported   orange x stopped   grey r refused   blue l "
-      "documented limit   red F fails' "
-      "noenhanced\nset style fill solid border rgb '#ffffff'\n",
-      static_cast<double>(columns.size()) - 0.5, static_cast<double>(rows.size()) - 0.5, ticks(columns), ticks(rows));
-  for (const bool vector : {true, false})
-    script += fmt::format(
-        "set terminal {}\nset output 'extremes.{}'\nplot $map using 1:2:(0.5):(0.5):3 with boxxyerror lc palette, \\\n"
-        "  $map using 1:2:4 with labels\n",
-        vector ? "svg size 1000,1150 font 'sans,12' background '#ffffff'" : "pngcairo size 1250,1440 font 'sans,12'",
-        vector ? "svg" : "png");
-  plot(folder, script);
+  const nlohmann::ordered_json data{
+      {"cells", marks},
+      {"right", static_cast<double>(columns.size()) - 0.5},
+      {"bottom", static_cast<double>(rows.size()) - 0.5},
+      {"columns", ticks(columns)},
+      {"rows", ticks(rows)},
+      {"formats",
+       {{{"kind", "svg"}, {"terminal", "svg size 1000,1150 font 'sans,12' background '#ffffff'"}},
+        {{"kind", "png"}, {"terminal", "pngcairo size 1250,1440 font 'sans,12'"}}}}};
+  plot(folder, fill_template(verify_template("extremes.gnuplot"), data, Escape::gnuplot));
 }
 
 }  // namespace nilas

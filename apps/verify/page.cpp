@@ -6,9 +6,12 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "apps/verify/table.h"
+#include "apps/verify/templates.h"
 #include "core/base/error.h"
+#include "core/output/text/fill_template.h"
 #include "core/output/text/html.h"
 #include "core/output/text/plot.h"
 
@@ -30,38 +33,33 @@ std::string family_script(char family, const std::vector<const Row*>& rows) {
   const auto place = [&](const Row* row) {
     return static_cast<double>(std::find(cases.begin(), cases.end(), row->id) - cases.begin());
   };
-  std::string data, drawn;
+  std::string allowed;
   int mark = 0;
   const double width = 0.7 / static_cast<double>(std::max<std::size_t>(by_solver.size(), 1));
-  data += "$allowed << EOD\n";
   for (const Row* row : rows)
-    data += fmt::format("{} {} {}\n", place(row) - 0.4, std::max(row->tolerance, k_floor), place(row) + 0.4);
-  data += "EOD\n";
-  drawn = "$allowed using 1:2:($3-$1):(0) with vectors nohead lc rgb '#555555' lw 1.5 title 'allowed'";
+    allowed += fmt::format("{} {} {}\n", place(row) - 0.4, std::max(row->tolerance, k_floor), place(row) + 0.4);
+  auto solvers = nlohmann::ordered_json::array();
   for (const auto& [solver, own] : by_solver) {
     ++mark;
-    data += fmt::format("$s{} << EOD\n", mark);
+    std::string errors;
     for (const Row* row : own)
-      data += fmt::format("{} {}\n", place(row) - 0.35 + width * (mark - 0.5),
-                          std::isfinite(row->error) ? std::max(row->error, k_floor) : 1.0);
-    data += "EOD\n";
-    drawn += fmt::format(", \\\n  $s{} using 1:2 with points pt {} ps 0.7 title '{}'", mark, mark, solver);
+      errors += fmt::format("{} {}\n", place(row) - 0.35 + width * (mark - 0.5),
+                            std::isfinite(row->error) ? std::max(row->error, k_floor) : 1.0);
+    solvers.push_back({{"mark", mark}, {"rows", errors}, {"solver", solver}});
   }
   std::string ticks;
   for (std::size_t k = 0; k < cases.size(); ++k) ticks += fmt::format("{}'{}' {}", k > 0 ? ", " : "", cases[k], k);
-  std::string script = data;
-  script += fmt::format(
-      "set logscale y\nset format y '10^{{%L}}'\nset yrange [{}:10]\nset xrange [-0.6:{}]\nset xtics ({})\n"
-      "set ylabel 'error'\nset grid y lc rgb '#dddddd'\nset key outside right noenhanced\nset colorsequence podo\n",
-      k_floor / 3, static_cast<double>(cases.size()) - 0.4, ticks);
-  for (const char* kind : {"svg", "png"}) {
-    const bool vector = kind == std::string("svg");
-    script += fmt::format(
-        "set terminal {}\nset output 'family-{}.{}'\nplot {}\n",
-        vector ? "svg size 960,380 font 'sans,12' background '#ffffff'" : "pngcairo size 1440,570 font 'sans,14'",
-        family, kind, drawn);
-  }
-  return script;
+  const nlohmann::ordered_json data{
+      {"family", std::string(1, family)},
+      {"allowed", allowed},
+      {"solvers", solvers},
+      {"foot", k_floor / 3},
+      {"right", static_cast<double>(cases.size()) - 0.4},
+      {"ticks", ticks},
+      {"formats",
+       {{{"kind", "svg"}, {"terminal", "svg size 960,380 font 'sans,12' background '#ffffff'"}},
+        {{"kind", "png"}, {"terminal", "pngcairo size 1440,570 font 'sans,14'"}}}}};
+  return fill_template(verify_template("family.gnuplot"), data, Escape::gnuplot);
 }
 
 std::string family_table(const std::vector<const Row*>& rows) {

@@ -7,10 +7,13 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 
+#include "apps/nilas/reports/templates.h"
 #include "apps/report/hull_lines.h"
 #include "core/base/error.h"
 #include "core/geometry/mesh_box.h"
+#include "core/output/text/fill_template.h"
 #include "core/output/text/plot.h"
 
 namespace nilas {
@@ -18,6 +21,7 @@ namespace nilas {
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
 using Colour = std::array<double, 3>;  ///< red, green, blue, 0 to 1
 
 /// Colours that everyone can distinguish, colour-blind readers too (those of Okabe and Ito, and their tints).
@@ -176,29 +180,25 @@ double zoom(const Eigen::AlignedBox3d& box, const HullView& view) {
   return k_at * size.maxCoeff() / k_pixels * std::min(k_room_across / across, k_room_up / up);
 }
 
-/// The marks that are drawn over the faces.
-struct Marks {
-  std::string plots;        ///< arguments of a splot command
-  std::string labels = {};  ///< whole commands of gnuplot
-};
-
-/// The label at the end that a scene takes as the bow, amidships at deck height.
-std::string bow_label(const TriangleMesh& mesh) {
-  const auto box = box_of(mesh);
-  return fmt::format(
-      "set label 'bow (+x)' at {:.6g},{:.6g},{:.6g} left offset 1,0.8 font ',13' textcolor rgb '#c00000'\n",
-      box.max().x(), box.center().y(), box.max().z());
+/// The end that a scene takes as the bow, amidships at deck height.
+Json bow_of_box(const Eigen::AlignedBox3d& box) {
+  const auto text = [](double x) { return fmt::format("{:.6g}", x); };
+  return {{"x", text(box.max().x())}, {"y", text(box.center().y())}, {"z", text(box.max().z())}};
 }
 
-/// The script of a panel: the faces in order of depth, then the marks over them in the same place.
-std::string panel(const HullView& view, const Eigen::AlignedBox3d& box, std::size_t row, std::size_t rows,
-                  const Marks& marks) {
-  const double high = 1.0 / static_cast<double>(rows), low = 1 - high * static_cast<double>(row + 1);
-  std::string text = fmt::format("set origin 0,{}\nset size 1,{}\nset view {},{},{:.4g}\nset view equal xyz\n", low,
-                                 high, view.tilt, view.turn, zoom(box, view));
-  text += fmt::format("set title '{}'\nsplot '{}' using 1:2:3:4 with pm3d lc rgb variable notitle\n", view.title,
-                      view.data);
-  return text + fmt::format("set title ' '\n{}splot {}\nunset label\n", marks.labels, marks.plots);
+/// The panels, one above the other.
+Json panels_of(const std::vector<HullView>& views, const Eigen::AlignedBox3d& box) {
+  Json panels = Json::array();
+  const double high = 1.0 / static_cast<double>(views.size());
+  for (std::size_t row = 0; row < views.size(); ++row)
+    panels.push_back({{"low", 1 - high * static_cast<double>(row + 1)},
+                      {"high", high},
+                      {"tilt", views[row].tilt},
+                      {"turn", views[row].turn},
+                      {"zoom", fmt::format("{:.4g}", zoom(box, views[row]))},
+                      {"title", views[row].title},
+                      {"data", views[row].data}});
+  return panels;
 }
 
 /// The step of an axis [m], 1, 2 or 5 times a power of ten, of which a short side has about two.
@@ -208,25 +208,29 @@ double tics(double side) {
   return power * (share < 2 ? 1 : share < 5 ? 2 : 5);
 }
 
-/// The script of a picture. Its tics name the y axis, because gnuplot omits the title of that axis in such views.
+/// The script of a picture. `bow`: the place of the bow of a prepared hull; null for a faulty mesh.
 std::string script(const std::string& picture, const TriangleMesh& mesh, const std::vector<HullView>& views,
-                   const Marks& marks) {
+                   const Json& bow) {
   Eigen::AlignedBox3d box = box_of(mesh);
   constexpr double k_spare = 1e-3;      // rounded coordinates stay within
   constexpr double k_thinnest = 0.025;  // of the longest side: gnuplot refuses a range without extent
   const Vec3 spare =
       (k_spare * box.sizes().array()).max(k_thinnest * box.sizes().maxCoeff() - 0.5 * box.sizes().array());
   box = {box.min() - spare, box.max() + spare};
-  std::string text = fmt::format(
-      "set terminal pngcairo size {},{} font ',11'\nset output '{}'\nset multiplot\n"
-      "set pm3d depthorder noborder\nunset colorbox\nunset key\n"
-      "set xrange [{}:{}]\nset yrange [{}:{}]\nset zrange [{}:{}]\n"
-      "set xyplane relative 0\nset xlabel 'x [m]'\nset format y 'y %g m'\nset zlabel 'z [m]'\n"
-      "set xtics offset 0,-0.3\nset ytics {}\nset ztics {}\nunset border\n",
-      k_width, k_height * static_cast<double>(views.size()), picture, box.min().x(), box.max().x(), box.min().y(),
-      box.max().y(), box.min().z(), box.max().z(), tics(box.sizes().y()), tics(box.sizes().z()));
-  for (std::size_t k = 0; k < views.size(); ++k) text += panel(views[k], box, k, views.size(), marks);
-  return text + "unset multiplot\n";
+  const Json data{{"width", k_width},
+                  {"height", k_height * static_cast<double>(views.size())},
+                  {"picture", picture},
+                  {"x_low", box.min().x()},
+                  {"x_high", box.max().x()},
+                  {"y_low", box.min().y()},
+                  {"y_high", box.max().y()},
+                  {"z_low", box.min().z()},
+                  {"z_high", box.max().z()},
+                  {"y_tics", tics(box.sizes().y())},
+                  {"z_tics", tics(box.sizes().z())},
+                  {"bow", bow},
+                  {"panels", panels_of(views, box)}};
+  return fill_template(nilas_template("hull.gnuplot"), data, Escape::gnuplot);
 }
 
 }  // namespace
@@ -251,8 +255,7 @@ void draw_hull(const Hull& hull, double level, const fs::path& folder) {
     if (!above || !below || !parts) throw FileError((folder / "hull.png").string() + ": cannot be written");
   }
   write_waterline(folder / ".water.dat", hull.fluid, level);
-  plot(folder, script("hull.png", hull.fluid, views,
-                      {"'.water.dat' with lines lw 2 lc rgb '#0040ff' notitle", bow_label(hull.fluid)}));
+  plot(folder, script("hull.png", hull.fluid, views, bow_of_box(box_of(hull.fluid))));
 }
 
 void draw_faults(const MendedMesh& mesh, const fs::path& folder) {
@@ -270,8 +273,7 @@ void draw_faults(const MendedMesh& mesh, const fs::path& folder) {
                       {{"from above; faults in red", ".faces.dat", 60, 30},
                        {"from below", ".faces.dat", 115, 30},
                        {"from the other side", ".faces.dat", 60, 210}},
-                      {"'.edges.dat' with lines lw 2 lc rgb '#e00000' notitle, '.marks.dat' with points pt 6 ps 2 lw 2 "
-                       "lc rgb '#e00000' notitle"}));
+                      nullptr));
 }
 
 }  // namespace nilas
