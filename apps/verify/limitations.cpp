@@ -74,18 +74,18 @@ void add_static_friction(std::vector<Limitation>& all) {
 }
 
 void add_rolling(std::vector<Limitation>& all) {
-  constexpr double k_length = 0.02, k_radius = 0.5, k_start = 1, k_step = 0.01;
+  constexpr double k_length = 0.02, k_ball_radius = 0.5, k_start = 1, k_step = 0.01;
   constexpr long k_steps = 100;
   const auto speed = [&](double length) {
     Trial run = trial("ball.xml", {},
                       of("ball", "velocity", Vec3(k_start, 0, 0)) +
-                          of("ball", "angular_velocity", Vec3(0, k_start / k_radius, 0)) + friction(0.5) +
+                          of("ball", "angular_velocity", Vec3(0, k_start / k_ball_radius, 0)) + friction(0.5) +
                           Overrides{{"contact/friction[1]/@rolling", text(length)}});
     run.run(k_steps);
     return run.body("ball").v.x();
   };
   // A solid ball that rolls has 7/5 of the inertia of its mass, so the moment slows it at 5/7 of the rate.
-  const double exact = k_start - 5.0 / 7 * k_length / k_radius * k_gravity * k_step * k_steps;
+  const double exact = k_start - 5.0 / 7 * k_length / k_ball_radius * k_gravity * k_step * k_steps;
   all.push_back({"rolling friction left out instead of 0.02 m", "speed after 1 s [m/s]",
                  "`ball.xml`, radius 0.5 m, rolls at 1 m/s", speed(0), speed(k_length), exact});
 }
@@ -165,13 +165,14 @@ PlateContact plate_contact(const std::string& narrow_phase, double off_centre, d
 }
 
 void add_fcl_in_deep_plates(std::vector<Limitation>& all) {
-  constexpr double k_thickness = 0.01, k_off_centre = 0.4, k_up = 0.002, k_mass = 1;
+  constexpr double k_thickness = 0.01, k_off_centre = 0.4, k_up = 0.002, k_plate_mass = 1;
   const std::string scene = "`plates.xml`, two plates of 1 x 1 x 0.01 m, the upper 0.4 m off-centre and 8 mm deep";
   const PlateContact fcl = plate_contact("fcl", k_off_centre, k_up), exact = plate_contact("nilas", k_off_centre, k_up);
   all.push_back({k_by_fcl, "depth [m]", scene, fcl.depth, exact.depth, k_thickness - k_up});
   all.push_back(
       {k_by_fcl, "angle of the normal from the vertical [deg]", scene, fcl.tilt / k_deg, exact.tilt / k_deg, 0});
-  all.push_back({k_by_fcl, "load that the lower plate carries [N]", scene, fcl.load, exact.load, k_mass * k_gravity});
+  all.push_back(
+      {k_by_fcl, "load that the lower plate carries [N]", scene, fcl.load, exact.load, k_plate_mass * k_gravity});
 
   constexpr int k_places = 10;  // along each direction
   const auto wrong = [&](const std::string& narrow_phase) {
