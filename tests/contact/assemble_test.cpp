@@ -7,6 +7,7 @@
 #include "contact/solvers/pgs.h"
 #include "core/base/error.h"
 #include "core/base/random.h"
+#include "tests/support/random_vectors.h"
 
 namespace nilas {
 namespace {
@@ -359,9 +360,7 @@ TEST(ContactFrame, MirroredScenesHaveMirroredTangentsToTheBit) {
     const bool level = k % 2 == 0;  // Level plates have exact ties.
     const double angle = random.uniform(0, 2 * k_pi);
     const Vec3 n = Vec3(std::cos(angle), std::sin(angle), level ? 0 : random.normal()).normalized();
-    const Mat3 R = level
-                       ? Mat3(Mat3::Identity())
-                       : Quat(random.normal(), random.normal(), random.normal(), random.normal()).normalized().matrix();
+    const Mat3 R = level ? Mat3(Mat3::Identity()) : test::random_attitude(random).matrix();
     const Mat3 C = contact_frame(n, R, 0), mirrored = contact_frame(S * n, S * R * S, 0);
     for (int axis = 1; axis < 3; ++axis) {
       const Vec3 image = S * C.col(axis);

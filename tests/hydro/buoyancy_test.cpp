@@ -3,6 +3,7 @@
 #include "hydro/modules.h"
 #include "hydro/wetted.h"
 #include "tests/hydro/solids.h"
+#include "tests/support/random_vectors.h"
 
 namespace nilas::water_test {
 
@@ -46,7 +47,7 @@ TEST(Buoyancy, IsMinusTheGradientOfItsPotential) {
     RandomStream random(9, std::to_string(static_cast<int>(shape.kind)));
     for (int k = 0; k < 30; ++k) {
       Bodies bodies;
-      add_body(bodies, shape, {random_attitude(random), Vec3(3, 4, 0.4 + 0.5 * random.uniform(-1, 1))});
+      add_body(bodies, shape, {test::random_attitude(random), Vec3(3, 4, 0.4 + 0.5 * random.uniform(-1, 1))});
       const Wrench wrench = buoyancy_on(bodies, 0);
       const double scale = bodies.mass[0] * sea().gravity;
       for (int axis = 0; axis < 3; ++axis) {
@@ -153,12 +154,12 @@ TEST(Buoyancy, RemembersNothingWrong) {
     for (int b = 0; b < bodies.size(); ++b) EXPECT_EQ(out[b].force, buoyancy_on(bodies, b).force);
   };
   for (const Shape& shape : shapes()) {
-    add_body(bodies, shape, {random_attitude(random), Vec3(0, 0, 0.3)});
+    add_body(bodies, shape, {test::random_attitude(random), Vec3(0, 0, 0.3)});
     check();
   }
   bodies.set_pose(1, {0, 0, 0.1}, bodies.q_GB[1]);
   check();
-  bodies.set_pose(2, bodies.p_GB[2], random_attitude(random));
+  bodies.set_pose(2, bodies.p_GB[2], test::random_attitude(random));
   check();
   bodies.shape[0] = std::make_shared<const Shape>(box_shape({1, 1, 1}));
   check();
@@ -173,7 +174,7 @@ TEST(Buoyancy, SameBitsForAnyThreadCount) {
   RandomStream random(11, "threads");
   for (int k = 0; k < 40; ++k)
     for (const Shape& shape : shapes())
-      add_body(bodies, shape, {random_attitude(random), Vec3(0, 0, random.uniform())});
+      add_body(bodies, shape, {test::random_attitude(random), Vec3(0, 0, random.uniform())});
   Wrenches one(static_cast<std::size_t>(bodies.size())), three = one;
   const auto single = make_buoyancy(sea(), 1), triple = make_buoyancy(sea(), 3);
   single->add_forces(bodies, 0, one);

@@ -2,6 +2,7 @@
 
 #include "hydro/modules.h"
 #include "tests/hydro/solids.h"
+#include "tests/support/random_vectors.h"
 
 namespace nilas::water_test {
 
@@ -45,9 +46,9 @@ Bodies random_bodies(const std::string& stream, int rounds) {
   for (int k = 0; k < rounds; ++k)
     for (const Shape& shape : shapes()) {
       const Vec3 p(random.uniform(-5, 5), random.uniform(-5, 5), 0.7 * random.uniform(-1, 1));
-      const int b = add_body(bodies, shape, {random_attitude(random), p});
-      bodies.v_GB[b] = random_vector(random);
-      bodies.w_GB[b] = random_vector(random);
+      const int b = add_body(bodies, shape, {test::random_attitude(random), p});
+      bodies.v_GB[b] = test::random_vector(random);
+      bodies.w_GB[b] = test::random_vector(random);
     }
   return bodies;
 }
@@ -188,7 +189,7 @@ TEST(Drag, Sphere) {
   add_body(bodies, sphere_shape(r), {Quat::Identity(), {0, 0, k_deep}});
   RandomStream random(21, "sphere");
   for (int k = 0; k < 20; ++k) {
-    bodies.v_GB[0] = random_vector(random).normalized();
+    bodies.v_GB[0] = test::random_vector(random).normalized();
     const Vec3 form = drag(bodies, {1, 0})[0].force, skin = drag(bodies, {0, 1})[0].force;
     const double expected_form = q * k_pi * r * r / 2, expected_skin = q * 0.75 * k_pi * k_pi * r * r;
     EXPECT_LT((form + expected_form * bodies.v_GB[0]).norm(), 0.005 * expected_form);

@@ -6,6 +6,7 @@
 #include "hydro/modules.h"
 #include "hydro/wetted.h"
 #include "tests/hydro/solids.h"
+#include "tests/support/random_vectors.h"
 
 namespace nilas::water_test {
 
@@ -39,7 +40,7 @@ TEST(FloatingHeight, BalancesEveryMassAndAttitude) {
     const double balance = solid.name == "thin plate far from its origin" ? 1e-10 : 1e-12;
     RandomStream random(8, solid.name);
     for (int k = 0; k < 30; ++k) {
-      const Mat3 R = k == 0 ? Mat3::Identity() : random_attitude(random).toRotationMatrix();
+      const Mat3 R = k == 0 ? Mat3::Identity() : test::random_attitude(random).toRotationMatrix();
       const double mass = 1025 * volume * random.uniform(0.001, 0.999);
       const double z = floating_height(solid.mesh, R, mass, sea());
       EXPECT_NEAR(1025 * submerged_mesh(solid.mesh, R, {0, 0, z}, 1.5).volume, mass, balance * mass) << solid.name;

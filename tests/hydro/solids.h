@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "core/base/random.h"
 #include "core/bodies/bodies.h"
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/shape.h"
@@ -85,12 +84,6 @@ inline std::vector<Solid> solids() {
           {"thin plate", plate, 4},
           {"thin plate far from its origin", far_plate, 4}};
 }
-
-inline Quat random_attitude(RandomStream& random) {
-  return Quat(random.normal(), random.normal(), random.normal(), random.normal()).normalized();
-}
-
-inline Vec3 random_vector(RandomStream& random) { return {random.normal(), random.normal(), random.normal()}; }
 
 /// A body with the mass properties of its surface at the given density (a sphere: its own).
 inline int add_body(Bodies& bodies, const Shape& shape, const Pose& pose, double density = 900,

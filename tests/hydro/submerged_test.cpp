@@ -3,6 +3,7 @@
 #include "hydro/wetted.h"
 #include "tests/hydro/solids.h"
 #include "tests/hydro/tetrahedron_oracle.h"
+#include "tests/support/random_vectors.h"
 
 namespace nilas::water_test {
 
@@ -36,7 +37,7 @@ TEST(Submerged, RandomAttitudesMatchSignedTetrahedra) {
     ASSERT_TRUE(find_defects(solid.mesh).sound()) << solid.name;
     RandomStream random(1, solid.name);
     for (int k = 0; k < 200; ++k)
-      compare_at(solid, random_attitude(random).toRotationMatrix(), solid.size * random.uniform(-1, 1), 0.37);
+      compare_at(solid, test::random_attitude(random).toRotationMatrix(), solid.size * random.uniform(-1, 1), 0.37);
   }
 }
 
@@ -53,7 +54,7 @@ TEST(Submerged, DeepAndFarFromTheOrigin) {
   const Solid plate{"plate", box_shape({10, 8, 0.01}).surface, 5};
   RandomStream random(2, "deep");
   for (int k = 0; k < 50; ++k) {
-    const Mat3 R = random_attitude(random).toRotationMatrix();
+    const Mat3 R = test::random_attitude(random).toRotationMatrix();
     const Submerged wet = submerged_mesh(plate.mesh, R, {4000, -3000, -1000}, 0);
     EXPECT_NEAR(wet.volume, 0.8, k_exact * 0.8);
     EXPECT_LT((wet.centre - Vec3(4000, -3000, -1000)).norm(), k_exact * plate.size);
@@ -87,7 +88,7 @@ TEST(Submerged, EachVertexOnThePlane) {
   for (const Solid& solid : solids()) {
     RandomStream random(3, solid.name);
     for (std::size_t v = 0; v < solid.mesh.vertices.size() && v < 40; ++v) {
-      const Mat3 R = random_attitude(random).toRotationMatrix();
+      const Mat3 R = test::random_attitude(random).toRotationMatrix();
       const Vec3 p = -(R * solid.mesh.vertices[v]);
       const LongSolid oracle = submerged_oracle(solid.mesh, R, p, 0);
       const double total = mesh_properties(solid.mesh, 1).mass;

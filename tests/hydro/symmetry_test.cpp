@@ -5,6 +5,7 @@
 
 #include "hydro/modules.h"
 #include "tests/hydro/solids.h"
+#include "tests/support/random_vectors.h"
 
 namespace nilas::water_test {
 
@@ -42,11 +43,11 @@ struct Pair {
 
 Pair mirror_pair(const Shape& left, const Shape& right, RandomStream& random) {
   Pair pair;
-  const Pose pose{random_attitude(random), Vec3(1, 2, 0.4 * random.uniform(-1, 1))};
+  const Pose pose{test::random_attitude(random), Vec3(1, 2, 0.4 * random.uniform(-1, 1))};
   add_body(pair.left, left, pose);
   add_body(pair.right, right, {mirrored(pose.q), mirrored(pose.p)});
-  pair.left.v_GB[0] = random_vector(random);
-  pair.left.w_GB[0] = random_vector(random);
+  pair.left.v_GB[0] = test::random_vector(random);
+  pair.left.w_GB[0] = test::random_vector(random);
   pair.right.v_GB[0] = mirrored(pair.left.v_GB[0]);
   pair.right.w_GB[0] = mirrored_axial(pair.left.w_GB[0]);
   return pair;
@@ -104,7 +105,7 @@ TEST(Symmetry, BuoyancyTurnsWithTheFrame) {
   for (const Shape& shape : {prism_shape(concave_outline(), 0.6), mesh_shape(lofted_hull(), {})})
     for (int k = 0; k < 50; ++k) {
       Bodies bodies;
-      add_body(bodies, shape, {random_attitude(random), Vec3(1, 2, 0.4 * random.uniform(-1, 1))});
+      add_body(bodies, shape, {test::random_attitude(random), Vec3(1, 2, 0.4 * random.uniform(-1, 1))});
       const Wrench a = wrench_on(bodies, *module);
       bodies.set_pose(0, turn * bodies.p_GB[0], turn * bodies.q_GB[0]);
       const Wrench b = wrench_on(bodies, *module);

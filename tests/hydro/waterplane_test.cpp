@@ -3,6 +3,7 @@
 #include "hydro/equilibrium.h"
 #include "hydro/wetted.h"
 #include "tests/hydro/solids.h"
+#include "tests/support/random_vectors.h"
 
 namespace nilas::water_test {
 
@@ -63,7 +64,7 @@ TEST(Waterplane, IsTheSlopeOfTheVolume) {
   const TriangleMesh hull = lofted_hull();
   RandomStream random(7, "slope");
   for (int k = 0; k < 20; ++k) {
-    const Mat3 R = random_attitude(random).toRotationMatrix();
+    const Mat3 R = test::random_attitude(random).toRotationMatrix();
     const Vec3 p(0, 0, 0.2 * random.uniform(-1, 1)), d(0, 0, 1e-5);
     const double slope = (submerged_mesh(hull, R, p + d, 0).volume - submerged_mesh(hull, R, p - d, 0).volume) / 2e-5;
     EXPECT_NEAR(waterplane(hull, R, p, 0).area, -slope, 1e-8 * -slope);

@@ -3,6 +3,7 @@
 #include "hydro/sphere_surface.h"
 #include "hydro/wetted.h"
 #include "tests/hydro/solids.h"
+#include "tests/support/random_vectors.h"
 
 namespace nilas::water_test {
 
@@ -33,7 +34,7 @@ TEST(WettedFaces, PressureOverTheFacesIsTheBuoyancy) {
   for (const Solid& solid : solids()) {
     RandomStream random(5, solid.name);
     for (int k = 0; k < 200; ++k) {
-      const Mat3 R = random_attitude(random).toRotationMatrix();
+      const Mat3 R = test::random_attitude(random).toRotationMatrix();
       const Vec3 p = Vec3(7, -9, 0.25 + solid.size * random.uniform(-1, 1)) - R * solid.mesh.vertices[0];
       std::vector<WettedFace> faces;
       wetted_faces(solid.mesh, R, p, 0.25, faces);
@@ -57,8 +58,8 @@ TEST(WettedFaces, FloeFacesGiveTheBuoyancyAndTheAreaOfTheirMesh) {
       const PrismWater floe(shape);
       RandomStream random(6, std::to_string(thickness));
       for (int k = 0; k < 300; ++k) {
-        const Mat3 R(k % 2 == 0 ? random_attitude(random).toRotationMatrix()
-                                : Mat3(Eigen::AngleAxisd(0.01 * thickness, random_vector(random).normalized())));
+        const Mat3 R(k % 2 == 0 ? test::random_attitude(random).toRotationMatrix()
+                                : Mat3(Eigen::AngleAxisd(0.01 * thickness, test::random_vector(random).normalized())));
         const Vec3 p(7, -9, (k % 2 == 0 ? 2 : 0.6 * thickness) * random.uniform(-1, 1));
         std::vector<WettedFace> faces, triangles;
         floe.wetted_faces(R, p, 0, faces);

@@ -11,6 +11,7 @@
 #include "fracture/cut/cut_outline.h"
 #include "fracture/cut/snap_lines.h"
 #include "tests/support/cut_cases.h"
+#include "tests/support/random_vectors.h"
 
 namespace nilas::test {
 
@@ -65,7 +66,7 @@ inline FloeState random_floe(Outline outline, RandomStream& random) {
   const MassProperties plate = prism_properties(outline, floe.thickness, 900);
   floe.mass = plate.mass;
   floe.inertia_B = plate.inertia;
-  floe.pose.q = Quat(random.normal(), random.normal(), random.normal(), random.normal()).normalized();
+  floe.pose.q = random_attitude(random);
   floe.pose.p = vector(10 * size_of_floe);
   floe.v_GB = vector(1);
   floe.w_GB = vector(0.1);

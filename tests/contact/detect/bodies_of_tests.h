@@ -51,10 +51,6 @@ inline Shape floe_shape(std::vector<Vec2> outline, double thickness) {
   return prism_shape(outline, thickness);
 }
 
-inline Quat random_attitude(RandomStream& random) {
-  return Quat(random.normal(), random.normal(), random.normal(), random.normal()).normalized();
-}
-
 /// A random attitude: any yaw, tilted by about `tilt` [rad].
 inline Quat random_tilt(RandomStream& random, double tilt) {
   const Vec3 axis(random.normal(), random.normal(), 0);

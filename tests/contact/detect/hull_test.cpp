@@ -8,6 +8,7 @@
 #include "contact/detect/detector.h"
 #include "tests/contact/detect/bodies_of_tests.h"
 #include "tests/support/collision/distance_oracle.h"
+#include "tests/support/random_vectors.h"
 
 namespace nilas {
 namespace {
@@ -103,8 +104,8 @@ TEST(HullContacts, TwoHullsMatchBruteForce) {
   double worst = 0;
   for (int k = 0; k < 8; ++k) {
     Bodies bodies;
-    add_body(bodies, hull, {0, 0, 0}, random_attitude(random), Motion::articulated);
-    add_body(bodies, hull, {0, 0, 0}, random_attitude(random));
+    add_body(bodies, hull, {0, 0, 0}, test::random_attitude(random), Motion::articulated);
+    add_body(bodies, hull, {0, 0, 0}, test::random_attitude(random));
     const Vec3 d = Vec3(random.normal(), random.normal(), random.normal()).normalized();
     const double truth = slide_to(bodies, d, random.uniform(-4e-3, 4e-3));
     const auto points = ContactDetector().detect(bodies, 0.05);

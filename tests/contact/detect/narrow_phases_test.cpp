@@ -5,6 +5,7 @@
 #include "contact/detect/detector.h"
 #include "tests/contact/detect/crowd.h"
 #include "tests/support/collision/pair_judge.h"
+#include "tests/support/random_vectors.h"
 
 namespace nilas {
 namespace {
@@ -85,7 +86,7 @@ TEST(NarrowPhases, FclAndThePlaneAgreeWithTheClosedForm) {
                         : k % 3 == 1 ? box_shape({0.6, 0.4, 0.3})
                                      : cylinder_shape(0.3, 0.6);
     add_body(bodies, shape, {random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(0.2, 0.55)},
-             random_attitude(random));
+             test::random_attitude(random));
     const auto exact = ContactDetector().detect(bodies, k_margin);
     const auto found = ContactDetector(1, NarrowPhase::fcl).detect(bodies, k_margin);
     ASSERT_EQ(exact.empty(), found.empty()) << k;

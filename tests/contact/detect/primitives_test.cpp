@@ -5,6 +5,7 @@
 
 #include "contact/detect/detector.h"
 #include "tests/contact/detect/bodies_of_tests.h"
+#include "tests/support/random_vectors.h"
 
 namespace nilas {
 namespace {
@@ -241,7 +242,7 @@ TEST(Primitives, CylinderAndBoxAtAnyAttitudeHaveTheTrueDistance) {
   int compared = 0;
   for (int k = 0; k < 300; ++k) {
     const Vec3 size(1, 1.5, 0.4);
-    const Pose pose{random_attitude(random),
+    const Pose pose{test::random_attitude(random),
                     1.1 * Vec3(random.normal(), random.normal(), random.normal()).normalized()};
     const double truth = distance_by_projections(size, pose, 0.3, 0.4);
     if (truth < 1e-3) continue;

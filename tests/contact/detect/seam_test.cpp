@@ -7,6 +7,7 @@
 #include "contact/detect/broad/part.h"
 #include "contact/detect/detector.h"
 #include "tests/contact/detect/bodies_of_tests.h"
+#include "tests/support/random_vectors.h"
 
 namespace nilas {
 namespace {
@@ -236,7 +237,7 @@ TEST(Seams, ABodyDeepInAPartedOneIsFound) {
   int deep = 0;
   for (int k = 0; k < 4000; ++k) {
     const Vec3 p(random.uniform(-0.3, 0.3), random.uniform(-0.55, 0.55), random.uniform(-0.3, 0.3));
-    const Quat q = k % 2 != 0 ? random_tilt(random, 0.1) : random_attitude(random);
+    const Quat q = k % 2 != 0 ? random_tilt(random, 0.1) : test::random_attitude(random);
     const auto depth_in = [&](const Shape& host) {
       Bodies bodies;
       add_body(bodies, host, Vec3::Zero());

@@ -4,17 +4,12 @@
 
 #include <limits>
 
-#include "core/base/random.h"
+#include "tests/support/random_vectors.h"
 
 namespace nilas {
 namespace {
 
 constexpr double k_endless = std::numeric_limits<double>::infinity();
-
-Vec3 random_point(RandomStream& random) {
-  const double n = random.normal(), t1 = random.normal(), t2 = random.normal();
-  return {n, t1, t2};
-}
 
 bool in_pyramid(const Vec3& x, double mu, int facets, double cap) {
   for (int k = 0; k < facets; ++k) {
@@ -70,7 +65,7 @@ TEST(Cone, NearestPointOfTheTruncatedConeByItsVariationalInequality) {
   for (int k = 0; k < 4000; ++k) {
     const double mu = k % 7 == 0 ? 0 : std::exp(random.normal());
     const double cap = k % 3 == 0 ? k_endless : random.uniform(0, 2);
-    const Vec3 x = 3 * random_point(random);
+    const Vec3 x = 3 * test::random_vector(random);
     const Vec3 y = project_cone(x, mu, cap);
     ASSERT_LE(tangential_norm(y), mu * y[0] + 1e-12);
     ASSERT_LE(y[0], cap);
@@ -94,7 +89,7 @@ TEST(Cone, NearestPointOfThePyramidByItsVariationalInequality) {
     const int facets = 3 + k % 10;
     const double mu = std::exp(random.normal());
     const double cap = k % 3 == 0 ? k_endless : random.uniform(0, 2);
-    const Vec3 x = 3 * random_point(random);
+    const Vec3 x = 3 * test::random_vector(random);
     const Vec3 y = project_pyramid(x, mu, facets, cap);
     ASSERT_TRUE(in_pyramid(y, mu, facets, cap)) << facets << " " << x.transpose() << " -> " << y.transpose();
     for (int j = 0; j < 20; ++j) expect_nearest(x, y, random_member(random, mu, facets, cap));
@@ -111,7 +106,7 @@ TEST(Cone, PyramidOfManyFacetsIsTheCone) {
   RandomStream random(3, "limit");
   for (const int facets : {10, 100, 1000})
     for (int k = 0; k < 200; ++k) {
-      const Vec3 x = random_point(random);
+      const Vec3 x = test::random_vector(random);
       const double difference = (project_pyramid(x, 0.7, facets, 1.0) - project_cone(x, 0.7, 1.0)).norm();
       EXPECT_LT(difference, 0.7 * std::sin(k_pi / facets));
     }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/random.h"
+#include "tests/support/random_vectors.h"
 
 namespace nilas {
 namespace {
@@ -14,14 +14,9 @@ namespace {
 constexpr double k_none = std::numeric_limits<double>::infinity();
 constexpr int k_facets = 8;
 
-Vec3 random_vector(RandomStream& random) {
-  const double x = random.normal(), y = random.normal(), z = random.normal();
-  return {x, y, z};
-}
-
 /// A block of two rigid bodies: 1/m I plus the terms of lever arms.
 Mat3 rigid_block(RandomStream& random) {
-  const Mat3 arm = skew(random_vector(random));
+  const Mat3 arm = skew(test::random_vector(random));
   const Vec3 moments(random.uniform(0.5, 1.5), random.uniform(0.5, 1.5), random.uniform(0.5, 1.5));
   const Mat3 turning = arm.transpose() * moments.asDiagonal() * arm;
   return Mat3::Identity() + 0.5 * (turning + turning.transpose());
@@ -30,7 +25,7 @@ Mat3 rigid_block(RandomStream& random) {
 Mat3 gram(RandomStream& random, int rank) {
   Mat3 sum = Mat3::Zero();
   for (int k = 0; k < rank; ++k) {
-    const Vec3 x = random_vector(random);
+    const Vec3 x = test::random_vector(random);
     sum += x * x.transpose();
   }
   return sum;
@@ -57,7 +52,7 @@ class EveryLaw : public testing::TestWithParam<Law> {
       const double mu = k % 9 == 0 ? 0 : std::exp(random.normal() - 1);
       const double limit = k % 3 == 0 ? std::exp(random.normal()) : k_none;
       const double compliance = k % 5 == 0 ? random.uniform(0, 0.1) : 0;
-      Vec3 b = random_vector(random);
+      Vec3 b = test::random_vector(random);
       if (k % 7 == 0) b[0] = 0;
       if (k % 11 == 0) b *= 1e-6;
       if (k % 13 == 0) b.tail<2>().setZero();
@@ -81,7 +76,7 @@ TEST_P(EveryLaw, LargeAndSmallBlocks) {
 
 TEST_P(EveryLaw, SlightlyAsymmetricBlocks) {
   EXPECT_LT(worst([](RandomStream& random) {
-              const Vec3 skewness = 1e-3 * random_vector(random);
+              const Vec3 skewness = 1e-3 * test::random_vector(random);
               return Mat3(rigid_block(random) + skew(skewness));
             }),
             1e-14);
@@ -109,7 +104,7 @@ TEST_P(EveryLaw, TheStartDoesNotChangeTheAnswer) {
   RandomStream random(5, "start");
   for (int k = 0; k < 300; ++k) {
     const ContactBlock block(rigid_block(random), 0.3, k_none, 0);
-    const Vec3 b = random_vector(random);
+    const Vec3 b = test::random_vector(random);
     ContactStart none, far{1e3, 1e3}, near{1e-6, 1e-6};
     const Vec3 r = solve_contact(GetParam(), k_facets, block, b, none);
     EXPECT_LT((solve_contact(GetParam(), k_facets, block, b, far) - r).norm(), 1e-13 * (1 + r.norm()));

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "tests/core/bodies/solids.h"
+#include "tests/support/random_vectors.h"
 
 namespace nilas {
 namespace {
@@ -67,7 +68,7 @@ TEST(Bodies, InertiaTurnsWithTheBody) {
   Bodies bodies;
   bodies.add(floe("floe"));
   for (int i = 0; i < 50; ++i) {
-    const Quat q = random_attitude(random);
+    const Quat q = test::random_attitude(random);
     bodies.set_pose(0, Vec3::Zero(), q);
     const Mat3 inertia = bodies.inertia_G(0), &own = bodies.inertia_B[0];
     EXPECT_NEAR(inertia.trace(), own.trace(), 1e-12 * own.trace());

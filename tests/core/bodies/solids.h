@@ -89,9 +89,4 @@ inline TriangleMesh moved(TriangleMesh mesh, const Mat3& R, const Vec3& p) {
   return mesh;
 }
 
-inline Quat random_attitude(RandomStream& random) {
-  const double w = random.normal(), x = random.normal(), y = random.normal(), z = random.normal();
-  return Quat(w, x, y, z).normalized();
-}
-
 }  // namespace nilas

@@ -9,6 +9,7 @@
 #include "core/base/random.h"
 #include "core/geometry/shape.h"
 #include "tests/core/bodies/solids.h"
+#include "tests/support/random_vectors.h"
 
 namespace nilas {
 namespace {
@@ -226,7 +227,7 @@ TEST(MassProperties, MovedMeshesKeepTheirInertia) {
   const TriangleMesh mesh = prism_shape(about_centroid(l_outline()), 0.7).surface;
   const MassProperties here = mesh_properties(mesh, 900);
   for (int i = 0; i < 20; ++i) {
-    const Mat3 R = random_attitude(random).toRotationMatrix();
+    const Mat3 R = test::random_attitude(random).toRotationMatrix();
     const Vec3 p(random.uniform(-10, 10), random.uniform(-10, 10), random.uniform(-10, 10));
     MassProperties expected = here;
     expected.com = R * here.com + p;

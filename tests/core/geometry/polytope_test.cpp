@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/geometry/shape.h"
 #include "tests/core/bodies/solids.h"
+#include "tests/support/random_vectors.h"
 
 namespace nilas {
 namespace {
@@ -86,7 +87,7 @@ TEST(MakePolytope, FineTrianglesOfABoxMergeToSixFaces) {
   RandomStream random(1, "attitudes");
   for (int i = 0; i < 20; ++i) {
     const Vec3 shift(random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2));
-    const TriangleMesh placed = moved(mesh, random_attitude(random).toRotationMatrix(), shift);
+    const TriangleMesh placed = moved(mesh, test::random_attitude(random).toRotationMatrix(), shift);
     const ConvexPolytope p = make_polytope(rounded_to_float(placed), 4e-5);
     EXPECT_EQ(p.faces.size(), 6u);
     EXPECT_EQ(p.vertices.size(), 8u);
@@ -103,7 +104,7 @@ TEST(MakePolytope, ManySidedPrismsMergeToo) {
   TriangleMesh mesh = prism_shape(outline, 0.5).surface;
   for (int level = 0; level < 2; ++level) mesh = subdivided(mesh);
   for (int i = 0; i < 10; ++i) {
-    const TriangleMesh placed = moved(mesh, random_attitude(random).toRotationMatrix(), {0.3, -0.2, 0.5});
+    const TriangleMesh placed = moved(mesh, test::random_attitude(random).toRotationMatrix(), {0.3, -0.2, 0.5});
     const ConvexPolytope p = make_polytope(rounded_to_float(placed), 2e-5);
     EXPECT_EQ(p.faces.size(), 42u);
     EXPECT_EQ(p.vertices.size(), 80u);
@@ -152,7 +153,7 @@ TEST(MakePolytope, SliversJoinTheirNeighbours) {
   RandomStream random(8, "attitudes");
   for (int i = 0; i < 10; ++i) {
     const ConvexPolytope p =
-        make_polytope(rounded_to_float(moved(mesh, random_attitude(random).toRotationMatrix(), {1, 1, 1})), 2e-5);
+        make_polytope(rounded_to_float(moved(mesh, test::random_attitude(random).toRotationMatrix(), {1, 1, 1})), 2e-5);
     EXPECT_EQ(p.faces.size(), 6u);
     EXPECT_EQ(p.vertices.size(), 8u);
     EXPECT_NEAR(volume(p), 2, 1e-6);

@@ -2,6 +2,7 @@
 /// Draws pairs of a class at random and places them at a known depth or distance.
 #include "tests/support/collision/distance_oracle.h"
 #include "tests/support/collision/pair_classes.h"
+#include "tests/support/random_vectors.h"
 
 namespace nilas::pairs {
 
@@ -60,7 +61,7 @@ inline Quat attitude_of(Meeting meeting, RandomStream& random) {
   constexpr double k_tilt = 0.02;
   if (meeting == Meeting::flat || meeting == Meeting::mirrored)
     return Quat(Eigen::AngleAxisd(random.uniform(0, 2 * k_pi), Vec3::UnitZ()));
-  return meeting == Meeting::afloat ? random_tilt(random, k_tilt) : random_attitude(random);
+  return meeting == Meeting::afloat ? random_tilt(random, k_tilt) : test::random_attitude(random);
 }
 
 /// Direction in which B lies from A: horizontal for half of the afloat and flat pairs, above or below for the others.

@@ -9,6 +9,7 @@
 #include "core/base/random.h"
 #include "core/bodies/bodies.h"
 #include "tests/support/collision/sat_oracle.h"
+#include "tests/support/random_vectors.h"
 
 namespace nilas::oracle {
 
@@ -124,7 +125,7 @@ inline PairOnItsWay crossing_pair(const PairClass& c, RandomStream& random) {
   Vec3 meet[2];
   int k = 0;
   for (auto [polytope, way] : {std::pair{&pair.a, &pair.way_a}, {&pair.b, &pair.way_b}}) {
-    const Quat there = Quat(random.normal(), random.normal(), random.normal(), random.normal()).normalized();
+    const Quat there = test::random_attitude(random);
     way->turn = random.uniform(0, c.turn) * random_direction(random);
     const double angle = when * way->turn.norm();
     const Quat turned = angle > 0 ? Quat(Eigen::AngleAxisd(angle, way->turn.normalized())) : Quat::Identity();

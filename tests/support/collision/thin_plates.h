@@ -9,6 +9,7 @@
 #include "core/base/random.h"
 #include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
+#include "tests/support/random_vectors.h"
 #include "tests/support/scratch_folder.h"
 
 namespace nilas::plates {
@@ -31,7 +32,7 @@ inline Flight draw(RandomStream& random) {
   flight.p = Vec3(-reach - random.uniform(0, 0.4), random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4));
   flight.v = k_speed * Vec3(1, random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5)).normalized();
   for (int i = 0; i < 3; ++i) flight.w[i] = random.uniform(-20, 20);
-  flight.q = Quat(random.normal(), random.normal(), random.normal(), random.normal()).normalized();
+  flight.q = test::random_attitude(random);
   return flight;
 }
 
