@@ -7,6 +7,7 @@
 #include "hydro/wetted.h"
 #include "tests/hydro/solids.h"
 #include "tests/support/random_vectors.h"
+#include "tests/support/tetrahedron.h"
 
 namespace nilas::water_test {
 
@@ -27,7 +28,8 @@ TEST(FloatingHeight, Box) {
 
 /// A cone-like corner, apex down: V = h^3 times its constant, so h = (m / (rho k))^(1/3).
 TEST(FloatingHeight, PyramidApexDown) {
-  const TriangleMesh mesh = tetrahedron({0, 0, 0}, {1, 0, 1}, {-1, 1, 1}, {-1, -1, 1});  // base area 2 at height 1
+  const TriangleMesh mesh =
+      test::tetrahedron({0, 0, 0}, {1, 0, 1}, {-1, 1, 1}, {-1, -1, 1});  // base area 2 at height 1
   const double mass = 100;
   const double z = floating_height(mesh, Mat3::Identity(), mass, sea());
   EXPECT_NEAR(1.5 - z, std::cbrt(mass / (1025 * 2.0 / 3)), 1e-12);

@@ -8,6 +8,8 @@
 #include "core/bodies/bodies.h"
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/shape.h"
+#include "tests/support/about_centroid.h"
+#include "tests/support/tetrahedron.h"
 
 namespace nilas::water_test {
 
@@ -19,25 +21,12 @@ struct Solid {
 
 /// An L-shaped outline about its centroid.
 inline std::vector<Vec2> concave_outline() {
-  std::vector<Vec2> outline{{0, 0}, {4, 0}, {4, 1}, {1.5, 1.5}, {1, 3}, {0, 3}};
-  const Vec2 centre = polygon_moments(outline).centroid;
-  for (auto& q : outline) q -= centre;
-  return outline;
+  return test::about_centroid({{0, 0}, {4, 0}, {4, 1}, {1.5, 1.5}, {1, 3}, {0, 3}});
 }
 
 /// A W-shaped outline: a level cut through its arms leaves three separate wet regions of each cap.
 inline std::vector<Vec2> forked_outline() {
-  std::vector<Vec2> outline{{0, 0}, {5, 0}, {5, 4}, {4, 4}, {3.5, 1}, {3, 4}, {2, 4}, {1.5, 1}, {1, 4}, {0, 4}};
-  const Vec2 centre = polygon_moments(outline).centroid;
-  for (auto& q : outline) q -= centre;
-  return outline;
-}
-
-inline TriangleMesh tetrahedron(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  TriangleMesh mesh{{a, b, c, d}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
-  if ((b - a).cross(c - a).dot(d - a) < 0)
-    for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
-  return mesh;
+  return test::about_centroid({{0, 0}, {5, 0}, {5, 4}, {4, 4}, {3.5, 1}, {3, 4}, {2, 4}, {1.5, 1}, {1, 4}, {0, 4}});
 }
 
 /// A ship-like solid, not convex (hollow waterlines forward), exactly symmetric about y = 0. Each station along x is a
@@ -79,7 +68,7 @@ inline std::vector<Solid> solids() {
   return {{"box", box_shape({2, 3, 1}).surface, 1.8},
           {"concave prism", prism_shape(concave_outline(), 0.4).surface, 2.5},
           {"forked prism", prism_shape(forked_outline(), 0.4).surface, 3},
-          {"tetrahedron", tetrahedron({0.1, 0.2, -0.5}, {1, 0, 0.3}, {-0.4, 0.9, 0.2}, {-0.3, -0.8, 0.7}), 1},
+          {"tetrahedron", test::tetrahedron({0.1, 0.2, -0.5}, {1, 0, 0.3}, {-0.4, 0.9, 0.2}, {-0.3, -0.8, 0.7}), 1},
           {"hull", lofted_hull(), 2},
           {"thin plate", plate, 4},
           {"thin plate far from its origin", far_plate, 4}};

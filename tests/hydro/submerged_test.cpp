@@ -4,6 +4,7 @@
 #include "tests/hydro/solids.h"
 #include "tests/hydro/tetrahedron_oracle.h"
 #include "tests/support/random_vectors.h"
+#include "tests/support/tetrahedron.h"
 
 namespace nilas::water_test {
 
@@ -64,7 +65,7 @@ TEST(Submerged, DeepAndFarFromTheOrigin) {
 /// Tetrahedron with a corner at the origin and unit legs along the axes: V = 1/6, the part below height z is
 /// (1 - (1 - z)^3) / 6. All coordinates are exact, so vertices, edges and faces lie in the plane to the last bit.
 TEST(Submerged, VertexEdgeOrFaceExactlyOnThePlane) {
-  const TriangleMesh corner = tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1});
+  const TriangleMesh corner = test::tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1});
   const Mat3 I = Mat3::Identity();
   const auto volume = [&](const Mat3& R, double z) { return submerged_mesh(corner, R, {0, 0, z}, 0).volume; };
   EXPECT_EQ(volume(I, 0), 0);                      // standing on the water by a face
@@ -77,7 +78,7 @@ TEST(Submerged, VertexEdgeOrFaceExactlyOnThePlane) {
   on_edge << 1, 0, 0, 0, 0, 1, 0, -1, 0;
   EXPECT_NEAR(volume(on_edge, 0), 1.0 / 6, 1e-16);
   // An edge in the plane between a wet and a dry vertex: half of the solid.
-  const TriangleMesh halved = tetrahedron({-1, 0, 0}, {1, 0, 0}, {0, 1, 1}, {0, 1, -1});
+  const TriangleMesh halved = test::tetrahedron({-1, 0, 0}, {1, 0, 0}, {0, 1, 1}, {0, 1, -1});
   const Submerged wet = submerged_mesh(halved, I, Vec3::Zero(), 0);
   EXPECT_NEAR(wet.volume, 1.0 / 3, 1e-15);
   EXPECT_LT((wet.centre - Vec3(0, 0.5, -0.25)).norm(), 1e-15);

@@ -5,16 +5,15 @@
 
 #include "hydro/modules.h"
 #include "tests/hydro/solids.h"
+#include "tests/support/mirrored.h"
 #include "tests/support/random_vectors.h"
 
 namespace nilas::water_test {
 
 namespace {
 
-/// Vectors and axial vectors (angular velocity, torque) mirrored in the plane y = 0.
-Vec3 mirrored(const Vec3& x) { return {x.x(), -x.y(), x.z()}; }
-Vec3 mirrored_axial(const Vec3& x) { return {-x.x(), x.y(), -x.z()}; }
-Quat mirrored(const Quat& q) { return {q.w(), -q.x(), q.y(), -q.z()}; }
+using test::mirrored;
+using test::mirrored_axial;
 
 TriangleMesh mirrored(TriangleMesh mesh) {
   // The mesh is mirrored, its vertices are numbered in reverse, and every triangle begins at another corner.
@@ -28,13 +27,6 @@ TriangleMesh mirrored(TriangleMesh mesh) {
   }
   std::reverse(mesh.triangles.begin(), mesh.triangles.end());
   return mesh;
-}
-
-std::vector<Vec2> mirrored(std::vector<Vec2> outline) {
-  for (auto& q : outline) q.y() = -q.y();
-  std::reverse(outline.begin(), outline.end());
-  std::rotate(outline.begin(), outline.begin() + 2, outline.end());
-  return outline;
 }
 
 struct Pair {
@@ -64,7 +56,7 @@ Wrench wrench_on(const Bodies& bodies, ForceModule& module) {
 TEST(Symmetry, MirroredFloesAndMeshes) {
   std::vector<std::pair<Shape, Shape>> shapes;
   for (const auto& outline : {concave_outline(), forked_outline()})
-    shapes.emplace_back(prism_shape(outline, 0.5), prism_shape(mirrored(outline), 0.5));
+    shapes.emplace_back(prism_shape(outline, 0.5), prism_shape(mirrored(outline, 2), 0.5));
   shapes.emplace_back(mesh_shape(lofted_hull(), {}), mesh_shape(mirrored(lofted_hull()), {}));
   Water water;
   water.current = {0.3, 0, 0};

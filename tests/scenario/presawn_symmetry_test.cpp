@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tests/support/mirror_images.h"
+#include "tests/support/mirrored.h"
 #include "tests/support/presawn.h"
 
 namespace {
@@ -30,8 +31,7 @@ std::vector<std::pair<std::size_t, std::size_t>> mirror_pairs(const Bodies& bodi
   for (std::size_t a = 0; a < bodies.p_GB.size(); ++a)
     for (std::size_t b = 0; b < bodies.p_GB.size(); ++b) {
       if (bodies.motion[a] != Motion::free || bodies.motion[b] != Motion::free || bodies.p_GB[a].y() <= 0) continue;
-      const Vec3 image(bodies.p_GB[b].x(), -bodies.p_GB[b].y(), bodies.p_GB[b].z());
-      if ((bodies.p_GB[a] - image).norm() < 1e-9) pairs.emplace_back(a, b);
+      if ((bodies.p_GB[a] - test::mirrored(bodies.p_GB[b])).norm() < 1e-9) pairs.emplace_back(a, b);
     }
   return pairs;
 }

@@ -10,6 +10,7 @@
 #include "fracture/cut/cut_floe.h"
 #include "fracture/cut/cut_outline.h"
 #include "fracture/cut/snap_lines.h"
+#include "tests/support/about_centroid.h"
 #include "tests/support/cut_cases.h"
 #include "tests/support/random_vectors.h"
 
@@ -55,8 +56,7 @@ inline double deepest_overlap(const std::vector<CutPiece>& pieces) {
 
 /// A uniform plate with this outline, moved to its centroid, at a random pose and with random velocities.
 inline FloeState random_floe(Outline outline, RandomStream& random) {
-  const Vec2 centroid = polygon_moments(outline).centroid;
-  for (Vec2& p : outline) p -= centroid;
+  outline = about_centroid(std::move(outline));
   const double size_of_floe = std::sqrt(polygon_moments(outline).area);
   const auto vector = [&](double size) {
     return Vec3(size * random.normal(), size * random.normal(), size * random.normal());

@@ -8,12 +8,9 @@
 #include <vector>
 
 #include "core/sim/simulation.h"
+#include "tests/support/mirrored.h"
 
 namespace nilas::test {
-
-inline Vec3 mirrored(const Vec3& x) { return {x.x(), -x.y(), x.z()}; }
-/// The mirror image of an axial vector, such as an angular velocity or a moment.
-inline Vec3 mirrored_axial(const Vec3& x) { return {-x.x(), x.y(), -x.z()}; }
 
 /// Differences between the two sides of one step, stage by stage. Each is zero where every bit is the mirrored one.
 struct StepAsymmetry {

@@ -10,6 +10,7 @@
 #include "core/bodies/bodies.h"
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/shape.h"
+#include "tests/support/about_centroid.h"
 
 namespace nilas {
 
@@ -45,10 +46,8 @@ inline std::vector<Vec2> random_outline(RandomStream& random, double radius) {
 }
 
 /// A floe with its centroid at the origin, as prism_shape requires.
-inline Shape floe_shape(std::vector<Vec2> outline, double thickness) {
-  const Vec2 centroid = polygon_moments(outline).centroid;
-  for (Vec2& x : outline) x -= centroid;
-  return prism_shape(outline, thickness);
+inline Shape floe_shape(const std::vector<Vec2>& outline, double thickness) {
+  return prism_shape(test::about_centroid(outline), thickness);
 }
 
 /// A random attitude: any yaw, tilted by about `tilt` [rad].

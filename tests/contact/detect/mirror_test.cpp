@@ -9,19 +9,12 @@
 
 #include "contact/detect/detector.h"
 #include "tests/contact/detect/bodies_of_tests.h"
+#include "tests/support/mirrored.h"
 
 namespace nilas {
 namespace {
 
-Vec3 mirrored(const Vec3& x) { return {x.x(), -x.y(), x.z()}; }
-Quat mirrored(const Quat& q) { return {q.w(), -q.x(), q.y(), -q.z()}; }
-
-std::vector<Vec2> mirrored(std::vector<Vec2> outline, std::size_t first) {
-  for (Vec2& x : outline) x.y() = -x.y();
-  std::reverse(outline.begin(), outline.end());
-  std::rotate(outline.begin(), outline.begin() + static_cast<std::ptrdiff_t>(first % outline.size()), outline.end());
-  return outline;
-}
+using test::mirrored;
 
 using Row = std::tuple<double, double, double, double, double, double, double>;  ///< p, n, gap
 

@@ -16,12 +16,6 @@ inline const std::vector<Vec2>& l_outline() {
   return outline;
 }
 
-inline std::vector<Vec2> about_centroid(std::vector<Vec2> outline) {
-  const Vec2 centroid = polygon_moments(outline).centroid;
-  for (auto& p : outline) p -= centroid;
-  return outline;
-}
-
 /// Regular star of `arms` arms: vertices alternate between the two radii.
 inline std::vector<Vec2> star_outline(int arms, double outer, double inner) {
   std::vector<Vec2> outline;
@@ -43,13 +37,6 @@ inline std::vector<Vec2> random_star_polygon(RandomStream& random) {
     outline.emplace_back(r * std::cos(angle), r * std::sin(angle));
   }
   return outline;
-}
-
-inline TriangleMesh tetrahedron(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  TriangleMesh mesh{{a, b, c, d}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
-  if (signed_volume(mesh) < 0)
-    for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
-  return mesh;
 }
 
 /// Each triangle cut into four; points on shared edges stay shared.

@@ -9,7 +9,10 @@
 #include "core/base/random.h"
 #include "core/geometry/shape.h"
 #include "tests/core/bodies/solids.h"
+#include "tests/support/about_centroid.h"
+#include "tests/support/mirrored.h"
 #include "tests/support/random_vectors.h"
+#include "tests/support/tetrahedron.h"
 
 namespace nilas {
 namespace {
@@ -34,12 +37,12 @@ TEST(MeshProperties, HaveMirroredBitsForMirroredMeshes) {
     const Vec3 a = mesh.vertices[1] - mesh.vertices[0], b = mesh.vertices[2] - mesh.vertices[0];
     if (a.cross(b).dot(mesh.vertices[3] - mesh.vertices[0]) < 0) std::swap(mesh.vertices[1], mesh.vertices[2]);
     TriangleMesh image;
-    for (const Vec3& x : mesh.vertices) image.vertices.insert(image.vertices.begin(), Vec3(x.x(), -x.y(), x.z()));
+    for (const Vec3& x : mesh.vertices) image.vertices.insert(image.vertices.begin(), test::mirrored(x));
     for (const auto& t : mesh.triangles)
       image.triangles.insert(image.triangles.begin(), {3 - t[1], 3 - t[0], 3 - t[2]});
     const MassProperties one = mesh_properties(mesh, 900), two = mesh_properties(image, 900);
     EXPECT_EQ(one.mass, two.mass);
-    EXPECT_EQ(one.com, Vec3(two.com.x(), -two.com.y(), two.com.z()));
+    EXPECT_EQ(one.com, test::mirrored(two.com));
     const Vec3 signs(1, -1, 1);
     EXPECT_EQ(one.inertia, Mat3(signs.asDiagonal() * two.inertia * signs.asDiagonal()));
   }
@@ -54,10 +57,7 @@ TEST(PolygonMoments, HaveMirroredBitsForMirroredOutlines) {
       const double angle = 2 * k_pi * (i + random.uniform(-0.3, 0.3)) / 7, r = random.uniform(0.5, 1.5);
       outline.emplace_back(3 + r * std::cos(angle), 40 + r * std::sin(angle));
     }
-    std::vector<Vec2> image = outline;
-    for (Vec2& x : image) x.y() = -x.y();
-    std::reverse(image.begin(), image.end());
-    std::rotate(image.begin(), image.begin() + k % 7, image.end());
+    const std::vector<Vec2> image = test::mirrored(outline, static_cast<std::size_t>(k));
     const PolygonMoments one = polygon_moments(outline), two = polygon_moments(image);
     EXPECT_EQ(one.area, two.area);
     EXPECT_EQ(one.centroid, Vec2(two.centroid.x(), -two.centroid.y()));
@@ -136,7 +136,7 @@ TEST(MassProperties, MeshesOfPrismsAgreeWithTheClosedForm) {
   std::vector<std::vector<Vec2>> outlines{l_outline(), star_outline(5, 2, 0.7)};
   for (int i = 0; i < 50; ++i) outlines.push_back(random_star_polygon(random));
   for (const auto& raw : outlines) {
-    const auto outline = about_centroid(raw);
+    const auto outline = test::about_centroid(raw);
     const double thickness = 0.3;
     expect_equal(mesh_properties(prism_shape(outline, thickness).surface, 917),
                  prism_properties(outline, thickness, 917));
@@ -161,7 +161,7 @@ TEST(MassProperties, CornerTetrahedron) {
       a * b, 3 * (a * a + c * c), b * c,                  //
       a * c, b * c, 3 * (a * a + b * b);
   expected.inertia *= m / 80;
-  expect_equal(mesh_properties(tetrahedron({0, 0, 0}, {a, 0, 0}, {0, b, 0}, {0, 0, c}), rho), expected);
+  expect_equal(mesh_properties(test::tetrahedron({0, 0, 0}, {a, 0, 0}, {0, b, 0}, {0, 0, c}), rho), expected);
 }
 
 /// A solid with the symmetry of the cube is isotropic: octahedron with vertices at distance r, m = 4/3 rho r^3 and
@@ -224,7 +224,7 @@ TEST(MassProperties, CylinderIsTheLimitOfFlatAndSlender) {
 /// Turned and moved mesh: I' = R I R^T, com' = R com + p, whatever the place of the origin.
 TEST(MassProperties, MovedMeshesKeepTheirInertia) {
   RandomStream random(3, "attitudes");
-  const TriangleMesh mesh = prism_shape(about_centroid(l_outline()), 0.7).surface;
+  const TriangleMesh mesh = prism_shape(test::about_centroid(l_outline()), 0.7).surface;
   const MassProperties here = mesh_properties(mesh, 900);
   for (int i = 0; i < 20; ++i) {
     const Mat3 R = test::random_attitude(random).toRotationMatrix();

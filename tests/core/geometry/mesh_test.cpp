@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/geometry/shape.h"
 #include "tests/core/bodies/solids.h"
+#include "tests/support/tetrahedron.h"
 
 namespace nilas {
 namespace {
@@ -58,8 +59,8 @@ TEST(MeshDefects, OneTurnedTriangleSpoilsItsThreeEdges) {
 
 /// Two tetrahedra that share one edge: four triangles meet there.
 TEST(MeshDefects, AnEdgeOfFourTrianglesIsNotManifold) {
-  TriangleMesh mesh = tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1});
-  const TriangleMesh other = tetrahedron({0, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 0, -1});
+  TriangleMesh mesh = test::tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1});
+  const TriangleMesh other = test::tetrahedron({0, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 0, -1});
   mesh.vertices.push_back(other.vertices[2]);
   mesh.vertices.push_back(other.vertices[3]);
   const std::array<int, 4> renamed{0, 1, 4, 5};
@@ -77,7 +78,7 @@ TEST(MeshDefects, TrianglesWithoutAreaAreCountedAndDoNotOpenTheSurface) {
   EXPECT_TRUE(find_defects(repeated).closed());
 
   // a vertex in the middle of an edge, closed by a flat triangle
-  TriangleMesh flat = tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1});
+  TriangleMesh flat = test::tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1});
   flat.vertices.emplace_back(0.5, 0, 0);
   for (std::size_t t = 0; t < flat.triangles.size(); ++t) {
     auto& triangle = flat.triangles[t];

@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/geometry/shape.h"
 #include "tests/core/bodies/solids.h"
+#include "tests/support/about_centroid.h"
 #include "tests/support/random_vectors.h"
 
 namespace nilas {
@@ -161,7 +162,7 @@ TEST(MakePolytope, SliversJoinTheirNeighbours) {
 }
 
 TEST(MakePolytope, ConcaveSurfacesAreRefused) {
-  const TriangleMesh l = prism_shape(about_centroid(l_outline()), 0.5).surface;
+  const TriangleMesh l = prism_shape(test::about_centroid(l_outline()), 0.5).surface;
   EXPECT_THROW(make_polytope(l, 1e-5), InputError);
   try {
     make_polytope(l, 1e-5);

@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/geometry/polygon.h"
 #include "tests/core/bodies/solids.h"
+#include "tests/support/about_centroid.h"
 
 namespace nilas {
 namespace {
@@ -25,7 +26,7 @@ TEST(PrismShape, PartsAndSurfaceFillTheFloe) {
   std::vector<std::vector<Vec2>> outlines{l_outline(), star_outline(6, 2, 0.7)};
   for (int i = 0; i < 100; ++i) outlines.push_back(random_star_polygon(random));
   for (const auto& raw : outlines) {
-    const auto outline = about_centroid(raw);
+    const auto outline = test::about_centroid(raw);
     const Shape shape = prism_shape(outline, 0.25);
     const double volume = 0.25 * polygon_moments(outline).area;
     EXPECT_EQ(shape.kind, ShapeKind::prism);
@@ -50,7 +51,7 @@ TEST(PrismShape, StraightVerticesMakeNeitherSliversNorFaces) {
     for (std::size_t k = 0; k < 4; ++k)
       for (const double s : {0.0, 0.25, 0.5, 0.75})
         outline.push_back(R * (square[k] + s * (square[(k + 1) % 4] - square[k])));
-    const Shape shape = prism_shape(about_centroid(outline), 0.1);
+    const Shape shape = prism_shape(test::about_centroid(outline), 0.1);
     EXPECT_TRUE(find_defects(shape.surface).sound()) << find_defects(shape.surface).text();
     EXPECT_NEAR(signed_volume(shape.surface), 0.1, 1e-15);
     ASSERT_EQ(shape.parts.size(), 1u);

@@ -11,6 +11,7 @@
 #include "core/geometry/mesh.h"
 #include "core/geometry/shape.h"
 #include "tests/core/bodies/solids.h"
+#include "tests/support/tetrahedron.h"
 
 namespace nilas {
 namespace {
@@ -84,7 +85,7 @@ TEST_F(Stl, BinaryRoundTripGivesTheRoundedMesh) {
 }
 
 TEST_F(Stl, WrittenNormalsAreThoseOfTheWinding) {
-  const std::string bytes = binary(tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}));
+  const std::string bytes = binary(test::tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}));
   std::array<float, 3> normal{};
   std::memcpy(normal.data(), bytes.data() + 84, sizeof normal);
   EXPECT_EQ(normal, (std::array<float, 3>{0, 0, -1}));
@@ -113,7 +114,7 @@ TEST_F(Stl, ABinaryFileMayBeginWithTheWordSolid) {
 }
 
 TEST_F(Stl, MinusZeroIsZero) {
-  TriangleMesh mesh = tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1});
+  TriangleMesh mesh = test::tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1});
   // a corner of its own for the last triangle, at minus zero
   mesh.vertices.emplace_back(-0.0, -0.0, -0.0);
   for (int& v : mesh.triangles[3])
@@ -125,7 +126,7 @@ TEST_F(Stl, MinusZeroIsZero) {
 }
 
 TEST_F(Stl, ATriangleThatWeldsToALineIsKeptAndReported) {
-  TriangleMesh mesh = tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1});
+  TriangleMesh mesh = test::tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1});
   mesh.vertices.emplace_back(1e-60, 0, 0);  // the origin in float32
   mesh.triangles.push_back({0, 4, 1});
   const TriangleMesh read = read_stl(write(binary(mesh)));
@@ -176,7 +177,7 @@ TEST_F(Stl, CoordinatesMustBeFinite) {
 }
 
 TEST_F(Stl, FaultsOfTextNameTheLine) {
-  const std::string whole = text_of(tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}));
+  const std::string whole = text_of(test::tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}));
   EXPECT_NE(fault("solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0\nvertex 1 0 0\n").find(":5: expected a number"),
             std::string::npos);
   EXPECT_NE(fault("solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0x1\n").find(":4: expected a number, found '0x1'"),

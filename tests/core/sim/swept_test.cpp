@@ -8,6 +8,7 @@
 #include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
 #include "tests/support/collision/thin_plates.h"
+#include "tests/support/mirrored.h"
 #include "tests/support/scratch_folder.h"
 
 namespace {
@@ -255,8 +256,8 @@ TEST(Swept, AMirroredHitStaysMirrored) {
     const Bodies& bodies = rig.bodies();
     EXPECT_GT(bodies.v_GB[0].x(), 1);
     EXPECT_NEAR(bodies.v_GB[0].y(), 0, 1e-9);
-    EXPECT_NEAR((bodies.p_GB[1] - Vec3(bodies.p_GB[2].x(), -bodies.p_GB[2].y(), bodies.p_GB[2].z())).norm(), 0, 1e-9);
-    EXPECT_NEAR((bodies.w_GB[1] - Vec3(-bodies.w_GB[2].x(), bodies.w_GB[2].y(), -bodies.w_GB[2].z())).norm(), 0, 1e-7);
+    EXPECT_NEAR((bodies.p_GB[1] - test::mirrored(bodies.p_GB[2])).norm(), 0, 1e-9);
+    EXPECT_NEAR((bodies.w_GB[1] - test::mirrored_axial(bodies.w_GB[2])).norm(), 0, 1e-7);
   }
 }
 

@@ -12,6 +12,7 @@
 #include "contact/registry.h"
 #include "core/base/error.h"
 #include "tests/core/sim/crushing_rig.h"
+#include "tests/support/mirrored.h"
 
 namespace {
 
@@ -110,21 +111,21 @@ TEST(BrokenContacts, OfTwoFloesThatBrokeTogetherGoToTheirPieces) {
 
 /// A crack through a point leaves one to each piece. Turned over, with the points in another order, it is the same.
 TEST(BrokenContacts, AreSharedByPointsThatAreEquallyNear) {
-  BrokenContacts broken, mirrored;
+  BrokenContacts broken, in_the_mirror;
   const std::vector<Vec3> impulses{{2, 0.5, -0.25}, {0.7, 0.1, 0.3}, {0.1, 0.2, 0.9}};
   const std::vector<Vec3> places{{0, 0.1, 0}, {0, 0.13, 0.01}, {0, 0.08, 0.02}};
-  const auto image = [](const Vec3& x) { return Vec3(x.x(), -x.y(), x.z()); };
   broken.note(pressed({{1, 2}, {1, 2}, {1, 2}}, places, impulses), {broke(2, {3, 4})});
-  mirrored.note(pressed({{1, 2}, {1, 2}, {1, 2}}, {image(places[2]), image(places[1]), image(places[0])},
-                        {image(impulses[2]), image(impulses[1]), image(impulses[0])}),
-                {broke(2, {3, 4})});
+  in_the_mirror.note(pressed({{1, 2}, {1, 2}, {1, 2}},
+                             {test::mirrored(places[2]), test::mirrored(places[1]), test::mirrored(places[0])},
+                             {test::mirrored(impulses[2]), test::mirrored(impulses[1]), test::mirrored(impulses[0])}),
+                     {broke(2, {3, 4})});
   const std::vector<Vec3> guess = guessed(broken, blocks(4), {touch(0, 2, {0, 0.1, 0}), touch(0, 3, {0, 0.1, 0})});
   const std::vector<Vec3> of_image =
-      guessed(mirrored, blocks(4), {touch(0, 2, {0, -0.1, 0}), touch(0, 3, {0, -0.1, 0})});
+      guessed(in_the_mirror, blocks(4), {touch(0, 2, {0, -0.1, 0}), touch(0, 3, {0, -0.1, 0})});
   const Vec3 half = 0.5 * (impulses[0] + impulses[1] + impulses[2]);
   expect_near(guess[0], half);
   expect_near(guess[1], half);
-  for (int k = 0; k < 2; ++k) expect_near(image(of_image[k]), half, 1e-15);
+  for (int k = 0; k < 2; ++k) expect_near(test::mirrored(of_image[k]), half, 1e-15);
 }
 
 TEST(BrokenContacts, OutOfReachOrPullingAreLeftOut) {

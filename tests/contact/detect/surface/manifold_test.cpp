@@ -6,6 +6,7 @@
 
 #include "contact/detect/detector.h"
 #include "tests/contact/detect/bodies_of_tests.h"
+#include "tests/support/mirrored.h"
 
 namespace nilas {
 namespace {
@@ -141,25 +142,21 @@ TEST(Manifold, ManyCornersAreReducedToTheLargestQuadrilateral) {
   EXPECT_NEAR(half, 1, 1e-12);
 }
 
-/// The mirror image of the scene in the plane y = 0. The order of vertices is reversed, as a mirrored outline requires.
-Bodies mirrored(const Bodies& bodies) {
+/// The mirror image of prisms in the plane y = 0.
+Bodies mirrored_scene(const Bodies& bodies) {
   Bodies image;
   for (int b = 0; b < bodies.size(); ++b) {
-    std::vector<Vec2> outline;
-    for (const Vec2& x : bodies.shape[b]->outline) outline.insert(outline.begin(), Vec2(x.x(), -x.y()));
-    const Vec3& p = bodies.p_GB[b];
-    const Quat& q = bodies.q_GB[b];
-    add_body(image, prism_shape(outline, bodies.shape[b]->thickness), {p.x(), -p.y(), p.z()},
-             Quat(q.w(), -q.x(), q.y(), -q.z()));
+    const Shape& shape = *bodies.shape[b];
+    add_body(image, prism_shape(test::mirrored(shape.outline), shape.thickness), test::mirrored(bodies.p_GB[b]),
+             test::mirrored(bodies.q_GB[b]));
   }
   return image;
 }
 
 double image_error(const std::vector<ContactPoint>& points, const ContactPoint& of) {
-  const Vec3 flip(1, -1, 1);
   double least = 1;
   for (const ContactPoint& c : points)
-    least = std::min(least, std::max({(c.p - of.p.cwiseProduct(flip)).norm(), (c.n - of.n.cwiseProduct(flip)).norm(),
+    least = std::min(least, std::max({(c.p - test::mirrored(of.p)).norm(), (c.n - test::mirrored(of.n)).norm(),
                                       std::abs(c.gap - of.gap)}));
   return least;
 }
@@ -184,7 +181,7 @@ TEST(Manifold, MirroredPairsHaveMirroredPoints) {
       add_body(bodies, floe_shape(outline, 0.2), Vec3(b * way, stacked ? 0.0 : 0.05 * b, stacked ? 0.2 * b : 0),
                regular ? Quat(Eigen::AngleAxisd(angle, Vec3::UnitZ())) : random_tilt(random, 0.02));
     }
-    const auto points = contacts(bodies, 0.005), images = contacts(mirrored(bodies), 0.005);
+    const auto points = contacts(bodies, 0.005), images = contacts(mirrored_scene(bodies), 0.005);
     ASSERT_EQ(points.size(), images.size()) << k;
     for (const ContactPoint& c : points) {
       const double error = image_error(images, c);
