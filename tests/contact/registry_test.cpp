@@ -6,25 +6,16 @@
 
 #include "core/base/error.h"
 #include "tests/support/cone_problems.h"
+#include "tests/support/refusal.h"
 
 namespace nilas {
 namespace {
-
-template <class Call>
-std::string message_of(const Call& call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
 
 TEST(Registry, FindsSolversAndNamesTheNearest) {
   EXPECT_EQ(find_solver("pgs").make({})->name(), "pgs");
   EXPECT_EQ(find_solver("auto").make({})->name(), "auto");
   EXPECT_EQ(find_solver("newton").make({})->name(), "newton");
-  const std::string message = message_of([] { find_solver("pgz"); });
+  const std::string message = test::refusal([] { find_solver("pgz"); });
   EXPECT_NE(message.find("did you mean 'pgs'"), std::string::npos) << message;
 }
 
@@ -69,11 +60,11 @@ TEST(Registry, ParsesLaws) {
 }
 
 TEST(Registry, RefusesWrongLawsWithTheNearest) {
-  EXPECT_NE(message_of([] { parse_law("coulob"); }).find("did you mean 'coulomb'"), std::string::npos);
-  EXPECT_NE(message_of([] { parse_law("pyramid-2"); }).find("3 to 1000 facets"), std::string::npos);
-  EXPECT_NE(message_of([] { parse_law("pyramid-k"); }).find("facets"), std::string::npos);
-  EXPECT_NE(message_of([] { parse_law("pyramid-8x"); }).find("unknown"), std::string::npos);
-  EXPECT_NE(message_of([] { parse_law(""); }).find("known: coulomb"), std::string::npos);
+  EXPECT_NE(test::refusal([] { parse_law("coulob"); }).find("did you mean 'coulomb'"), std::string::npos);
+  EXPECT_NE(test::refusal([] { parse_law("pyramid-2"); }).find("3 to 1000 facets"), std::string::npos);
+  EXPECT_NE(test::refusal([] { parse_law("pyramid-k"); }).find("facets"), std::string::npos);
+  EXPECT_NE(test::refusal([] { parse_law("pyramid-8x"); }).find("unknown"), std::string::npos);
+  EXPECT_NE(test::refusal([] { parse_law(""); }).find("known: coulomb"), std::string::npos);
 }
 
 TEST(Registry, NamesOfLawsAndStatuses) {

@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/hdf5/hdf5_file.h"
 #include "tests/support/program.h"
+#include "tests/support/refusal.h"
 
 namespace nilas {
 namespace {
@@ -91,14 +92,7 @@ Stored compressed(int nz) {
 MatX dense(const FclibProblem& read) { return MatX(sparse_matrix(std::get<LocalProblem>(read.problem))); }
 
 void expect_refused(const fs::path& path, const std::string& words) {
-  try {
-    read_fclib(path);
-    FAIL() << words << ": was accepted";
-  } catch (const InputError& error) {
-    const std::string message = error.what();
-    EXPECT_NE(message.find(words), std::string::npos) << message;
-    EXPECT_NE(message.find(path.string()), std::string::npos) << message;
-  }
+  test::expect_refusal([&] { read_fclib(path); }, {words, path.string()});
 }
 
 TEST(FclibIo, EveryStorageGivesTheSameMatrix) {
@@ -301,12 +295,7 @@ TEST(FclibIo, FilesThatCannotBeOpenedAreNoBadInput) {
 /// Whether a damaged file was refused with a message; false where the damage did not matter.
 bool refused(const ScratchFolder& folder, const std::string& bytes) {
   const auto path = folder.write("damaged.hdf5", bytes);
-  try {
-    read_fclib(path);
-    return false;
-  } catch (const InputError&) {
-    return true;
-  }
+  return test::refusal([&] { read_fclib(path); }) != "accepted";
 }
 
 TEST(FclibIo, TruncatedFilesAreRefused) {

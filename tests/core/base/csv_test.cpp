@@ -7,6 +7,8 @@
 #include <fstream>
 
 #include "core/base/error.h"
+#include "tests/support/refusal.h"
+#include "tests/support/scratch_folder.h"
 
 namespace nilas {
 namespace {
@@ -14,25 +16,17 @@ namespace {
 class CsvTest : public testing::Test {
  protected:
   std::string write(const std::string& text) {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    file_ = testing::TempDir() + "nilas_csv_" + info->name() + ".csv";
-    std::ofstream(file_, std::ios::binary) << text;
+    file_ = folder_.write("table.csv", text).string();
     return file_;
   }
   /// The message of the InputError that reading `text` with columns a, b must give.
   std::string fault(const std::string& text) {
-    try {
-      read_csv(write(text), {"alpha", "beta"});
-    } catch (const InputError& e) {
-      const std::string message = e.what();
-      EXPECT_EQ(message.rfind(file_, 0), 0U) << message;
-      return message.substr(file_.size());
-    }
-    ADD_FAILURE() << "accepted: " << text;
-    return "";
+    const std::string message = test::refusal([&] { read_csv(write(text), {"alpha", "beta"}); });
+    EXPECT_EQ(message.rfind(file_, 0), 0U) << message << ": " << text;
+    return message.substr(std::min(file_.size(), message.size()));
   }
-  void TearDown() override { std::filesystem::remove(file_); }
 
+  const test::ScratchFolder folder_;
   std::string file_;
 };
 
@@ -76,8 +70,8 @@ TEST_F(CsvTest, RefusesTablesWithoutRows) {
 }
 
 TEST_F(CsvTest, UnreadableFilesAreFileErrors) {
-  EXPECT_THROW(read_csv(testing::TempDir() + "nilas_no_such_file.csv", {"alpha"}), FileError);
-  EXPECT_THROW(read_csv(testing::TempDir(), {"alpha"}), FileError);
+  EXPECT_THROW(read_csv((folder_ / "no_such_file.csv").string(), {"alpha"}), FileError);
+  EXPECT_THROW(read_csv(folder_.path().string(), {"alpha"}), FileError);
 }
 
 TEST_F(CsvTest, QuotedFieldsHoldCommasAndQuotes) {
@@ -98,7 +92,7 @@ TEST_F(CsvTest, ColumnsOfARunEndWithItsLastCompleteRow) {
   EXPECT_TRUE(std::isnan(columns[0][1])) << "no number";
   EXPECT_EQ(columns[1], (std::vector<double>{1, 3}));
   EXPECT_THROW(csv_columns(file, {"y"}), InputError);
-  EXPECT_THROW(csv_columns(testing::TempDir() + "nilas_no_such_file.csv", {"x"}), FileError);
+  EXPECT_THROW(csv_columns((folder_ / "no_such_file.csv").string(), {"x"}), FileError);
 }
 
 TEST_F(CsvTest, RecordsAreCompleteRowsAsText) {

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
+#include "tests/support/scratch_folder.h"
 
 namespace nilas {
 namespace {
@@ -29,23 +30,23 @@ TEST(WarningCounts, TheFirstOfAKindIsShownAllAreCounted) {
 }
 
 TEST(MakeLogger, WritesDetailsToTheFileAtAnyConsoleLevel) {
-  const auto file = std::filesystem::temp_directory_path() / ("nilas_log_" + std::to_string(::getpid()) + ".log");
+  const test::ScratchFolder folder;
+  const auto file = folder / "run.log";
   make_logger("off", file.string())->debug("a detail");
   std::ostringstream text;
   text << std::ifstream(file).rdbuf();
   EXPECT_NE(text.str().find("debug: a detail"), std::string::npos) << text.str();
-  std::filesystem::remove(file);
 }
 
 TEST(MakeLogger, AppendsWhereAsked) {
-  const auto file = std::filesystem::temp_directory_path() / ("nilas_append_" + std::to_string(::getpid()) + ".log");
+  const test::ScratchFolder folder;
+  const auto file = folder / "run.log";
   make_logger("off", file.string())->info("first");
   make_logger("off", file.string(), LogFile::append)->info("second");
   std::ostringstream text;
   text << std::ifstream(file).rdbuf();
   EXPECT_NE(text.str().find("first"), std::string::npos);
   EXPECT_NE(text.str().find("second"), std::string::npos);
-  std::filesystem::remove(file);
 }
 
 TEST(MakeLogger, AFileThatCannotBeOpenedIsAFileError) {

@@ -1,12 +1,13 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 
 #include "core/base/error.h"
 #include "core/field/field.h"
 #include "core/field/sizes/floe_property.h"
+#include "tests/support/mentions.h"
+#include "tests/support/refusal.h"
+#include "tests/support/scratch_folder.h"
 
 namespace nilas {
 namespace {
@@ -15,17 +16,7 @@ namespace fs = std::filesystem;
 
 class FieldFile : public testing::Test {
  protected:
-  void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::temp_directory_path() / ("nilas_field_" + std::string(test->name()) + "_" + std::to_string(getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  fs::path written(const std::string& text) const {
-    std::ofstream(folder_ / "field.json") << text;
-    return folder_ / "field.json";
-  }
+  fs::path written(const std::string& text) const { return folder_.write("field.json", text); }
   /// A file whose second feature has the given geometry and properties.
   fs::path with_second(const std::string& geometry, const std::string& properties = "{}") const {
     const std::string square = R"({"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1],[0,1],[0,0]]]})";
@@ -33,18 +24,13 @@ class FieldFile : public testing::Test {
                    R"(},{"type":"Feature","properties":)" + properties + R"(,"geometry":)" + geometry + "}]}");
   }
   static std::string refusal(const fs::path& file) {
-    try {
-      read_field(file);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "accepted";
+    return test::refusal([&] { read_field(file); });
   }
 
-  fs::path folder_;
+  test::ScratchFolder folder_;
 };
 
-bool names(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+using test::mentions;
 
 TEST_F(FieldFile, RoundTripKeepsEveryBit) {
   PackedSpec spec;
@@ -83,10 +69,10 @@ TEST_F(FieldFile, WeakLinesGoRoundAndAreChecked) {
   ASSERT_EQ(read.floes.size(), 1u);
   const std::string line = R"({"type":"LineString","coordinates":[[0,0],[1,1]]})";
   EXPECT_EQ(refusal(with_second(line, R"({"strength":0.5})")), "accepted");
-  EXPECT_TRUE(names(refusal(with_second(line)), "feature 2: strength of a weak line"));
-  EXPECT_TRUE(names(refusal(with_second(line, R"({"strength":1.5})")), "> 0 and <= 1"));
-  EXPECT_TRUE(names(refusal(with_second(R"({"type":"LineString","coordinates":[[0,0]]})", R"({"strength":1})")),
-                    "two points or more"));
+  EXPECT_TRUE(mentions(refusal(with_second(line)), "feature 2: strength of a weak line"));
+  EXPECT_TRUE(mentions(refusal(with_second(line, R"({"strength":1.5})")), "> 0 and <= 1"));
+  EXPECT_TRUE(mentions(refusal(with_second(R"({"type":"LineString","coordinates":[[0,0]]})", R"({"strength":1})")),
+                       "two points or more"));
 }
 
 TEST_F(FieldFile, ClockwiseRingsAreTurned) {
@@ -112,23 +98,24 @@ TEST_F(FieldFile, FaultsNameFileAndFeature) {
   };
   const std::string good = R"({"type":"Polygon","coordinates":[[[3,0],[4,0],[4,1],[3,0]]]})";
   EXPECT_EQ(wrong(good), "accepted");
-  EXPECT_PRED2(names, wrong(R"({"type":"Point","coordinates":[1,2]})"),
+  EXPECT_PRED2(mentions, wrong(R"({"type":"Point","coordinates":[1,2]})"),
                "field.json: feature 2: geometry type: found \"Point\"");
-  EXPECT_PRED2(names, wrong(R"({"type":"Polygon","coordinates":[[[3,0],[4,0],[4,1]]]})"), "feature 2: found 3 points");
-  EXPECT_PRED2(names, wrong(R"({"type":"Polygon","coordinates":[[[3,0],[4,0],[4,1],[3,1]]]})"), "not closed");
-  EXPECT_PRED2(names, wrong(R"({"type":"Polygon","coordinates":[[[3,0],[4,1],[4,0],[3,1],[3,0]]]})"), "crosses");
-  EXPECT_PRED2(names, wrong(R"({"type":"Polygon","coordinates":[[[3,0],["x",0],[4,1],[3,0]]]})"),
+  EXPECT_PRED2(mentions, wrong(R"({"type":"Polygon","coordinates":[[[3,0],[4,0],[4,1]]]})"),
+               "feature 2: found 3 points");
+  EXPECT_PRED2(mentions, wrong(R"({"type":"Polygon","coordinates":[[[3,0],[4,0],[4,1],[3,1]]]})"), "not closed");
+  EXPECT_PRED2(mentions, wrong(R"({"type":"Polygon","coordinates":[[[3,0],[4,1],[4,0],[3,1],[3,0]]]})"), "crosses");
+  EXPECT_PRED2(mentions, wrong(R"({"type":"Polygon","coordinates":[[[3,0],["x",0],[4,1],[3,0]]]})"),
                "point 2: found [\"x\",0]");
-  EXPECT_PRED2(names, wrong(R"({"type":"Polygon","coordinates":[[],[]]})"), "found 2 rings");
-  EXPECT_PRED2(names, wrong(good, R"({"thickness_m":-0.1})"), "feature 2: thickness_m: found -0.1");
-  EXPECT_PRED2(names, wrong(good, R"({"density_kg_m3":"heavy"})"), "density_kg_m3: found \"heavy\"");
-  EXPECT_PRED2(names, wrong(good, R"({"flexural_strength_Pa":-1})"), "flexural_strength_Pa: found -1");
+  EXPECT_PRED2(mentions, wrong(R"({"type":"Polygon","coordinates":[[],[]]})"), "found 2 rings");
+  EXPECT_PRED2(mentions, wrong(good, R"({"thickness_m":-0.1})"), "feature 2: thickness_m: found -0.1");
+  EXPECT_PRED2(mentions, wrong(good, R"({"density_kg_m3":"heavy"})"), "density_kg_m3: found \"heavy\"");
+  EXPECT_PRED2(mentions, wrong(good, R"({"flexural_strength_Pa":-1})"), "flexural_strength_Pa: found -1");
 }
 
 TEST_F(FieldFile, FaultsOfTheWholeFile) {
-  EXPECT_PRED2(names, refusal(written("{\"type\": \"FeatureColl")), "not JSON");
-  EXPECT_PRED2(names, refusal(written("[1, 2]")), "FeatureCollection");
-  EXPECT_PRED2(names, refusal(written("{\"type\": \"FeatureCollection\"}")), "features");
+  EXPECT_PRED2(mentions, refusal(written("{\"type\": \"FeatureColl")), "not JSON");
+  EXPECT_PRED2(mentions, refusal(written("[1, 2]")), "FeatureCollection");
+  EXPECT_PRED2(mentions, refusal(written("{\"type\": \"FeatureCollection\"}")), "features");
   EXPECT_THROW(read_field(folder_ / "missing.json"), FileError);
   EXPECT_THROW(write_field({}, folder_ / "no_such_folder" / "f.json"), FileError);
 }

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/error.h"
 #include "core/field/field.h"
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/polygon.h"
+#include "tests/support/mentions.h"
+#include "tests/support/refusal.h"
 
 namespace nilas {
 namespace {
@@ -120,20 +121,14 @@ TEST(GridField, WrongParametersAreNamed) {
   const auto refusal = [](auto change) -> std::string {
     auto spec = channel(4, 4);
     change(spec);
-    try {
-      grid_field(spec);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "accepted";
+    return test::refusal([&] { grid_field(spec); });
   };
-  const auto names = [](const std::string& text, const std::string& part) { return text.find(part) != text.npos; };
-  EXPECT_PRED2(names, refusal([](auto& s) { s.rows = 0; }), "rows: found 0");
-  EXPECT_PRED2(names, refusal([](auto& s) { s.columns = -3; }), "columns: found -3");
-  EXPECT_PRED2(names, refusal([](auto& s) { s.gap = 1; }), "gap: found 1");
-  EXPECT_PRED2(names, refusal([](auto& s) { s.gap = -1; }), "gap: found -1");
-  EXPECT_PRED2(names, refusal([](auto& s) { s.columns = 10000; }), "columns: found 10000");
-  EXPECT_PRED2(names, refusal([](auto& s) { s.high = s.low; }), "region: found 0");
+  EXPECT_PRED2(test::mentions, refusal([](auto& s) { s.rows = 0; }), "rows: found 0");
+  EXPECT_PRED2(test::mentions, refusal([](auto& s) { s.columns = -3; }), "columns: found -3");
+  EXPECT_PRED2(test::mentions, refusal([](auto& s) { s.gap = 1; }), "gap: found 1");
+  EXPECT_PRED2(test::mentions, refusal([](auto& s) { s.gap = -1; }), "gap: found -1");
+  EXPECT_PRED2(test::mentions, refusal([](auto& s) { s.columns = 10000; }), "columns: found 10000");
+  EXPECT_PRED2(test::mentions, refusal([](auto& s) { s.high = s.low; }), "region: found 0");
 }
 
 }  // namespace

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "core/base/error.h"
 #include "core/field/field.h"
+#include "tests/support/mentions.h"
+#include "tests/support/refusal.h"
 #include "tests/support/scratch_folder.h"
 
 namespace nilas {
@@ -14,17 +14,10 @@ namespace {
 class OutlineLibrary : public testing::Test {
  protected:
   std::vector<std::vector<Vec2>> read(const std::string& text) const {
-    const auto file = folder_.path() / "floes.json";
-    std::ofstream(file) << text;
-    return read_outlines(file);
+    return read_outlines(folder_.write("floes.json", text));
   }
   std::string refusal(const std::string& text) const {
-    try {
-      read(text);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "accepted";
+    return test::refusal([&] { read(text); });
   }
   test::ScratchFolder folder_;
 };
@@ -46,13 +39,12 @@ TEST_F(OutlineLibrary, TakesFlatListsPairsBodiesAndGeoJson) {
 TEST_F(OutlineLibrary, TurnsClockwiseOutlines) { EXPECT_EQ(read("[[0,1,2,0,0,0]]")[0], k_triangle); }
 
 TEST_F(OutlineLibrary, NamesTheOutlineAtFault) {
-  const auto names = [](const std::string& text, const std::string& part) { return text.find(part) != text.npos; };
-  EXPECT_PRED2(names, refusal("[[0,0,2,0,0,1],[0,0,1]]"), "outline 2: found 3 numbers");
-  EXPECT_PRED2(names, refusal("[[0,0,2,2,2,0,0,2]]"), "outline 1: the outline crosses");
-  EXPECT_PRED2(names, refusal("[[0,0,1,1]]"), "outline 1: found 2 corners");
-  EXPECT_PRED2(names, refusal("[[[0,0,0],[1,0],[0,1]]]"), "allowed [x, y]");
-  EXPECT_PRED2(names, refusal("[]"), "expected a list");
-  EXPECT_PRED2(names, refusal("{"), "not JSON");
+  EXPECT_PRED2(test::mentions, refusal("[[0,0,2,0,0,1],[0,0,1]]"), "outline 2: found 3 numbers");
+  EXPECT_PRED2(test::mentions, refusal("[[0,0,2,2,2,0,0,2]]"), "outline 1: the outline crosses");
+  EXPECT_PRED2(test::mentions, refusal("[[0,0,1,1]]"), "outline 1: found 2 corners");
+  EXPECT_PRED2(test::mentions, refusal("[[[0,0,0],[1,0],[0,1]]]"), "allowed [x, y]");
+  EXPECT_PRED2(test::mentions, refusal("[]"), "expected a list");
+  EXPECT_PRED2(test::mentions, refusal("{"), "not JSON");
   EXPECT_THROW(read_outlines(folder_.path() / "none.json"), FileError);
 }
 

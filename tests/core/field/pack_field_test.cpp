@@ -4,10 +4,11 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/error.h"
 #include "core/field/field.h"
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/polygon.h"
+#include "tests/support/mentions.h"
+#include "tests/support/refusal.h"
 
 namespace nilas {
 namespace {
@@ -220,55 +221,35 @@ TEST(PackField, KeepsClearOfAHullOutline) {
 
 TEST(PackField, ImpossibleConcentrationSaysWhatIsReached) {
   auto spec = spec_of(5, 4, 0.99, FloeShape::disc);
-  try {
-    pack_field(spec);
-    FAIL() << "packed discs to 99 %";
-  } catch (const InputError& error) {
-    const std::string text = error.what();
-    EXPECT_NE(text.find("concentration: found 0.99"), std::string::npos) << text;
-    EXPECT_NE(text.find("discs block each other at about 0.8"), std::string::npos) << text;
-  }
+  test::expect_refusal([&] { pack_field(spec); }, {"concentration: found 0.99", "discs block each other at about 0.8"});
 }
 
 TEST(PackField, AFloeLargerThanTheRegionIsNamed) {
   auto spec = spec_of(2, 1.5, 0.9, FloeShape::square);
   spec.distribution = SizeDistribution::fixed;
   spec.mean = 1.6;
-  try {
-    pack_field(spec);
-    FAIL() << "packed a floe that is too large";
-  } catch (const InputError& error) {
-    const std::string text = error.what();
-    EXPECT_NE(text.find("one floe, and it does not fit"), std::string::npos) << text;
-    EXPECT_NE(text.find("1.6 m across"), std::string::npos) << text;
-    EXPECT_NE(text.find("the region 1.5 m broad"), std::string::npos) << text;
-  }
+  test::expect_refusal([&] { pack_field(spec); },
+                       {"one floe, and it does not fit", "1.6 m across", "the region 1.5 m broad"});
 }
 
 template <class Change>
 std::string refusal(const Change& change) {
   auto spec = spec_of(6, 6, 0.5);
   change(spec);
-  try {
-    pack_field(spec);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return test::refusal([&] { pack_field(spec); });
 }
 
 TEST(PackField, WrongParametersAreNamed) {
-  const auto names = [](const std::string& text, const std::string& part) { return text.find(part) != text.npos; };
-  EXPECT_PRED2(names, refusal([](auto& s) { s.high.x() = s.low.x(); }), "region: found 0");
-  EXPECT_PRED2(names, refusal([](auto& s) { s.concentration = 1.2; }), "concentration: found 1.2");
-  EXPECT_PRED2(names, refusal([](auto& s) { s.mean = -1; }), "size mean: found -1");
-  EXPECT_PRED2(names, refusal([](auto& s) { s.max = 0.1; }), "size max: found 0.1");
-  EXPECT_PRED2(names, refusal([](auto& s) { s.vertices_min = 2; }), "vertices: found 2");
-  EXPECT_PRED2(names, refusal([](auto& s) { s.aspect = 0.5; }), "aspect: found 0.5");
-  EXPECT_PRED2(names, refusal([](auto& s) { s.shear = 1.5; }), "shear_deg: found 85.9");
-  EXPECT_PRED2(names, refusal([](auto& s) { s.keep_out_margin = -1; }), "keep-out margin: found -1");
-  EXPECT_PRED2(names, refusal([](auto& s) { s.keep_out = {{{0, 0}, {0, 1}, {1, 1}}}; }), "keep-out outline 1");
-  EXPECT_PRED2(names, refusal([](auto& s) { s.high = s.low + Vec2(0.1, 0.1); }), "less than half a floe");
+  EXPECT_PRED2(test::mentions, refusal([](auto& s) { s.high.x() = s.low.x(); }), "region: found 0");
+  EXPECT_PRED2(test::mentions, refusal([](auto& s) { s.concentration = 1.2; }), "concentration: found 1.2");
+  EXPECT_PRED2(test::mentions, refusal([](auto& s) { s.mean = -1; }), "size mean: found -1");
+  EXPECT_PRED2(test::mentions, refusal([](auto& s) { s.max = 0.1; }), "size max: found 0.1");
+  EXPECT_PRED2(test::mentions, refusal([](auto& s) { s.vertices_min = 2; }), "vertices: found 2");
+  EXPECT_PRED2(test::mentions, refusal([](auto& s) { s.aspect = 0.5; }), "aspect: found 0.5");
+  EXPECT_PRED2(test::mentions, refusal([](auto& s) { s.shear = 1.5; }), "shear_deg: found 85.9");
+  EXPECT_PRED2(test::mentions, refusal([](auto& s) { s.keep_out_margin = -1; }), "keep-out margin: found -1");
+  EXPECT_PRED2(test::mentions, refusal([](auto& s) { s.keep_out = {{{0, 0}, {0, 1}, {1, 1}}}; }), "keep-out outline 1");
+  EXPECT_PRED2(test::mentions, refusal([](auto& s) { s.high = s.low + Vec2(0.1, 0.1); }), "less than half a floe");
 }
 
 }  // namespace

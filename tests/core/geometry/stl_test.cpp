@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstring>
 #include <filesystem>
@@ -11,6 +10,8 @@
 #include "core/geometry/mesh.h"
 #include "core/geometry/shape.h"
 #include "tests/core/bodies/solids.h"
+#include "tests/support/refusal.h"
+#include "tests/support/scratch_folder.h"
 #include "tests/support/tetrahedron.h"
 
 namespace nilas {
@@ -18,20 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own for each test, removed afterwards.
 class Stl : public testing::Test {
  protected:
-  Stl() {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::temp_directory_path() / ("nilas_stl_" + std::to_string(::getpid()) + "_" + test->name());
-    fs::create_directories(folder_);
-  }
-  ~Stl() override { fs::remove_all(folder_); }
-
-  fs::path write(const std::string& bytes) const {
-    std::ofstream(folder_ / "mesh.stl", std::ios::binary) << bytes;
-    return folder_ / "mesh.stl";
-  }
+  fs::path write(const std::string& bytes) const { return folder_.write("mesh.stl", bytes); }
   static std::string bytes_of(const fs::path& file) {
     std::ostringstream bytes;
     bytes << std::ifstream(file, std::ios::binary).rdbuf();
@@ -42,15 +32,10 @@ class Stl : public testing::Test {
     return bytes_of(folder_ / "source.stl");
   }
   std::string fault(const std::string& bytes) const {
-    try {
-      read_stl(write(bytes));
-    } catch (const InputError& e) {
-      return e.what();
-    }
-    return "no fault";
+    return test::refusal([&] { read_stl(write(bytes)); });
   }
 
-  fs::path folder_;
+  test::ScratchFolder folder_;
 };
 
 std::string text_of(const TriangleMesh& mesh) {
@@ -189,7 +174,7 @@ TEST_F(Stl, FaultsOfTextNameTheLine) {
 
 TEST_F(Stl, FilesThatCannotBeOpened) {
   EXPECT_THROW(read_stl(folder_ / "absent.stl"), FileError);
-  EXPECT_THROW(read_stl(folder_), FileError);
+  EXPECT_THROW(read_stl(folder_.path()), FileError);
   EXPECT_THROW(write_stl(octahedron(), folder_ / "absent" / "mesh.stl"), FileError);
   EXPECT_THROW(write_stl(octahedron(), "/dev/full"), FileError);
 }

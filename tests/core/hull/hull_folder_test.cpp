@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -8,6 +7,9 @@
 #include "core/hull/hull.h"
 #include "core/hull/hull_parts.h"
 #include "core/hull/new_hull_folder.h"
+#include "tests/support/mentions.h"
+#include "tests/support/refusal.h"
+#include "tests/support/scratch_folder.h"
 
 namespace nilas {
 namespace {
@@ -16,13 +18,6 @@ namespace fs = std::filesystem;
 
 class HullFolder : public testing::Test {
  protected:
-  void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::temp_directory_path() / ("nilas_hull_" + std::string(test->name()) + "_" + std::to_string(getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   static void replace(const fs::path& folder, const Hull& hull, const std::string& json) {
     NewHullFolder made(folder, true);
     write_hull(hull, made.staging(), json);
@@ -30,18 +25,12 @@ class HullFolder : public testing::Test {
   }
   static Hull example() { return generate_hull(hull_form("icebreaker", {{"triangles", 1000}})); }
   static std::string refusal(const fs::path& path) {
-    try {
-      read_hull(path);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "accepted";
+    return test::refusal([&] { read_hull(path); });
   }
 
-  fs::path folder_;
+  const test::ScratchFolder scratch_;
+  const fs::path folder_ = scratch_.path();
 };
-
-bool names(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// Corners of every triangle in order, which is the content of an STL file.
 std::vector<Vec3> corners(const TriangleMesh& mesh) {
@@ -105,7 +94,7 @@ TEST_F(HullFolder, WhatIsNotTheHullsStaysAndForceIsNeeded) {
   replace(folder_, example(), "{}");
   EXPECT_TRUE(fs::exists(folder_ / "notes.txt"));
   std::ofstream(folder_ / "part-bow.stl") << "mine";
-  EXPECT_PRED2(names, refusal(folder_), "part-bow.stl");
+  EXPECT_PRED2(test::mentions, refusal(folder_), "part-bow.stl");
   EXPECT_THROW(NewHullFolder(folder_, true), InputError);
   EXPECT_TRUE(fs::exists(folder_ / "part-bow.stl"));
 }
@@ -152,10 +141,10 @@ TEST_F(HullFolder, ConvexStlIsItsOwnPart) {
 TEST_F(HullFolder, ConcaveStlAsksForAFolderWithConvexParts) {
   write_stl(l_shape(), folder_ / "l.stl");
   const std::string text = refusal(folder_ / "l.stl");
-  EXPECT_PRED2(names, text, "l.stl");
-  EXPECT_PRED2(names, text, "not convex");
-  EXPECT_PRED2(names, text, "nilas hull");
-  EXPECT_PRED2(names, text, "folder with convex parts");
+  EXPECT_PRED2(test::mentions, text, "l.stl");
+  EXPECT_PRED2(test::mentions, text, "not convex");
+  EXPECT_PRED2(test::mentions, text, "nilas hull");
+  EXPECT_PRED2(test::mentions, text, "folder with convex parts");
 }
 
 TEST_F(HullFolder, ConcaveSurfaceWithConvexPartsIsRead) {
@@ -166,21 +155,21 @@ TEST_F(HullFolder, ConcaveSurfaceWithConvexPartsIsRead) {
   replace(folder_, {l_shape(), {box(0, 0, 2, 1), box(0, 1, 1, 2)}}, "{\"parts\": 2}");
   EXPECT_EQ(read_hull(folder_).parts.size(), 2u);
   replace(folder_, {l_shape(), {l_shape()}}, "{\"parts\": 1}");
-  EXPECT_PRED2(names, refusal(folder_), "part-0001.stl: the surface is not convex");
+  EXPECT_PRED2(test::mentions, refusal(folder_), "part-0001.stl: the surface is not convex");
 }
 
 TEST_F(HullFolder, UnsoundMeshesAreNamedWithTheirDefects) {
   Hull open = example();
   open.fluid.triangles.pop_back();
   replace(folder_, open, "{}");
-  EXPECT_PRED2(names, refusal(folder_), "fluid.stl");
-  EXPECT_PRED2(names, refusal(folder_), "3 open edges");
+  EXPECT_PRED2(test::mentions, refusal(folder_), "fluid.stl");
+  EXPECT_PRED2(test::mentions, refusal(folder_), "3 open edges");
 
   Hull inward = example();
   for (auto& t : inward.parts[0].triangles) std::swap(t[1], t[2]);
   replace(folder_, inward, "{}");
-  EXPECT_PRED2(names, refusal(folder_), "part-0001.stl");
-  EXPECT_PRED2(names, refusal(folder_), "inwards");
+  EXPECT_PRED2(test::mentions, refusal(folder_), "part-0001.stl");
+  EXPECT_PRED2(test::mentions, refusal(folder_), "inwards");
 
   Hull needle = example();
   auto& [a, b, c] = needle.fluid.triangles.front();
@@ -195,10 +184,10 @@ TEST_F(HullFolder, UnsoundMeshesAreNamedWithTheirDefects) {
 
 TEST_F(HullFolder, DescriptionMustAgreeWithTheParts) {
   replace(folder_, example(), "{\"parts\": 3}");
-  EXPECT_PRED2(names, refusal(folder_), "hull.json");
-  EXPECT_PRED2(names, refusal(folder_), "3");
+  EXPECT_PRED2(test::mentions, refusal(folder_), "hull.json");
+  EXPECT_PRED2(test::mentions, refusal(folder_), "3");
   replace(folder_, example(), "{\"parts\": ");
-  EXPECT_PRED2(names, refusal(folder_), "hull.json");
+  EXPECT_PRED2(test::mentions, refusal(folder_), "hull.json");
   replace(folder_, example(), "{}");
   EXPECT_EQ(refusal(folder_), "accepted");
   fs::remove(folder_ / "hull.json");
@@ -213,7 +202,7 @@ TEST_F(HullFolder, MissingFilesAreFileErrors) {
   EXPECT_THROW(read_hull(folder_ / "loop"), FileError);
   EXPECT_THROW(read_hull(folder_), FileError);  // a folder without fluid.stl
   write_stl(example().fluid, folder_ / "fluid.stl");
-  EXPECT_PRED2(names, refusal(folder_), "part-NNNN.stl");
+  EXPECT_PRED2(test::mentions, refusal(folder_), "part-NNNN.stl");
   std::ofstream(folder_ / "file") << "x";
   EXPECT_THROW(NewHullFolder(folder_ / "file" / "ship", false), FileError);
   EXPECT_THROW(NewHullFolder(folder_ / "file", false), FileError);

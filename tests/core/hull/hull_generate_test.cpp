@@ -7,6 +7,8 @@
 #include "core/base/error.h"
 #include "core/geometry/mass_properties.h"
 #include "core/hull/hull.h"
+#include "tests/support/mentions.h"
+#include "tests/support/refusal.h"
 
 namespace nilas {
 namespace {
@@ -206,28 +208,22 @@ TEST(HullGenerate, WedgeIsAPrism) {
 }
 
 std::string refusal(const std::map<std::string, double>& parameters, const std::string& kind = "icebreaker") {
-  try {
-    generate_hull(form_of(parameters, kind));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return test::refusal([&] { generate_hull(form_of(parameters, kind)); });
 }
 
-bool names(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 TEST(HullGenerate, WrongParametersAreNamedWithWhatIsAllowed) {
-  EXPECT_PRED2(names, refusal({{"length", -1}}), "length");
-  EXPECT_PRED2(names, refusal({{"beam", 0}}), "beam is 0");
-  EXPECT_PRED2(names, refusal({{"depth", 0.2}}), "depth is 0.2");
-  EXPECT_PRED2(names, refusal({{"stem_angle_deg", 120}}), "stem_angle_deg is 120");
-  EXPECT_PRED2(names, refusal({{"entrance_angle_deg", 10}}), "entrance_angle_deg is 10");
-  EXPECT_PRED2(names, refusal({{"flare_angle_deg", -5}}), "flare_angle_deg is -5");
-  EXPECT_PRED2(names, refusal({{"flare_angle_deg", 44}, {"draught", 0.7}, {"depth", 1}}), "flare_angle_deg is 44");
-  EXPECT_PRED2(names, refusal({{"bow_length", 4}, {"stern_length", 3}}), "bow_length + stern_length is 7");
-  EXPECT_PRED2(names, refusal({{"triangles", 10}}), "triangles is 10");
-  EXPECT_PRED2(names, refusal({{"length", std::nan("")}}), "length is nan");
-  EXPECT_PRED2(names, refusal({{"bow_length", 7}}, "wedge"), "bow_length is 7");
+  EXPECT_PRED2(test::mentions, refusal({{"length", -1}}), "length");
+  EXPECT_PRED2(test::mentions, refusal({{"beam", 0}}), "beam is 0");
+  EXPECT_PRED2(test::mentions, refusal({{"depth", 0.2}}), "depth is 0.2");
+  EXPECT_PRED2(test::mentions, refusal({{"stem_angle_deg", 120}}), "stem_angle_deg is 120");
+  EXPECT_PRED2(test::mentions, refusal({{"entrance_angle_deg", 10}}), "entrance_angle_deg is 10");
+  EXPECT_PRED2(test::mentions, refusal({{"flare_angle_deg", -5}}), "flare_angle_deg is -5");
+  EXPECT_PRED2(test::mentions, refusal({{"flare_angle_deg", 44}, {"draught", 0.7}, {"depth", 1}}),
+               "flare_angle_deg is 44");
+  EXPECT_PRED2(test::mentions, refusal({{"bow_length", 4}, {"stern_length", 3}}), "bow_length + stern_length is 7");
+  EXPECT_PRED2(test::mentions, refusal({{"triangles", 10}}), "triangles is 10");
+  EXPECT_PRED2(test::mentions, refusal({{"length", std::nan("")}}), "length is nan");
+  EXPECT_PRED2(test::mentions, refusal({{"bow_length", 7}}, "wedge"), "bow_length is 7");
 }
 
 TEST(HullForm, LengthsThatAreNotNamedScaleWithTheLength) {
@@ -241,18 +237,13 @@ TEST(HullForm, LengthsThatAreNotNamedScaleWithTheLength) {
 }
 
 TEST(HullForm, UnknownNamesAreRefusedWithTheNearest) {
-  const auto text = [](const std::string& kind, const std::map<std::string, double>& parameters) -> std::string {
-    try {
-      hull_form(kind, parameters);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "accepted";
+  const auto text = [](const std::string& kind, const std::map<std::string, double>& parameters) {
+    return test::refusal([&] { hull_form(kind, parameters); });
   };
-  EXPECT_PRED2(names, text("icebreaker", {{"beem", 1}}), "'beam'");
-  EXPECT_PRED2(names, text("icebreaker", {{"stem_angle", 25}}), "'stem_angle_deg'");
-  EXPECT_PRED2(names, text("icebraker", {}), "'icebreaker'");
-  EXPECT_PRED2(names, text("wedge", {{"flare_angle_deg", 5}}), "flare_angle_deg");
+  EXPECT_PRED2(test::mentions, text("icebreaker", {{"beem", 1}}), "'beam'");
+  EXPECT_PRED2(test::mentions, text("icebreaker", {{"stem_angle", 25}}), "'stem_angle_deg'");
+  EXPECT_PRED2(test::mentions, text("icebraker", {}), "'icebreaker'");
+  EXPECT_PRED2(test::mentions, text("wedge", {{"flare_angle_deg", 5}}), "flare_angle_deg");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "core/scene/read/input_files.h"
 #include "tests/core/scene/complete_scene.h"
+#include "tests/support/mentions.h"
 
 namespace nilas {
 namespace {
@@ -10,8 +11,6 @@ namespace {
 using testing::expect_fault;
 using testing::in_scene;
 using testing::SceneFolder;
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// Copies the inputs to the paths that they have in a run folder.
 void copy_inputs(const Scene& scene, const SceneFolder& folder) {
@@ -68,9 +67,9 @@ TEST(AsRun, DefaultsAreWrittenOutAsTheyWereUsed) {
         "stabilisation=\"projection\"", "contacts=\"hull\"", "region=\"0 0 1.5 1\"", "<size distribution=\"lognormal\"",
         "<shape kind=\"polygon\"", "name=\"body 1\" shape=\"sphere\" radius=\"0.5\"", "density=\"1000\"",
         "tolerance=\"1e-06\""})
-    EXPECT_TRUE(contains(scene.as_run, part)) << part << "\n" << scene.as_run;
+    EXPECT_TRUE(test::mentions(scene.as_run, part)) << part << "\n" << scene.as_run;
   for (const char* part : {"water", "vessel", "height=", "rows="})
-    EXPECT_FALSE(contains(scene.as_run, part)) << part << "\n" << scene.as_run;
+    EXPECT_FALSE(test::mentions(scene.as_run, part)) << part << "\n" << scene.as_run;
   const SceneFolder elsewhere;
   EXPECT_TRUE(elsewhere.read(scene.as_run).notes.empty()) << "nothing is left to defaults";
 }
@@ -81,9 +80,9 @@ TEST(AsRun, OverridesPresetAndGeneratedHull) {
       folder.read(in_scene("<contact preset='metrikin-2014'/><vessel><hull/><mass value='1'/><carriage/></vessel>"),
                   {{"vessel/hull/@beam", "1.5"}, {"contact/@max_iterations", "20"}});
   expect_round_trip(folder, scene);
-  EXPECT_TRUE(contains(scene.as_run, "beam=\"1.5\"")) << scene.as_run;
-  EXPECT_TRUE(contains(scene.as_run, "max_iterations=\"20\"")) << scene.as_run;
-  EXPECT_TRUE(contains(scene.as_run, "<force_balance kind=\"rigid\"/>")) << scene.as_run;
+  EXPECT_TRUE(test::mentions(scene.as_run, "beam=\"1.5\"")) << scene.as_run;
+  EXPECT_TRUE(test::mentions(scene.as_run, "max_iterations=\"20\"")) << scene.as_run;
+  EXPECT_TRUE(test::mentions(scene.as_run, "<force_balance kind=\"rigid\"/>")) << scene.as_run;
 }
 
 TEST(AsRun, NamesWithMarkupCharactersSurvive) {
@@ -102,9 +101,9 @@ TEST(AsRun, InputFilesAreNamedWithTheirHashes) {
   std::size_t inputs = 0;
   for (auto at = text.find("<input "); at != std::string::npos; at = text.find("<input ", at + 1)) ++inputs;
   EXPECT_EQ(inputs, 8u) << "four of the hull folder, cells, field, library and mesh:\n" << text;
-  EXPECT_FALSE(contains(text, "notes.txt"));
-  EXPECT_TRUE(contains(text, "<input file=\"inputs/icebreaker/part-02.stl\" sha256=\"" +
-                                 file_sha256(folder.path() / "hulls/icebreaker/part-02.stl") + "\"/>"));
+  EXPECT_FALSE(test::mentions(text, "notes.txt"));
+  EXPECT_TRUE(test::mentions(text, "<input file=\"inputs/icebreaker/part-02.stl\" sha256=\"" +
+                                       file_sha256(folder.path() / "hulls/icebreaker/part-02.stl") + "\"/>"));
 }
 
 TEST(AsRun, AChangedInputFileIsRefusedWithBothHashes) {
@@ -119,7 +118,8 @@ TEST(AsRun, AChangedInputFileIsRefusedWithBothHashes) {
   const auto faults = folder.faults(text);
   ASSERT_EQ(faults.size(), 1u) << testing::text_of(faults);
   EXPECT_EQ(faults[0].where, "<input sha256>");
-  EXPECT_TRUE(contains(faults[0].message, before) && contains(faults[0].message, after)) << faults[0].message;
+  EXPECT_TRUE(test::mentions(faults[0].message, before) && test::mentions(faults[0].message, after))
+      << faults[0].message;
   std::filesystem::remove(folder.path() / "inputs/quay.stl");
   EXPECT_EQ(folder.faults(text).size(), 2u) << "named as the mesh and as an input";
 }

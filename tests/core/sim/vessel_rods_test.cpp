@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "tests/core/sim/scene_rig.h"
+#include "tests/support/refusal.h"
 
 namespace {
 
@@ -109,13 +110,9 @@ TEST(VesselRods, SwingATowedHullAndBookTheWorkOfTheCarriage) {
 
 TEST(VesselRods, WhatCannotBeIsNamedWithItsLine) {
   const auto refused = [](const std::string& inside, const std::string& expected, const std::string& more = "") {
-    try {
-      Rig(time(0.01) + more + "\n<vessel name='hull' hull='box.stl' position='0 0 0'><mass value='100'/>\n" + inside +
-          "</vessel>");
-      ADD_FAILURE() << "accepted: " << inside;
-    } catch (const std::exception& error) {
-      EXPECT_NE(std::string(error.what()).find(expected), std::string::npos) << error.what();
-    }
+    const std::string vessel =
+        "\n<vessel name='hull' hull='box.stl' position='0 0 0'><mass value='100'/>\n" + inside + "</vessel>";
+    test::expect_refusal<std::exception>([&] { Rig(time(0.01) + more + vessel); }, {expected});
   };
   const std::string rod = "<rod name='a' at='0 0 0' to='3 0 0'/>";
   refused("<rod at='0 0 0' to='3 0 0'/>", "name");

@@ -3,12 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <string>
 
 #include "core/base/random.h"
 #include "core/vessel/vessel_system.h"
+#include "tests/support/scratch_folder.h"
 
 namespace nilas::example {
 
@@ -83,19 +82,11 @@ inline Vec3 angular_momentum(const VesselModel& model, const VesselState& state)
 /// A file that goes when the test ends.
 class TemporaryFile {
  public:
-  explicit TemporaryFile(const std::string& text) {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    std::string name = std::string(info->test_suite_name()) + "_" + info->name();
-    std::replace(name.begin(), name.end(), '/', '_');
-    path_ = testing::TempDir() + "nilas_" + name + ".csv";
-    std::ofstream(path_) << text;
-  }
-  ~TemporaryFile() { std::filesystem::remove(path_); }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  explicit TemporaryFile(const std::string& text) { path_ = folder_.write("table.csv", text).string(); }
   const std::string& path() const { return path_; }
 
  private:
+  test::ScratchFolder folder_;
   std::string path_;
 };
 

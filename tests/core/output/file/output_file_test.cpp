@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "tests/core/output/sample_run.h"
+#include "tests/support/refusal.h"
 #include "tests/support/size_limit.h"
 
 namespace nilas {
@@ -70,12 +71,8 @@ TEST(OutputFile, GoesOnAfterAWholeLineOnly) {
   const std::string text = "a,b\n1,2\n3,4\n";
   std::ofstream(folder / "a.csv") << text;
   for (const std::int64_t inside : {1, 3, 5, 7, 11}) {
-    try {
-      OutputFile(folder / "a.csv", "", inside);
-      FAIL() << "went on after " << inside << " bytes";
-    } catch (const InputError& e) {
-      EXPECT_NE(std::string(e.what()).find("a.csv: has changed"), std::string::npos) << e.what();
-    }
+    SCOPED_TRACE(inside);
+    test::expect_refusal([&] { OutputFile(folder / "a.csv", "", inside); }, {"a.csv: has changed"});
   }
   EXPECT_EQ(content(folder / "a.csv"), text) << "a refusal must not touch anything";
   { OutputFile(folder / "a.csv", "", 8).append("5,6\n"); }
@@ -102,12 +99,8 @@ TEST(OutputFile, APieceThatDoesNotFitLeavesTheFileWithWholePieces) {
 
 TEST(OutputFile, AFullDiskIsNamedWithTheFile) {
   OutputFile file("/dev/full");
-  try {
-    file.append("row\n");
-    FAIL() << "a full device took a row";
-  } catch (const FileError& e) {
-    EXPECT_STREQ(e.what(), "/dev/full: cannot write: No space left on device");
-  }
+  EXPECT_EQ(test::refusal<FileError>([&] { file.append("row\n"); }),
+            "/dev/full: cannot write: No space left on device");
 }
 
 TEST(OutputFile, AKilledProcessLeavesItsRows) {

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/output/run/run_summary.h"
 #include "tests/core/output/sample_run.h"
+#include "tests/support/refusal.h"
 
 namespace nilas {
 namespace {
@@ -233,12 +234,7 @@ TEST(RunFolder, GoesOnFromItsCheckpoint) {
 TEST(RunFolder, RefusesAFolderThatHoldsSomething) {
   const ScratchFolder scratch;
   std::ofstream(scratch / "notes.txt") << "mine";
-  try {
-    RunFolder folder(scratch.path(), false);
-    FAIL() << "a folder in use was taken";
-  } catch (const InputError& e) {
-    EXPECT_NE(std::string(e.what()).find("--force"), std::string::npos);
-  }
+  test::expect_refusal([&] { RunFolder folder(scratch.path(), false); }, {"--force"});
 }
 
 /// Stopped while it wrote its first file, a run has left nothing that another could spoil.
@@ -291,13 +287,8 @@ TEST(RunFolder, HasOneWriterAtATime) {
     run.begin();
     run.steps(3);
     for (const bool force : {true, false}) {
-      try {
-        RunFolder second(scratch / "run", force);
-        FAIL() << "two have the folder";
-      } catch (const std::runtime_error& e) {
-        const char* reason = force ? "another program is writing this run" : "is not empty";
-        EXPECT_NE(std::string(e.what()).find(reason), std::string::npos) << e.what();
-      }
+      const char* reason = force ? "another program is writing this run" : "is not empty";
+      test::expect_refusal<std::runtime_error>([&] { RunFolder second(scratch / "run", force); }, {reason});
     }
     EXPECT_THROW(RunLock(scratch / "run"), FileError);
     run.steps(2);
@@ -319,12 +310,7 @@ TEST(RunFolder, AFullDiskEndsTheRunWithTheFileNamed) {
   const ScratchFolder scratch;
   SampleRun run(scratch / "run");
   fs::create_symlink("/dev/full", run.folder.path() / "vessel.csv");
-  try {
-    run.begin();
-    FAIL() << "a full device took the header";
-  } catch (const FileError& e) {
-    EXPECT_NE(std::string(e.what()).find("vessel.csv: cannot write: No space left"), std::string::npos);
-  }
+  test::expect_refusal<FileError>([&] { run.begin(); }, {"vessel.csv: cannot write: No space left"});
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/core/scene/scene_files.h"
+#include "tests/support/refusal.h"
 
 namespace nilas {
 namespace {
@@ -66,12 +67,7 @@ TEST(OldNames, AShippedSceneThatMovedIsNamed) {
   const auto old_file = folder.path() / "seed-2014.xml";
   EXPECT_EQ(moved_scene(old_file), "");
   const auto now = folder.write("metrikin-2014.xml", "<scene version='1'/>");
-  try {
-    read_scene(old_file);
-    FAIL();
-  } catch (const FileError& error) {
-    EXPECT_NE(std::string(error.what()).find("the scene is now " + now.string()), std::string::npos) << error.what();
-  }
+  test::expect_refusal<FileError>([&] { read_scene(old_file); }, {"the scene is now " + now.string()});
   folder.write("seed-2014.xml", "<scene version='1' name='mine'/>");
   EXPECT_EQ(read_scene(old_file).name, "mine") << "one's own scene may be called so";
 }

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
+#include "tests/support/refusal.h"
 #include "tests/support/scratch_folder.h"
 
 namespace {
@@ -313,13 +314,8 @@ TEST(Reference, TheSteppingSchemesConvergeToIt) {
 
 TEST(Reference, WhatItDoesNotTakeIsRefused) {
   const std::string ball = "<body shape='sphere' radius='0.1' mass='1'/>";
-  const auto refusal = [&](const std::string& body) -> std::string {
-    try {
-      Rig rig(time(0.1) + body);
-    } catch (const SceneError& error) {
-      return error.what();
-    }
-    return "";
+  const auto refusal = [](const std::string& body) {
+    return test::refusal<SceneError>([&] { Rig rig(time(0.1) + body); });
   };
   EXPECT_NE(refusal("<contact integrator='reference' law='ccp'/>" + ball).find("allowed: coulomb"), std::string::npos);
   EXPECT_NE(refusal("<contact integrator='reference' gyroscopic='false'/>" + ball).find("gyroscopic"),

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/numerics/event_ode.h"
 #include "tests/core/sim/scene_rig.h"
+#include "tests/support/refusal.h"
 
 namespace {
 
@@ -137,12 +138,7 @@ TEST(ReferenceVessel, BouncesOnAPartKeepEnergyAndMomenta) {
 
 TEST(ReferenceVessel, RefusesWhatItDoesNotTakeByName) {
   const auto refused = [](const std::string& vessel, const std::string& expected) {
-    try {
-      Rig(settings("reference", 0.1) + vessel);
-      ADD_FAILURE() << "accepted";
-    } catch (const SceneError& error) {
-      EXPECT_NE(std::string(error.what()).find(expected), std::string::npos) << error.what();
-    }
+    test::expect_refusal<SceneError>([&] { Rig(settings("reference", 0.1) + vessel); }, {expected});
   };
   refused(
       "<vessel name='v' hull='box.stl' position='0 0 1'><mass value='5'/><part name='post' joint='weld' "

@@ -3,6 +3,8 @@
 #include "core/base/error.h"
 #include "core/vessel/model/cells.h"
 #include "tests/core/vessel/example_vessel.h"
+#include "tests/support/mentions.h"
+#include "tests/support/refusal.h"
 
 namespace nilas {
 namespace {
@@ -11,14 +13,9 @@ const char* const k_header = "x_m,y_m,z_m,ax,ay,az\n";
 
 std::string fault(const std::string& text) {
   const example::TemporaryFile file(text);
-  try {
-    read_cells(file.path());
-  } catch (const InputError& e) {
-    EXPECT_NE(std::string(e.what()).find(file.path()), std::string::npos);
-    return e.what();
-  }
-  ADD_FAILURE() << "accepted:\n" << text;
-  return "";
+  const std::string found = test::refusal([&] { read_cells(file.path()); });
+  EXPECT_TRUE(test::mentions(found, file.path())) << found << ":\n" << text;
+  return found;
 }
 
 TEST(CellsLayout, DefaultHoldsEachAxisByItself) {
