@@ -3,23 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <regex>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
+
+#include "tests/support/file_text.h"
 
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string content_of(const fs::path& file) {
-  std::ifstream in(file);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
 
 std::vector<std::string> matches(const std::string& text, const std::regex& pattern) {
   std::vector<std::string> all;
@@ -32,7 +25,7 @@ std::set<std::string> choice_enumerations() {
   static const std::regex k_function(R"(constexpr ChoiceText choice_text\((\w+) value\))");
   std::set<std::string> names;
   for (const auto& entry : fs::directory_iterator(fs::path(NILAS_SOURCE_DIR) / "core/choices"))
-    for (const std::string& name : matches(content_of(entry.path()), k_function)) names.insert(name);
+    for (const std::string& name : matches(nilas::test::read_text(entry.path()), k_function)) names.insert(name);
   return names;
 }
 
@@ -54,7 +47,7 @@ TEST(Choices, NoSwitchOverThemHasADefault) {
   for (const char* top : {"core", "contact", "hydro", "fracture", "apps"})
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(NILAS_SOURCE_DIR) / top)) {
       if (entry.path().extension() != ".cpp" && entry.path().extension() != ".h") continue;
-      for (const std::string& name : enumerations_with_default(content_of(entry.path())))
+      for (const std::string& name : enumerations_with_default(nilas::test::read_text(entry.path())))
         EXPECT_EQ(lists.count(name), 0u) << entry.path() << ": a default in a switch over " << name;
     }
 }

@@ -10,13 +10,6 @@
 
 namespace nilas_test {
 
-inline std::vector<std::string> lines_of(const fs::path& file) {
-  std::ifstream in(file);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
-
 /// A program that was started without waiting for its end.
 class Started {
  public:

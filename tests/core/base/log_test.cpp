@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
+#include "tests/support/file_text.h"
 #include "tests/support/scratch_folder.h"
 
 namespace nilas {
@@ -33,9 +34,8 @@ TEST(MakeLogger, WritesDetailsToTheFileAtAnyConsoleLevel) {
   const test::ScratchFolder folder;
   const auto file = folder / "run.log";
   make_logger("off", file.string())->debug("a detail");
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  EXPECT_NE(text.str().find("debug: a detail"), std::string::npos) << text.str();
+  const std::string text = test::read_text(file);
+  EXPECT_NE(text.find("debug: a detail"), std::string::npos) << text;
 }
 
 TEST(MakeLogger, AppendsWhereAsked) {
@@ -43,10 +43,9 @@ TEST(MakeLogger, AppendsWhereAsked) {
   const auto file = folder / "run.log";
   make_logger("off", file.string())->info("first");
   make_logger("off", file.string(), LogFile::append)->info("second");
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  EXPECT_NE(text.str().find("first"), std::string::npos);
-  EXPECT_NE(text.str().find("second"), std::string::npos);
+  const std::string text = test::read_text(file);
+  EXPECT_NE(text.find("first"), std::string::npos);
+  EXPECT_NE(text.find("second"), std::string::npos);
 }
 
 TEST(MakeLogger, AFileThatCannotBeOpenedIsAFileError) {

@@ -10,6 +10,7 @@
 #include "core/geometry/mesh.h"
 #include "core/geometry/shape.h"
 #include "tests/core/bodies/solids.h"
+#include "tests/support/file_text.h"
 #include "tests/support/refusal.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/tetrahedron.h"
@@ -22,14 +23,9 @@ namespace fs = std::filesystem;
 class Stl : public testing::Test {
  protected:
   fs::path write(const std::string& bytes) const { return folder_.write("mesh.stl", bytes); }
-  static std::string bytes_of(const fs::path& file) {
-    std::ostringstream bytes;
-    bytes << std::ifstream(file, std::ios::binary).rdbuf();
-    return bytes.str();
-  }
   std::string binary(const TriangleMesh& mesh) const {
     write_stl(mesh, folder_ / "source.stl");
-    return bytes_of(folder_ / "source.stl");
+    return test::read_text(folder_ / "source.stl");
   }
   std::string fault(const std::string& bytes) const {
     return test::refusal([&] { read_stl(write(bytes)); });

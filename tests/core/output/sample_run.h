@@ -1,8 +1,6 @@
 #pragma once
 /// A hand-made run for the tests of the outputs.
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -11,27 +9,6 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nilas::test {
-
-inline std::string content(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
-inline std::vector<std::string> lines(const std::filesystem::path& path) {
-  std::istringstream in(content(path));
-  std::vector<std::string> found;
-  for (std::string line; std::getline(in, line);) found.push_back(line);
-  return found;
-}
-
-inline std::vector<std::string> cells(const std::string& line) {
-  std::istringstream in(line);
-  std::vector<std::string> found;
-  for (std::string cell; std::getline(in, cell, ',');) found.push_back(cell);
-  return found;
-}
 
 /// A run with every module that has columns.
 inline RunInfo full_run() {

@@ -14,6 +14,7 @@
 #include "core/hdf5/hdf5_file.h"
 #include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
+#include "tests/support/file_text.h"
 #include "tests/support/refusal.h"
 #include "tests/support/scratch_folder.h"
 
@@ -343,16 +344,10 @@ TEST(Checkpoint, KeepsEveryBit) {
   EXPECT_FALSE(fs::exists(folder / "c.h5.part"));
 }
 
-std::string content(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
-
 TEST(Checkpoint, CutShortAnywhereIsRefused) {
   const test::ScratchFolder folder;
   write_checkpoint(folder / "c.h5", k_origin, sample_state());
-  const std::string whole = content(folder / "c.h5");
+  const std::string whole = test::read_text(folder / "c.h5");
   ASSERT_GT(whole.size(), 2000u);
   std::vector<std::size_t> lengths{0, 1, 7, 8, 100, 512, 1000, whole.size() / 2, whole.size() - 1};
   for (std::size_t length = 64; length < whole.size(); length += whole.size() / 40) lengths.push_back(length);
@@ -367,7 +362,7 @@ TEST(Checkpoint, AChangedByteGivesNoOtherState) {
   const test::ScratchFolder folder;
   const State state = sample_state();
   write_checkpoint(folder / "c.h5", k_origin, state);
-  const std::string whole = content(folder / "c.h5");
+  const std::string whole = test::read_text(folder / "c.h5");
   int refused = 0;
   for (std::size_t place = 0; place < whole.size(); place += 23) {
     std::string changed = whole;

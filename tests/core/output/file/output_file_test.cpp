@@ -9,33 +9,34 @@
 
 #include "core/base/error.h"
 #include "tests/core/output/sample_run.h"
+#include "tests/support/file_text.h"
 #include "tests/support/refusal.h"
 #include "tests/support/size_limit.h"
 
 namespace nilas {
 namespace {
 
-using test::content;
+using test::read_text;
 using test::ScratchFolder;
 using test::SizeLimit;
 
 TEST(OutputFile, EveryPieceIsReadableAtOnce) {
   const ScratchFolder folder;
   OutputFile file(folder / "a.csv");
-  EXPECT_EQ(content(folder / "a.csv"), "");
+  EXPECT_EQ(read_text(folder / "a.csv"), "");
   file.append("one\n");
-  EXPECT_EQ(content(folder / "a.csv"), "one\n");
+  EXPECT_EQ(read_text(folder / "a.csv"), "one\n");
   file.append("two\n");
-  EXPECT_EQ(content(folder / "a.csv"), "one\ntwo\n");
+  EXPECT_EQ(read_text(folder / "a.csv"), "one\ntwo\n");
 }
 
 TEST(OutputFile, TheTailFollowsTheNewestPiece) {
   const ScratchFolder folder;
   OutputFile file(folder / "a.xml", "</all>");
   file.append("<all>");
-  EXPECT_EQ(content(folder / "a.xml"), "<all></all>");
+  EXPECT_EQ(read_text(folder / "a.xml"), "<all></all>");
   file.append("<x/>");
-  EXPECT_EQ(content(folder / "a.xml"), "<all><x/></all>");
+  EXPECT_EQ(read_text(folder / "a.xml"), "<all><x/></all>");
 }
 
 TEST(OutputFile, OpeningEmptiesAnOlderFile) {
@@ -44,7 +45,7 @@ TEST(OutputFile, OpeningEmptiesAnOlderFile) {
   OutputFile file(folder / "a.csv");
   file.append("new\n");
   file.close();
-  EXPECT_EQ(content(folder / "a.csv"), "new\n");
+  EXPECT_EQ(read_text(folder / "a.csv"), "new\n");
 }
 
 TEST(OutputFile, GoesOnAfterTheBytesItIsToKeep) {
@@ -58,9 +59,9 @@ TEST(OutputFile, GoesOnAfterTheBytesItIsToKeep) {
   }
   OutputFile file(folder / "a.xml", "</all>", kept);
   file.sync();
-  EXPECT_EQ(content(folder / "a.xml"), "<all>\n</all>");
+  EXPECT_EQ(read_text(folder / "a.xml"), "<all>\n</all>");
   file.append("<x/>");
-  EXPECT_EQ(content(folder / "a.xml"), "<all>\n<x/></all>");
+  EXPECT_EQ(read_text(folder / "a.xml"), "<all>\n<x/></all>");
   EXPECT_THROW(OutputFile(folder / "a.xml", "", 1000), InputError);
   EXPECT_THROW(OutputFile(folder / "none.xml", "", 0), FileError);
   EXPECT_FALSE(std::filesystem::exists(folder / "none.xml"));
@@ -74,11 +75,11 @@ TEST(OutputFile, GoesOnAfterAWholeLineOnly) {
     SCOPED_TRACE(inside);
     test::expect_refusal([&] { OutputFile(folder / "a.csv", "", inside); }, {"a.csv: has changed"});
   }
-  EXPECT_EQ(content(folder / "a.csv"), text) << "a refusal must not touch anything";
+  EXPECT_EQ(read_text(folder / "a.csv"), text) << "a refusal must not touch anything";
   { OutputFile(folder / "a.csv", "", 8).append("5,6\n"); }
-  EXPECT_EQ(content(folder / "a.csv"), "a,b\n1,2\n5,6\n");
+  EXPECT_EQ(read_text(folder / "a.csv"), "a,b\n1,2\n5,6\n");
   OutputFile(folder / "a.csv", "", 0).append("c\n");
-  EXPECT_EQ(content(folder / "a.csv"), "c\n");
+  EXPECT_EQ(read_text(folder / "a.csv"), "c\n");
 }
 
 TEST(OutputFile, APieceThatDoesNotFitLeavesTheFileWithWholePieces) {
@@ -91,10 +92,10 @@ TEST(OutputFile, APieceThatDoesNotFitLeavesTheFileWithWholePieces) {
     EXPECT_THROW(file.append("abcdefgh\n"), FileError);
     EXPECT_THROW(list.append("<x/><x/><x/>"), FileError);
   }
-  EXPECT_EQ(content(folder / "a.csv"), "0123456789\n");
-  EXPECT_EQ(content(folder / "a.xml"), "<all></all>");
+  EXPECT_EQ(read_text(folder / "a.csv"), "0123456789\n");
+  EXPECT_EQ(read_text(folder / "a.xml"), "<all></all>");
   file.append("again\n");
-  EXPECT_EQ(content(folder / "a.csv"), "0123456789\nagain\n");
+  EXPECT_EQ(read_text(folder / "a.csv"), "0123456789\nagain\n");
 }
 
 TEST(OutputFile, AFullDiskIsNamedWithTheFile) {
@@ -114,7 +115,7 @@ TEST(OutputFile, AKilledProcessLeavesItsRows) {
   int status = 0;
   ASSERT_EQ(::waitpid(child, &status, 0), child);
   ASSERT_TRUE(WIFSIGNALED(status));
-  EXPECT_EQ(test::lines(folder / "a.csv").size(), 1000u);
+  EXPECT_EQ(test::lines_of(folder / "a.csv").size(), 1000u);
 }
 
 TEST(OutputFile, AFileThatCannotBeOpenedIsAFileError) {
@@ -126,7 +127,7 @@ TEST(WriteWhole, ReplacesTheFileAndLeavesNoTemporaryOne) {
   const ScratchFolder folder;
   write_whole(folder / "a.json", "old and long");
   write_whole(folder / "a.json", "new");
-  EXPECT_EQ(content(folder / "a.json"), "new");
+  EXPECT_EQ(read_text(folder / "a.json"), "new");
   EXPECT_FALSE(std::filesystem::exists(folder / "a.json.part"));
 }
 
@@ -137,7 +138,7 @@ TEST(WriteWhole, KeepsTheOldFileWhenTheNewDoesNotFit) {
     const SizeLimit limit(10);
     EXPECT_THROW(write_whole(folder / "a.json", "longer than ten bytes"), FileError);
   }
-  EXPECT_EQ(content(folder / "a.json"), "old");
+  EXPECT_EQ(read_text(folder / "a.json"), "old");
   EXPECT_FALSE(std::filesystem::exists(folder / "a.json.part"));
 }
 

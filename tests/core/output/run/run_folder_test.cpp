@@ -7,16 +7,17 @@
 #include "core/base/error.h"
 #include "core/output/run/run_summary.h"
 #include "tests/core/output/sample_run.h"
+#include "tests/support/file_text.h"
 #include "tests/support/refusal.h"
 
 namespace nilas {
 namespace {
 
 namespace fs = std::filesystem;
-using test::content;
 using test::full_record;
 using test::full_run;
-using test::lines;
+using test::lines_of;
+using test::read_text;
 using test::sample_bodies;
 using test::ScratchFolder;
 
@@ -60,10 +61,10 @@ TEST(RunFolder, HoldsEveryCompleteStepAtAnyMoment) {
   run.begin();
   run.steps(25);
   const fs::path folder = run.folder.path();
-  EXPECT_EQ(content(folder / "scene.xml"), "<nilas version=\"1\"/>\n");
-  EXPECT_EQ(lines(folder / "vessel.csv").size(), 1u + 25);
-  EXPECT_EQ(lines(folder / "steps.csv").size(), 1u + 25);
-  EXPECT_EQ(lines(folder / "bodies.csv").size(), 1u + 4 * 3) << "snapshots at 0, 0.1 and 0.2 s";
+  EXPECT_EQ(read_text(folder / "scene.xml"), "<nilas version=\"1\"/>\n");
+  EXPECT_EQ(lines_of(folder / "vessel.csv").size(), 1u + 25);
+  EXPECT_EQ(lines_of(folder / "steps.csv").size(), 1u + 25);
+  EXPECT_EQ(lines_of(folder / "bodies.csv").size(), 1u + 4 * 3) << "snapshots at 0, 0.1 and 0.2 s";
   EXPECT_TRUE(fs::exists(folder / "trajectory/step-000020-ice.vtp"));
   EXPECT_FALSE(fs::exists(folder / "trajectory/step-000021-ice.vtp"));
   tinyxml2::XMLDocument list;
@@ -108,7 +109,7 @@ TEST(RunFolder, SnapshotsFallOnTheStepNearestToTheirTime) {
   run.begin();
   run.steps(10);
   std::vector<std::string> times;
-  for (const auto& row : lines(run.folder.path() / "bodies.csv"))
+  for (const auto& row : lines_of(run.folder.path() / "bodies.csv"))
     if (row.find(",hull,") != std::string::npos) times.push_back(row.substr(0, row.find(',')));
   ASSERT_EQ(times.size(), 4u);
   EXPECT_NEAR(std::stod(times[1]), 0.09, 1e-15);
@@ -141,7 +142,7 @@ TEST(RunFolder, SummaryTellsTheRun) {
   input.machine = "2 cores";
   input.versions = {{"eigen", "3.4.0"}};
   run.folder.finish(input, run.bodies);
-  const auto summary = nlohmann::json::parse(content(run.folder.path() / "summary.json"));
+  const auto summary = nlohmann::json::parse(read_text(run.folder.path() / "summary.json"));
   EXPECT_EQ(summary["status"], "done");
   EXPECT_EQ(summary["exit_code"], 0);
   EXPECT_EQ(summary["time_end_s"], 0.02);
@@ -214,8 +215,8 @@ TEST(RunFolder, GoesOnFromItsCheckpoint) {
   RunFolder folder(scratch / "cut", RunLock(scratch / "cut"));
   const State state = read_checkpoint(folder.checkpoint_file(), origin);
   folder.resume(rest.scene, rest.info, rest.warnings, StateReader(state).group("outputs"));
-  EXPECT_EQ(lines(scratch / "cut/steps.csv").size(), 1u + 25);
-  EXPECT_EQ(lines(scratch / "cut/bodies.csv").size(), 1u + 4 * 3);
+  EXPECT_EQ(lines_of(scratch / "cut/steps.csv").size(), 1u + 25);
+  EXPECT_EQ(lines_of(scratch / "cut/bodies.csv").size(), 1u + 4 * 3);
   for (int k = 0; k < 30; ++k) {
     rest.record.step = 26 + k;
     rest.record.t = static_cast<double>(rest.record.step) * rest.record.h;
@@ -223,8 +224,8 @@ TEST(RunFolder, GoesOnFromItsCheckpoint) {
   }
   EXPECT_EQ(folder.finish({}, rest.bodies)["loads"], whole.folder.finish({}, whole.bodies)["loads"]);
   for (const char* file : {"vessel.csv", "bodies.csv", "trajectory.pvd", "scene.xml"})
-    EXPECT_EQ(content(scratch.path() / "cut" / file), content(scratch.path() / "whole" / file)) << file;
-  EXPECT_EQ(lines(scratch / "cut/steps.csv").size(), 1u + 55);
+    EXPECT_EQ(read_text(scratch.path() / "cut" / file), read_text(scratch.path() / "whole" / file)) << file;
+  EXPECT_EQ(lines_of(scratch / "cut/steps.csv").size(), 1u + 55);
   EXPECT_FALSE(fs::exists(scratch / "cut/trajectory/step-000099.vtp"));
   EXPECT_FALSE(fs::exists(scratch / "cut/trajectory/step-000099-forces.vtp"));
   EXPECT_TRUE(fs::exists(scratch / "cut/trajectory/water.vtp"));
@@ -292,7 +293,7 @@ TEST(RunFolder, HasOneWriterAtATime) {
     }
     EXPECT_THROW(RunLock(scratch / "run"), FileError);
     run.steps(2);
-    EXPECT_EQ(lines(scratch / "run/steps.csv").size(), 1u + 5) << "a refusal must not touch anything";
+    EXPECT_EQ(lines_of(scratch / "run/steps.csv").size(), 1u + 5) << "a refusal must not touch anything";
   }
   EXPECT_NO_THROW(RunFolder(scratch / "run", true));
 }
@@ -303,7 +304,7 @@ TEST(RunFolder, APlaceThatCannotHoldAFolderIsAFileError) {
   EXPECT_THROW(RunFolder(scratch / "file", false), FileError);
   EXPECT_THROW(RunFolder(scratch / "file/run", false), FileError);
   EXPECT_THROW(RunFolder(scratch / "file/run", true), FileError);
-  EXPECT_EQ(content(scratch / "file"), "mine");
+  EXPECT_EQ(read_text(scratch / "file"), "mine");
 }
 
 TEST(RunFolder, AFullDiskEndsTheRunWithTheFileNamed) {

@@ -8,6 +8,7 @@
 #include "core/output/run/claim_folder.h"
 #include "core/scene/read/input_files.h"
 #include "tests/core/output/sample_run.h"
+#include "tests/support/file_text.h"
 #include "tests/support/refusal.h"
 #include "tests/support/size_limit.h"
 
@@ -15,7 +16,7 @@ namespace nilas {
 namespace {
 
 namespace fs = std::filesystem;
-using test::content;
+using test::read_text;
 using test::ScratchFolder;
 
 class RunInputs : public ::testing::Test {
@@ -47,10 +48,10 @@ TEST_F(RunInputs, AreCopiedAndListedAsSha256sumReadsThem) {
   copy_inputs(run, inputs);
   EXPECT_EQ(files(), (Names{"inputs/nilas-inputs.sha256", "inputs/ship/fluid.stl", "inputs/ship/part-0001.stl",
                             "inputs/way.csv"}));
-  EXPECT_EQ(content(run / "inputs/ship/part-0001.stl"), "one");
-  EXPECT_EQ(content(run / "inputs/nilas-inputs.sha256"), inputs[0].sha256 + "  ship/fluid.stl\n" + inputs[1].sha256 +
-                                                             "  ship/part-0001.stl\n" + inputs[2].sha256 +
-                                                             "  way.csv\n");
+  EXPECT_EQ(read_text(run / "inputs/ship/part-0001.stl"), "one");
+  EXPECT_EQ(read_text(run / "inputs/nilas-inputs.sha256"), inputs[0].sha256 + "  ship/fluid.stl\n" + inputs[1].sha256 +
+                                                               "  ship/part-0001.stl\n" + inputs[2].sha256 +
+                                                               "  way.csv\n");
   copy_inputs(scratch / "none", {});
   EXPECT_FALSE(fs::exists(scratch / "none"));
 }
@@ -145,7 +146,7 @@ TEST_F(RunInputs, ThatTheNewRunReadsStay) {
   { const RunLock lock = claim_run_folder(run, true, own); }
   copy_inputs(run, own);
   EXPECT_EQ(files(), (Names{"inputs/nilas-inputs.sha256", "inputs/ship/fluid.stl", "nilas.log"}));
-  EXPECT_EQ(content(run / "inputs/nilas-inputs.sha256"), fluid + "  ship/fluid.stl\n");
+  EXPECT_EQ(read_text(run / "inputs/nilas-inputs.sha256"), fluid + "  ship/fluid.stl\n");
 }
 
 TEST_F(RunInputs, ACopyNeverReplacesWhatTheRunReadsNorAForeignFile) {

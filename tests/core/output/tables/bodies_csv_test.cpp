@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/core/output/sample_run.h"
+#include "tests/support/file_text.h"
 
 namespace nilas {
 namespace {
@@ -16,7 +17,7 @@ TEST(BodiesCsv, WritesEveryBodyWithAllItsDigits) {
   BodiesCsv csv(folder / "bodies.csv");
   csv.rows(0, bodies);
   csv.rows(0.1, bodies);
-  const auto rows = test::lines(folder / "bodies.csv");
+  const auto rows = test::lines_of(folder / "bodies.csv");
   ASSERT_EQ(rows.size(), 1u + 2 * 4);
   EXPECT_EQ(rows[0], "time_s,id,name,x_m,y_m,z_m,qw,qx,qy,qz,vx_m_s,vy_m_s,vz_m_s,wx_rad_s,wy_rad_s,wz_rad_s");
   EXPECT_EQ(rows[5],

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/core/output/sample_run.h"
+#include "tests/support/file_text.h"
 #include "tests/support/scratch_folder.h"
 
 namespace nilas {
@@ -26,7 +27,7 @@ TEST(EventsCsv, HasARowPerBrokenFloe) {
   event.pieces = {9, 10, 11};
   csv.rows({event, event});
   csv.finish();
-  const auto rows = test::lines(folder / "events.csv");
+  const auto rows = test::lines_of(folder / "events.csv");
   ASSERT_EQ(rows.size(), 3u);
   EXPECT_EQ(rows[0],
             "time_s,kind,floe_id,x_m,y_m,z_m,energy_J,length_m,pieces,radius_m,load_ratio,brash_kg,extruded_kg");

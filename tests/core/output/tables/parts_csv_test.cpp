@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "tests/core/output/sample_run.h"
+#include "tests/support/csv_table.h"
+#include "tests/support/file_text.h"
 
 namespace nilas {
 namespace {
@@ -22,9 +24,9 @@ TEST(PartsCsv, HasTheTensionOfEachRodBehindTheParts) {
   PartsCsv csv(folder / "parts.csv", info);
   csv.row(0.5, vessel);
   csv.finish();
-  const auto lines = test::lines(folder / "parts.csv");
+  const auto lines = test::lines_of(folder / "parts.csv");
   ASSERT_EQ(lines.size(), 2U);
-  const auto names = test::cells(lines[0]), values = test::cells(lines[1]);
+  const auto names = test::cells_of(lines[0]), values = test::cells_of(lines[1]);
   ASSERT_EQ(names.size(), 17U);
   ASSERT_EQ(values.size(), names.size());
   EXPECT_EQ(names[1], "arm_joint_fx_N");

@@ -4,19 +4,20 @@
 
 #include "core/base/error.h"
 #include "tests/core/output/sample_run.h"
+#include "tests/support/file_text.h"
 
 namespace nilas {
 namespace {
 
 using test::full_record;
 using test::full_run;
-using test::lines;
+using test::lines_of;
 using test::ScratchFolder;
 
 TEST(StepsCsv, HasItsColumnsInOrder) {
   const ScratchFolder folder;
   StepsCsv csv(folder / "steps.csv", full_run());
-  EXPECT_EQ(lines(folder / "steps.csv").at(0),
+  EXPECT_EQ(lines_of(folder / "steps.csv").at(0),
             "time_s,floes,contacts,islands,iterations,status,law_map_m_s,natural_map_m_s,natural_map_rms_m_s,"
             "ccp_map_m_s,penetration_rate_m_s,complementarity_J,cone_violation_m_s,slip_angle_deg,creep_m_s,"
             "bipotential_J,momentum_sqrtJ,penetration_max_m,penetration_mean_m,kinetic_J,potential_J,work_drag_J,"
@@ -29,7 +30,7 @@ TEST(StepsCsv, WritesARecord) {
   const ScratchFolder folder;
   StepsCsv csv(folder / "steps.csv", full_run());
   csv.row(full_record());
-  EXPECT_EQ(lines(folder / "steps.csv").at(1),
+  EXPECT_EQ(lines_of(folder / "steps.csv").at(1),
             "0.01,2,3,1,17,converged,1e-07,0,0,0,0,0,0,0,0,0,0.1,0.002,0.001,5,-6,7,-8,0.5,0.25,0.125,0,0,-0.0625,"
             "1e-12,1e-13,2e-13,2,4,1,2,3,4,5,6,7,00000000000000ab");
 }

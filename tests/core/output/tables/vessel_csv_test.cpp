@@ -4,14 +4,16 @@
 
 #include "core/base/error.h"
 #include "tests/core/output/sample_run.h"
+#include "tests/support/csv_table.h"
+#include "tests/support/file_text.h"
 
 namespace nilas {
 namespace {
 
-using test::cells;
+using test::cells_of;
 using test::full_record;
 using test::full_run;
-using test::lines;
+using test::lines_of;
 using test::ScratchFolder;
 
 /// File of one row for the record.
@@ -23,7 +25,7 @@ std::vector<std::string> written(const RunInfo& info, const StepRecord& record) 
   VesselCsv csv(folder / "vessel.csv", channels);
   csv.row(record.t, values);
   csv.finish();
-  return lines(folder / "vessel.csv");
+  return lines_of(folder / "vessel.csv");
 }
 
 TEST(VesselCsv, HasTheColumnsOfEveryModuleInOrder) {
@@ -51,7 +53,7 @@ TEST(VesselCsv, LeavesOutTheColumnsOfAbsentModules) {
             "x_m,y_m,z_m,yaw_deg,pitch_deg,roll_deg,vx_m_s,vy_m_s,vz_m_s,"
             "roll_rate_deg_s,pitch_rate_deg_s,yaw_rate_deg_s,wx_rad_s,wy_rad_s,wz_rad_s,"
             "ice_resistance_N,ice_side_N");
-  EXPECT_EQ(cells(rows.at(1)).size(), cells(rows.at(0)).size());
+  EXPECT_EQ(cells_of(rows.at(1)).size(), cells_of(rows.at(0)).size());
 }
 
 TEST(VesselCsv, WritesEachValueUnderItsName) {
@@ -60,7 +62,7 @@ TEST(VesselCsv, WritesEachValueUnderItsName) {
   record.vessel->state.w = Vec3(0, 0, 0.5);
   const auto rows = written(full_run(), record);
   ASSERT_EQ(rows.size(), 2u);
-  const auto names = cells(rows[0]), values = cells(rows[1]);
+  const auto names = cells_of(rows[0]), values = cells_of(rows[1]);
   ASSERT_EQ(values.size(), names.size());
   const std::vector<double> expected{0.01, 1,   2,    3,  4,  5,  6,           11, 12, 13,  14, 15, 16, 21,
                                      22,   23,  24,   25, 26, 31, 32,          33, 34, 35,  36, 28, 30, 33,
@@ -138,7 +140,7 @@ TEST(VesselCsv, RoundingKeepsNewtonsLaw) {
   record.vessel->hydro->force = load;
   const auto read = [&](const Vec3& v, int first) {
     record.vessel->state.v = v;
-    const auto values = cells(written(info, record).at(1));
+    const auto values = cells_of(written(info, record).at(1));
     Vec3 x;
     for (int k = 0; k < 3; ++k) x[k] = std::stod(values[first + k]);
     return x;

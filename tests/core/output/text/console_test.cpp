@@ -7,16 +7,10 @@
 
 #include "core/output/run/closing_account.h"
 #include "tests/core/output/sample_run.h"
+#include "tests/support/file_text.h"
 
 namespace nilas {
 namespace {
-
-std::vector<std::string> split(const std::string& text) {
-  std::istringstream in(text);
-  std::vector<std::string> found;
-  for (std::string line; std::getline(in, line);) found.push_back(line);
-  return found;
-}
 
 TEST(ProgressText, SaysPercentTimesRateFactorAndRemaining) {
   const RunProgress progress{15, 0, 60, 1500, 30};
@@ -52,7 +46,7 @@ TEST(Console, WithoutATerminalPrintsALineEveryFivePercent) {
     now += 0.001;
     console.progress(step * 0.001, step);
   }
-  const auto printed = split(out.str());
+  const auto printed = test::split_lines(out.str());
   ASSERT_EQ(printed.size(), 20u);
   for (int k = 0; k < 20; ++k) EXPECT_EQ(std::stoi(printed[k]), 5 * (k + 1));
   EXPECT_EQ(out.str().find('\x1b'), std::string::npos);
@@ -116,7 +110,7 @@ TEST(ClosingAccount, ShowsWhereTheTimeWentAndTheWorstValues) {
             "worst penetration     0.002 m at 0.01 s\n"
             "worst energy error    1e-12 J at 0.01 s, 6.7e-14 of the energy put in\n"
             "outputs               runs/sample\n");
-  for (const auto& line : split(text)) EXPECT_LE(line.size(), 80u);
+  for (const auto& line : test::split_lines(text)) EXPECT_LE(line.size(), 80u);
   const std::string broken = closing_account(statistics, 0.056, "runs/sample", BrokenIce{515, 594, 1234567, 0.0123, 0});
   EXPECT_NE(broken.find("floes                 515 at the start, 594 at the end\n"
                         "ice lost              1.23e+06 kg crushed, 0.0123 kg brash\n"),
