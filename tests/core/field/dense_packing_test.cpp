@@ -8,30 +8,19 @@
 #include "core/field/field.h"
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/polygon.h"
+#include "tests/core/field/field_measures.h"
 
 namespace nilas {
 namespace {
 
-double deepest_overlap(const FieldResult& field) {
-  double deepest = -1e300;
-  for (std::size_t i = 0; i < field.floes.size(); ++i)
-    for (std::size_t j = i + 1; j < field.floes.size(); ++j)
-      deepest = std::max(deepest, convex_overlap(field.floes[i].outline, field.floes[j].outline));
-  return deepest;
-}
-
 void expect_packed(const PackedSpec& spec, const FieldResult& field, double largest) {
   const double region = (spec.high - spec.low).prod();
-  double ice = 0;
-  for (const auto& floe : field.floes) {
-    ice += polygon_moments(floe.outline).area;
-    for (const Vec2& corner : floe.outline)
-      EXPECT_TRUE((corner.array() >= spec.low.array()).all() && (corner.array() <= spec.high.array()).all());
-  }
+  const double ice = test::ice_area(field);
+  test::expect_inside(spec, field);
   EXPECT_NEAR(ice / region, field.concentration, 1e-12);
   EXPECT_NEAR(ice / region, spec.concentration, 0.5 * largest * largest / region);
   EXPECT_EQ(field.worst_overlap, 0);
-  EXPECT_LT(deepest_overlap(field), 0);
+  EXPECT_LT(test::deepest_overlap(field), 0);
 }
 
 struct Case {
@@ -86,7 +75,7 @@ TEST(DenseSquares, LieInRowsBesideAHull) {
   spec.mean = 1;
   spec.keep_out = {{{0, 4.1}, {5, 4.1}, {5, 6}, {0, 6}}};
   const FieldResult field = pack_field(spec);
-  EXPECT_LT(deepest_overlap(field), 0);
+  EXPECT_LT(test::deepest_overlap(field), 0);
   EXPECT_GT(field.concentration, 0.935);
   for (const auto& floe : field.floes) EXPECT_LE(convex_overlap(spec.keep_out[0], floe.outline), 0);
 }

@@ -7,6 +7,7 @@
 #include "core/field/field.h"
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/polygon.h"
+#include "tests/core/field/field_measures.h"
 #include "tests/support/mentions.h"
 #include "tests/support/refusal.h"
 
@@ -46,29 +47,16 @@ double smallest_gap(const std::vector<FieldFloe>& floes) {
   return smallest;
 }
 
-double ice_area(const FieldResult& field) {
-  double area = 0;
-  for (const auto& floe : field.floes) area += polygon_moments(floe.outline).area;
-  return area;
-}
-
-void expect_inside(const PackedSpec& spec, const FieldResult& field) {
-  for (const auto& floe : field.floes)
-    for (const Vec2& corner : floe.outline) {
-      EXPECT_TRUE((corner.array() >= spec.low.array()).all() && (corner.array() <= spec.high.array()).all());
-    }
-}
-
 /// The whole contract of a field without keep-out outlines.
 void expect_good(const PackedSpec& spec, const FieldResult& field) {
   const double region = (spec.high - spec.low).prod();
-  EXPECT_NEAR(ice_area(field) / region, field.concentration, 1e-12);
+  EXPECT_NEAR(test::ice_area(field) / region, field.concentration, 1e-12);
   const double largest = spec.distribution == SizeDistribution::fixed ? spec.mean : spec.max;
   EXPECT_NEAR(field.concentration, spec.concentration, 0.5 * largest * largest / region);
   EXPECT_EQ(field.worst_overlap, 0);
   EXPECT_GT(smallest_gap(field.floes), 0);
   EXPECT_EQ(field.left_out, 0);
-  expect_inside(spec, field);
+  test::expect_inside(spec, field);
   for (const auto& floe : field.floes) {
     EXPECT_TRUE(is_convex(floe.outline));
     EXPECT_GT(polygon_moments(floe.outline).area, 0);
@@ -208,10 +196,10 @@ TEST(PackField, KeepsClearOfAHullOutline) {
   for (std::size_t i = 0; i < 5; ++i) perimeter += (spec.keep_out[0][(i + 1) % 5] - spec.keep_out[0][i]).norm();
   const double grown = hull + perimeter * 0.1 + k_pi * 0.01;
   const double free = 200 - grown;
-  EXPECT_NEAR(ice_area(field) / free, field.concentration, 1e-4);  // corners are many-sided, not round
+  EXPECT_NEAR(test::ice_area(field) / free, field.concentration, 1e-4);  // corners are many-sided, not round
   EXPECT_NEAR(field.concentration, 0.85, 0.5 * spec.max * spec.max / free);
   EXPECT_GT(smallest_gap(field.floes), 0);
-  expect_inside(spec, field);
+  test::expect_inside(spec, field);
   EXPECT_EQ(field.left_out, 0);
   for (const auto& floe : field.floes) {
     const auto& hull_outline = spec.keep_out[0];

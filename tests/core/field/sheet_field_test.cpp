@@ -4,15 +4,10 @@
 #include "core/field/field.h"
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/polygon.h"
+#include "tests/core/field/field_measures.h"
 
 namespace nilas {
 namespace {
-
-double area_of(const FieldResult& field) {
-  double area = 0;
-  for (const auto& floe : field.floes) area += polygon_moments(floe.outline).area;
-  return area;
-}
 
 const std::vector<Vec2> k_hull{{2, -0.5}, {5, -0.5}, {6, 0}, {5, 0.5}, {2, 0.5}};
 constexpr double k_hull_area = 3.5;
@@ -32,18 +27,18 @@ TEST(Level, AHullThatReachesInLeavesABay) {
   const FieldResult field = level_field(level_of({hull}));
   ASSERT_EQ(field.floes.size(), 1u);
   EXPECT_FALSE(is_convex(field.floes[0].outline));
-  EXPECT_NEAR(area_of(field), 80 - (k_hull_area - 1), 1e-12);
+  EXPECT_NEAR(test::ice_area(field), 80 - (k_hull_area - 1), 1e-12);
   EXPECT_NEAR(field.concentration, 1, 1e-12);
 }
 
 TEST(Level, AHullInsideHasItsTrackOpenBehindIt) {
   const FieldResult field = level_field(level_of({k_hull}));
   ASSERT_EQ(field.floes.size(), 1u);
-  EXPECT_NEAR(area_of(field), 80 - k_hull_area - 2, 1e-12);
+  EXPECT_NEAR(test::ice_area(field), 80 - k_hull_area - 2, 1e-12);
   EXPECT_NEAR(field.concentration, (80 - k_hull_area - 2) / (80 - k_hull_area), 1e-12);
   auto turned = level_of({k_hull});
   turned.aft = {0, 1};
-  EXPECT_NEAR(area_of(level_field(turned)), 80 - k_hull_area - (4 * 4 - 3 * 0.5 - 0.5 * 0.5), 1e-12);
+  EXPECT_NEAR(test::ice_area(level_field(turned)), 80 - k_hull_area - (4 * 4 - 3 * 0.5 - 0.5 * 0.5), 1e-12);
 }
 
 TEST(Level, AHullAcrossPartsTheSheetInTwo) {

@@ -7,6 +7,7 @@
 #include "core/field/shapes/power_diagram.h"
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/polygon.h"
+#include "tests/core/field/field_measures.h"
 #include "tests/support/refusal.h"
 
 namespace nilas {
@@ -19,14 +20,6 @@ PackedSpec spec_of(double concentration, std::uint64_t seed) {
   spec.concentration = concentration;
   spec.seed = seed;
   return spec;
-}
-
-double deepest_overlap(const FieldResult& field) {
-  double deepest = -1e300;
-  for (std::size_t i = 0; i < field.floes.size(); ++i)
-    for (std::size_t j = i + 1; j < field.floes.size(); ++j)
-      deepest = std::max(deepest, convex_overlap(field.floes[i].outline, field.floes[j].outline));
-  return deepest;
 }
 
 std::vector<double> sizes(const FieldResult& field) {
@@ -46,7 +39,7 @@ TEST_P(Voronoi, AreasFollowTheDistributionAndTheConcentrationIsExact) {
     const std::vector<double> drawn = sizes(pack_field(spec));
     const FieldResult field = voronoi_field(spec);
     EXPECT_NEAR(field.concentration, 0.6, 1e-9);
-    EXPECT_LT(deepest_overlap(field), 0);
+    EXPECT_LT(test::deepest_overlap(field), 0);
     const std::vector<double> found = sizes(field);
     ASSERT_EQ(found.size(), drawn.size());
     for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i] / drawn[i], found[0] / drawn[0], 1e-7);
@@ -62,7 +55,7 @@ TEST(Voronoi, AtHundredPercentCellsShareTheirEdges) {
   const auto spec = spec_of(1, 4);
   const FieldResult field = voronoi_field(spec);
   EXPECT_NEAR(field.concentration, 1, 1e-9);
-  const double touching = deepest_overlap(field);
+  const double touching = test::deepest_overlap(field);
   EXPECT_LT(touching, 1e-9);
   EXPECT_GT(touching, -1e-9);
 }
