@@ -1,5 +1,8 @@
 #pragma once
 /// Problems with closed-form solutions for solvers of exact cones.
+#include <gtest/gtest.h>
+
+#include "contact/problem/solution.h"
 #include "tests/support/problem_factory.h"
 
 namespace nilas::test {
@@ -14,6 +17,12 @@ inline ContactProblem particle(Law law, double mass, double mu, const Vec3& befo
   problem.add_contact(-1, MatX(3, 0), 0, Mat3::Identity(), 1);
   problem.mu[0] = problem.mu_static[0] = mu;
   return problem;
+}
+
+/// Expects that a solver of one contact has converged to the contact velocity `expected` [m/s].
+inline void expect_velocity(const ContactSolution& solution, const Vec3& expected, double tolerance) {
+  EXPECT_EQ(solution.status, SolveStatus::converged) << solution.message;
+  EXPECT_LT((solution.u - expected).norm(), tolerance) << solution.u.transpose();
 }
 
 }  // namespace nilas::test

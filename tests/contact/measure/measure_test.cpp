@@ -4,21 +4,14 @@
 
 #include <cmath>
 
+#include "tests/support/cone_problems.h"
 #include "tests/support/problem_factory.h"
 
 namespace nilas {
 namespace {
 
 /// A particle of 2 kg on a fixed plane whose normal is its first axis: W = 1/2, d = 1/2, u = v.
-ContactProblem particle(Law law, double mu) {
-  ContactProblem problem;
-  problem.law = law;
-  problem.h = 0.01;
-  problem.add_block(2 * Mat3::Identity());
-  problem.add_contact(-1, MatX(3, 0), 0, Mat3::Identity(), 1);
-  problem.mu[0] = problem.mu_static[0] = mu;
-  return problem;
-}
+ContactProblem particle(Law law, double mu) { return test::particle(law, 2, mu, Vec3::Zero()); }
 
 /// r lies inside the cone, while the contact slides and opens: nearly every residual differs from zero.
 const Vec3 k_r(4, 1, 0), k_v(0.3, -0.4, 0);

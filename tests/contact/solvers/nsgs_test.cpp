@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "tests/contact/solvers/contraction.h"
 #include "tests/support/problem_changes.h"
 #include "tests/support/problem_factory.h"
 
@@ -26,8 +27,7 @@ double rate_of(const Problem& problem, int sweeps) {
   const SolverSettings shared{.tolerance = 0, .max_iterations = sweeps, .keep_history = true};
   const ContactSolution s = NsgsSolver({.shared = shared}).solve(problem, {});
   EXPECT_EQ(s.history.size(), static_cast<std::size_t>(sweeps));
-  const int span = sweeps / 4;
-  return std::pow(s.history.back() / s.history[sweeps - 1 - span], 1.0 / span);
+  return test::late_contraction(s.history);
 }
 
 TEST(Nsgs, EqualColumnContractsAsTheTextbookSays) {

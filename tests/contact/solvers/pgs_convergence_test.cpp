@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/solvers/pgs.h"
+#include "tests/contact/solvers/contraction.h"
 #include "tests/support/problem_factory.h"
 
 namespace nilas {
@@ -18,9 +19,7 @@ double measured_rate(const std::vector<double>& masses, int sweeps) {
   const PgsSolver solver({.shared = {.tolerance = 0, .max_iterations = sweeps, .keep_history = true}});
   const ContactSolution s = solver.solve(problem, {});
   EXPECT_EQ(s.history.size(), static_cast<std::size_t>(sweeps));
-  const int span = sweeps / 4;
-  const double early = s.history[sweeps - 1 - span], late = s.history.back();
-  return std::pow(late / early, 1.0 / span);
+  return test::late_contraction(s.history);
 }
 
 TEST(PgsConvergence, EqualColumnContractsAsTheTextbookSays) {
