@@ -4,6 +4,7 @@
 #include <set>
 
 #include "tests/support/cut_judge.h"
+#include "tests/support/test_name.h"
 
 namespace {
 
@@ -100,12 +101,7 @@ TEST_P(RandomCuts, KeepMassMomentumAngularMomentumAndEnergy) {
   }
 }
 
-std::string class_name(const testing::TestParamInfo<int>& tested) {
-  std::string name = k_cut_class_names[tested.param];
-  std::replace_if(
-      name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
-  return name;
-}
+std::string class_name(const testing::TestParamInfo<int>& tested) { return test_name(k_cut_class_names[tested.param]); }
 
 INSTANTIATE_TEST_SUITE_P(Fracture, RandomCuts, testing::Range(0, k_num_cut_classes), class_name);
 

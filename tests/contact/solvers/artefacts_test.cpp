@@ -11,6 +11,7 @@
 #include "contact/registry.h"
 #include "tests/support/cone_problems.h"
 #include "tests/support/problem_changes.h"
+#include "tests/support/test_name.h"
 
 namespace nilas {
 namespace {
@@ -402,11 +403,7 @@ TEST_P(CoulombArtefacts, CopiesOfAContactShareItsImpulse) {
   }
 }
 
-std::string name_of(const testing::TestParamInfo<std::string>& info) {
-  std::string name = info.param;
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-}
+std::string name_of(const testing::TestParamInfo<std::string>& info) { return test::test_name(info.param); }
 INSTANTIATE_TEST_SUITE_P(All, CoulombArtefacts, testing::ValuesIn(solvers_of(Law::coulomb)), name_of);
 INSTANTIATE_TEST_SUITE_P(All, BoxArtefacts, testing::ValuesIn(solvers_of(Law::pyramid)), name_of);
 INSTANTIATE_TEST_SUITE_P(All, PolygonArtefacts, testing::ValuesIn(solvers_of(Law::pyramid_k)), name_of);

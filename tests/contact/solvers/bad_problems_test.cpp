@@ -13,6 +13,7 @@
 #include "contact/solvers/continuation.h"
 #include "contact/solvers/with_retry.h"
 #include "tests/support/problem_factory.h"
+#include "tests/support/test_name.h"
 
 namespace nilas {
 namespace {
@@ -145,12 +146,8 @@ std::vector<std::string> all_solvers() {
   return names;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, BadProblems, testing::ValuesIn(all_solvers()), [](const auto& each) {
-  std::string name = each.param;
-  std::replace_if(
-      name.begin(), name.end(), [](char c) { return c == '-' || c == ' '; }, '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(All, BadProblems, testing::ValuesIn(all_solvers()),
+                         [](const auto& each) { return test::test_name(each.param); });
 
 }  // namespace
 }  // namespace nilas

@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "tests/support/problem_changes.h"
 #include "tests/support/problem_factory.h"
+#include "tests/support/test_name.h"
 
 namespace nilas {
 namespace {
@@ -38,9 +39,7 @@ std::vector<Subject> subjects() {
 }
 
 std::string name_of(const testing::TestParamInfo<Subject>& info) {
-  std::string name = info.param.solver + "_" + to_string(info.param.law);
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
+  return test::test_name(info.param.solver + "_" + to_string(info.param.law));
 }
 
 /// Four bodies with five contacts, few enough for brute force.
