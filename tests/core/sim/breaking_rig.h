@@ -2,60 +2,36 @@
 /// A bow driven into floes that break.
 #include <gtest/gtest.h>
 
-#include <memory>
-#include <sstream>
 #include <string>
 
-#include "core/scene/read/read_scene.h"
-#include "core/sim/simulation.h"
-#include "tests/support/scratch_folder.h"
+#include "tests/core/sim/scene_rig.h"
+#include "tests/core/sim/stl_text.h"
 
 namespace nilas::test {
 
 /// Its edge leans forward by 45 degrees; the half angle of its waterlines is atan 1/4.
-inline constexpr const char* k_bow =
-    "solid bow\n"
-    "facet normal 0 0 0\nouter loop\nvertex -1 0 -1\nvertex 1 0 1\nvertex -3 -1 1\nendloop\nendfacet\n"
-    "facet normal 0 0 0\nouter loop\nvertex -1 0 -1\nvertex -3 1 1\nvertex 1 0 1\nendloop\nendfacet\n"
-    "facet normal 0 0 0\nouter loop\nvertex 1 0 1\nvertex -3 1 1\nvertex -3 -1 1\nendloop\nendfacet\n"
-    "facet normal 0 0 0\nouter loop\nvertex -1 0 -1\nvertex -3 -1 1\nvertex -3 1 1\nendloop\nendfacet\n"
-    "endsolid bow\n";
-
-inline std::string text(double x) {
-  std::ostringstream out;
-  out.precision(17);
-  out << x;
-  return out.str();
+inline std::string bow_hull() {
+  return stl({Vec3(-1, 0, -1), Vec3(1, 0, 1), Vec3(-3, -1, 1), Vec3(-3, 1, 1)},
+             {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {0, 2, 3}});
 }
 
-struct BreakingRig {
+struct BreakingRig : SceneRig {
   explicit BreakingRig(const std::string& content, double step = 0.01, int threads = 1, const std::string& contact = "")
-      : scene([&] {
-          folder.write("bow.stl", k_bow);
-          return read_scene(folder.write(
-              "scene.xml", "<scene version='1'><time step='" + text(step) +
-                               "' end='1000'/><contact solver='nsgs' tolerance='1e-9' max_iterations='20000' " +
-                               contact +
-                               ">"
-                               "<friction between='ice ice' static='0.3'/></contact><water "
-                               "density='1000'/><hydro><buoyancy/></hydro>" +
-                               content + "</scene>"));
-        }()),
-        simulation(std::make_unique<Simulation>(scene, threads, warnings)) {}
+      : SceneRig("<time step='" + text(step) +
+                     "' end='1000'/><contact solver='nsgs' tolerance='1e-9' max_iterations='20000' " + contact +
+                     ">"
+                     "<friction between='ice ice' static='0.3'/></contact><water "
+                     "density='1000'/><hydro><buoyancy/></hydro>" +
+                     content,
+                 threads, {{"bow.stl", bow_hull()}}) {}
 
   /// Steps until ice breaks, and returns that step's record.
   StepRecord until_broken(int most = 2000) {
     for (int k = 0; k < most; ++k)
-      if (StepRecord record = simulation->step(); !record.broken.empty()) return record;
+      if (StepRecord record = simulation.step(); !record.broken.empty()) return record;
     ADD_FAILURE() << "nothing breaks";
     return {};
   }
-  const Bodies& bodies() const { return simulation->bodies(); }
-
-  ScratchFolder folder;
-  WarningCounts warnings{make_logger("off", "")};
-  Scene scene;
-  std::unique_ptr<Simulation> simulation;
 };
 
 /// A bow at 0.3 m/s towards a fixed sheet from x = 0 on.

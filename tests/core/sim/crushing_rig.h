@@ -1,40 +1,15 @@
 #pragma once
 /// Hulls of closed form driven into sheets.
 #include <algorithm>
-#include <memory>
-#include <sstream>
 #include <string>
 #include <vector>
 
-#include "core/scene/read/read_scene.h"
-#include "core/sim/simulation.h"
-#include "tests/support/scratch_folder.h"
+#include "tests/core/sim/scene_rig.h"
+#include "tests/core/sim/stl_text.h"
 
 namespace nilas::test {
 
 inline constexpr double k_strength = 1e5, k_thickness = 0.25;
-
-inline std::string text(double x) {
-  std::ostringstream out;
-  out.precision(17);
-  out << x;
-  return out.str();
-}
-
-inline std::string stl(const std::vector<Vec3>& vertices, const std::vector<std::vector<int>>& faces) {
-  std::ostringstream out;
-  out.precision(17);
-  out << "solid hull\n";
-  const auto vertex = [&](int v) { out << "vertex " << vertices[v].transpose() << "\n"; };
-  for (const auto& face : faces)
-    for (std::size_t k = 2; k < face.size(); ++k) {
-      out << "facet normal 0 0 0\nouter loop\n";
-      for (const int v : {face[0], face[k - 1], face[k]}) vertex(v);
-      out << "endloop\nendfacet\n";
-    }
-  out << "endsolid hull\n";
-  return out.str();
-}
 
 /// Its edge at x = 0 at mid height, opening to x = -2 at half angle atan 1/2; the sides lean out by `lean` of the trace
 /// per height, and the edge by twice that.
@@ -65,32 +40,26 @@ inline std::string crushing(const std::string& model, double strength = k_streng
 inline const std::string k_seed = "model='explicit'", k_compliant = "model='compliant'";
 
 /// Unless `contact` names another, the integrator is semi-implicit Euler: sums over its steps have closed forms.
-struct Rig {
+struct Rig : SceneRig {
   Rig(const std::string& content, double step, int threads = 1, const std::string& contact = "", double friction = 0,
       const Vec3& gravity = Vec3::Zero())
-      : scene([&] {
-          folder.write("wedge.stl", wedge(0));
-          folder.write("flared.stl", wedge(0.25));
-          folder.write("pyramid.stl", pyramid());
-          folder.write("pile.stl", pile());
-          folder.write("track.csv",
-                       "t_s,x_m,y_m,yaw_deg\n0,0,0,0\n0.2,0.1,0,0\n0.4,0.2,0,0\n0.8,0.1,0,0\n1.6,0.5,0,0\n");
-          return read_scene(folder.write("scene.xml", "<scene version='1'><time step='" + text(step) +
-                                                          "' end='1000'/><gravity value='" + text(gravity.x()) + " " +
-                                                          text(gravity.y()) + " " + text(gravity.z()) +
-                                                          "'/><contact solver='auto' tolerance='1e-12' "
-                                                          "max_iterations='10000' " +
-                                                          by_euler(contact) + "><friction between='* *' static='" +
-                                                          text(friction) + "'/></contact>" + content + "</scene>"));
-        }()),
-        simulation(std::make_unique<Simulation>(scene, threads, warnings)) {}
+      : SceneRig(
+            "<time step='" + text(step) + "' end='1000'/><gravity value='" + text(gravity.x()) + " " +
+                text(gravity.y()) + " " + text(gravity.z()) +
+                "'/><contact solver='auto' tolerance='1e-12' max_iterations='10000' " + by_euler(contact) +
+                "><friction between='* *' static='" + text(friction) + "'/></contact>" + content,
+            threads,
+            {{"wedge.stl", wedge(0)},
+             {"flared.stl", wedge(0.25)},
+             {"pyramid.stl", pyramid()},
+             {"pile.stl", pile()},
+             {"track.csv", "t_s,x_m,y_m,yaw_deg\n0,0,0,0\n0.2,0.1,0,0\n0.4,0.2,0,0\n0.8,0.1,0,0\n1.6,0.5,0,0\n"}}) {}
 
   static std::string by_euler(const std::string& contact) {
     return contact.find("integrator") == std::string::npos ? contact + " integrator='semi-implicit-euler'" : contact;
   }
 
-  StepRecord step() { return simulation->step(); }
-  const Bodies& bodies() const { return simulation->bodies(); }
+  StepRecord step() { return simulation.step(); }
   /// Largest x of the surface of a body.
   double front(std::size_t b) const {
     double x = -1e300;
@@ -104,11 +73,6 @@ struct Rig {
         std::find_if(bodies().kind.begin(), bodies().kind.end(), [](BodyKind k) { return k != BodyKind::floe; });
     return static_cast<std::size_t>(found - bodies().kind.begin());
   }
-
-  ScratchFolder folder;
-  WarningCounts warnings{make_logger("off", "")};
-  Scene scene;
-  std::unique_ptr<Simulation> simulation;
 };
 
 inline Vec2 turned(double angle_deg, double x, double y) {

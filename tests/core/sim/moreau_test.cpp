@@ -22,10 +22,9 @@ std::string contact(const std::string& integrator, double restitution) {
          std::to_string(restitution) + "'/></contact>";
 }
 
-std::string time(double step) { return "<time step='" + std::to_string(step) + "' end='1000'/>"; }
-
 TEST(Moreau, FreeFallIsExact) {
-  Rig rig(time(0.01) + contact("moreau", 0) + "<body shape='sphere' radius='0.1' mass='1' position='0 0 5'/>");
+  Rig rig(test::steps_of(0.01) + contact("moreau", 0) +
+          "<body shape='sphere' radius='0.1' mass='1' position='0 0 5'/>");
   double start = 0;
   for (int k = 1; k <= 100; ++k) {
     const StepRecord record = rig.step();
@@ -42,7 +41,7 @@ TEST(Moreau, FreeFallIsExact) {
 /// whatever takes penetration back.
 TEST(Moreau, AnElasticBallKeepsItsHeight) {
   for (const double start : {0.25, 0.77, 0.93, 1.13}) {
-    Rig rig(time(0.01) + contact("moreau", 1) +
+    Rig rig(test::steps_of(0.01) + contact("moreau", 1) +
             "<body shape='box' size='4 4 1' mass='1' position='0 0 -0.5' fixed='true'/>"
             "<body shape='sphere' radius='0.1' mass='1' position='0 0 " +
             std::to_string(start) + "'/>");
@@ -67,7 +66,7 @@ TEST(Moreau, AnElasticBallKeepsItsHeight) {
 /// A ball that would cross a thin plate within a step hits it first.
 TEST(Moreau, AFastBallDoesNotPassAThinPlate) {
   for (const double restitution : {0.5, 1.0}) {
-    Rig rig(time(0.01) + "<gravity value='0 0 0'/>" + contact("moreau", restitution) +
+    Rig rig(test::steps_of(0.01) + "<gravity value='0 0 0'/>" + contact("moreau", restitution) +
             "<body shape='box' size='1 1 0.02' mass='1' position='0 0 -0.01' fixed='true'/>"
             "<body shape='sphere' radius='0.02' mass='1' position='0 0 0.213' velocity='0 0 -12'/>");
     for (int k = 0; k < 10; ++k) rig.step();
@@ -79,7 +78,7 @@ TEST(Moreau, AFastBallDoesNotPassAThinPlate) {
 /// A box that bobs in water: the heave is of second order, its energy bounded; semi-implicit Euler is of first order.
 TEST(Moreau, ABobbingBoxConvergesInSecondOrder) {
   const auto height = [](const std::string& integrator, double step) {
-    Rig rig(time(step) + contact(integrator, 0) +
+    Rig rig(test::steps_of(step) + contact(integrator, 0) +
             "<water density='1000' level='0'/><hydro><buoyancy/></hydro>"
             "<body shape='box' size='1 1 0.4' mass='200' position='0 0 0.05'/>");
     StepRecord record;
@@ -104,7 +103,7 @@ TEST(Moreau, ABobbingBoxConvergesInSecondOrder) {
 }
 
 TEST(Moreau, ABoxAtRestStaysAtRest) {
-  Rig rig(time(0.01) + contact("moreau", 0.5) +
+  Rig rig(test::steps_of(0.01) + contact("moreau", 0.5) +
           "<body shape='box' size='4 4 1' mass='1' position='0 0 -0.5' fixed='true'/>"
           "<body shape='box' size='0.4 0.4 0.4' mass='3' position='0 0 0.2'/>");
   StepRecord record;
@@ -114,7 +113,7 @@ TEST(Moreau, ABoxAtRestStaysAtRest) {
 }
 
 TEST(Moreau, ATopKeepsItsEnergy) {
-  Rig rig(time(0.01) + "<gravity value='0 0 0'/>" + contact("moreau", 0) +
+  Rig rig(test::steps_of(0.01) + "<gravity value='0 0 0'/>" + contact("moreau", 0) +
           "<body shape='box' size='1 0.6 0.3' mass='2' position='0 0 0' angular_velocity='0.3 0.9 0.3'/>");
   const double start = rig.step().ledger.kinetic;
   StepRecord record;
@@ -128,8 +127,8 @@ TEST(Moreau, ImpactsAtOnceObeyNewtonsLawTogether) {
     return std::string("<body shape='sphere' radius='0.1' mass='2' position='") + x + " 0 0' velocity='" + v +
            " 0 0'/>";
   };
-  Rig rig(time(0.01) + "<gravity value='0 0 0'/>" + contact("moreau", 1) + ball("-0.202", "1") + ball("0", "0") +
-          ball("0.2", "0"));
+  Rig rig(test::steps_of(0.01) + "<gravity value='0 0 0'/>" + contact("moreau", 1) + ball("-0.202", "1") +
+          ball("0", "0") + ball("0.2", "0"));
   rig.step();
   const auto& v = rig.simulation.bodies().v_GB;
   EXPECT_NEAR(v[0].x(), -1.0 / 3, 1e-12);

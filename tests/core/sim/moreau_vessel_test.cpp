@@ -25,13 +25,9 @@ struct Rig : test::SceneRig {
   Vec3 spin() const { return bodies().w_GB[vessel()]; }
 };
 
-std::string time(double step) { return "<time step='" + std::to_string(step) + "' end='1000'/>"; }
-
 std::string contact(const std::string& integrator, const std::string& stabilisation = "projection",
                     double restitution = 0) {
-  return "<contact law='coulomb' solver='newton' tolerance='1e-12' stabilisation='" + stabilisation + "' integrator='" +
-         integrator + "'><friction between='* *' static='0.2' kinetic='0.2' restitution='" +
-         std::to_string(restitution) + "'/></contact>";
+  return test::newton_contact(integrator, 0.2, restitution, stabilisation);
 }
 
 const std::string k_water = "<water density='1000' level='0'/><hydro><buoyancy/></hydro>";
@@ -47,7 +43,7 @@ const std::string k_mass = "<mass draught='0.3'/>";
 /// Heave, roll and pitch of a floating vessel that was set in motion: differences of successive halvings of the step.
 TEST(MoreauVessel, AFloatingVesselConvergesInSecondOrder) {
   const auto end = [](const std::string& integrator, double step) {
-    Rig rig(time(step) + contact(integrator) + k_water +
+    Rig rig(test::steps_of(step) + contact(integrator) + k_water +
             hull("position='0 0' velocity='0.1 0.05 0.1' angular_velocity='0.1 0.05 0.02'", k_mass));
     const StepRecord record = rig.run(static_cast<int>(std::lround(1 / step)));
     EXPECT_NEAR(record.ledger.imbalance, 0, 1e-9);
@@ -65,7 +61,7 @@ TEST(MoreauVessel, AFloatingVesselConvergesInSecondOrder) {
 TEST(MoreauVessel, SmallHeaveIsTheOscillator) {
   const double omega = std::sqrt(9.81 / 0.3);
   const auto error = [&](double step) {
-    Rig rig(time(step) + contact("moreau") + k_water + hull("position='0 0' velocity='0 0 0.05'", k_mass));
+    Rig rig(test::steps_of(step) + contact("moreau") + k_water + hull("position='0 0' velocity='0 0 0.05'", k_mass));
     const double z0 = rig.place().z();
     rig.run(static_cast<int>(std::lround(1.5 / step)));
     return std::abs(rig.place().z() - z0 - 0.05 / omega * std::sin(1.5 * omega));
@@ -75,7 +71,7 @@ TEST(MoreauVessel, SmallHeaveIsTheOscillator) {
   EXPECT_NEAR(std::log2(coarse / half), 2, 0.1);
   EXPECT_NEAR(std::log2(half / fine), 2, 0.1);
 
-  Rig rig(time(0.01) + contact("moreau") + k_water + hull("position='0 0' velocity='0 0 0.05'", k_mass));
+  Rig rig(test::steps_of(0.01) + contact("moreau") + k_water + hull("position='0 0' velocity='0 0 0.05'", k_mass));
   const double start = rig.simulation.initial_ledger().kinetic + rig.simulation.initial_ledger().potential;
   double early = 0, late = 0;
   for (int k = 0; k < 10000; ++k) {
@@ -100,7 +96,7 @@ TEST(MoreauVessel, ClosesItsAccounts) {
     for (const std::string& way : ways)
       for (const std::string theta : {"0.5", "1", "0.7"}) {
         Rig rig(
-            time(0.01) + contact("moreau' theta='" + theta, stabilisation, 0.4) +
+            test::steps_of(0.01) + contact("moreau' theta='" + theta, stabilisation, 0.4) +
             "<water density='1000' level='0'/><hydro><buoyancy/><drag form='1' skin='0.01'/></hydro>" +
             hull(way.empty() ? "position='0 0' velocity='0.5 0 0' angular_velocity='0.1 0.1 0.05'" : "position='0 0'",
                  k_mass + way) +
@@ -123,7 +119,7 @@ TEST(MoreauVessel, ClosesItsAccounts) {
 /// before the first impulses, h^2 a / 8: from then on the contact meets the hull where it will be at the next middle
 /// pose.
 TEST(MoreauVessel, AnAcceleratingHullDoesNotEnterTheFloe) {
-  Rig rig(time(0.01) + contact("moreau", "none") + "<gravity value='0 0 0'/>" +
+  Rig rig(test::steps_of(0.01) + contact("moreau", "none") + "<gravity value='0 0 0'/>" +
           hull("position='0 0 0'",
                "<mass value='800'/><carriage speed='1' ramp='2'><force_balance kind='rigid'/>"
                "</carriage>") +
@@ -139,7 +135,7 @@ TEST(MoreauVessel, AnAcceleratingHullDoesNotEnterTheFloe) {
 /// A free vessel strikes a wall with e = 1: it leaves as fast as it came, to rounding, by every stabilisation.
 TEST(MoreauVessel, AFreeVesselBounces) {
   for (const std::string stabilisation : {"none", "split-impulse", "projection"}) {
-    Rig rig(time(0.01) + contact("moreau", stabilisation, 1) + "<gravity value='0 0 0'/>" +
+    Rig rig(test::steps_of(0.01) + contact("moreau", stabilisation, 1) + "<gravity value='0 0 0'/>" +
             hull("position='0 0 0' velocity='-0.5 0 0'", "<mass value='800' cog='2 0 0.3'/>") +
             "<body name='wall' shape='box' size='1 8 8' mass='1' position='-0.633 0 0' fixed='true'/>");
     const double start = rig.simulation.initial_ledger().kinetic;
@@ -153,7 +149,7 @@ TEST(MoreauVessel, AFreeVesselBounces) {
 /// A towed vessel with theta 1 moves as with semi-implicit Euler where no axis of its joint turns.
 TEST(MoreauVessel, ThetaOneIsSemiImplicitEuler) {
   const auto towed = [](const std::string& integrator) {
-    Rig rig(time(0.01) + contact(integrator) + k_water +
+    Rig rig(test::steps_of(0.01) + contact(integrator) + k_water +
             hull("position='0 0'",
                  k_mass + "<carriage speed='0.5' ramp='0.5' free='heave'><force_balance kind='rigid'/></carriage>") +
             "<body name='floe' shape='box' size='0.6 0.6 0.2' mass='60' position='4.4 0.15 0'/>");

@@ -7,27 +7,20 @@
 
 #include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
+#include "tests/core/sim/scene_rig.h"
 #include "tests/support/scratch_folder.h"
 
 namespace {
 
 using namespace nilas;
 
-struct Rig {
-  explicit Rig(const std::string& body)
-      : scene(read_scene(
-            folder.write("scene.xml", "<scene version='1'><time step='0.01' end='200'/>" + body + "</scene>"))),
-        simulation(scene, 1, warnings) {}
+struct Rig : test::SceneRig {
+  explicit Rig(const std::string& body) : SceneRig(test::steps_of(0.01) + body) {}
   std::set<std::uint64_t> step() {
     simulation.step();
     const auto& keys = simulation.last_problem().problem.key;
     return {keys.begin(), keys.end()};
   }
-
-  test::ScratchFolder folder;
-  Scene scene;
-  WarningCounts warnings{make_logger("off", "")};
-  Simulation simulation;
 };
 
 struct Rest {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <sstream>
 #include <string>
 
 #include "core/geometry/mesh.h"
@@ -12,10 +14,41 @@
 
 namespace nilas::test {
 
+/// A number as the attribute of an element, to the last bit.
+inline std::string text(double x) {
+  std::ostringstream out;
+  out.precision(17);
+  out << x;
+  return out.str();
+}
+
+/// The <time> of a scene with steps of `step` [s]; it ends after all that tests run.
+inline std::string steps_of(double step) { return "<time step='" + std::to_string(step) + "' end='1000'/>"; }
+
+/// Coulomb's law, solved by newton to 1e-12 m/s.
+inline std::string newton_contact(const std::string& integrator, double friction, double restitution = 0,
+                                  const std::string& stabilisation = "projection") {
+  const std::string mu = std::to_string(friction);
+  return "<contact law='coulomb' solver='newton' tolerance='1e-12' stabilisation='" + stabilisation + "' integrator='" +
+         integrator + "'><friction between='* *' static='" + mu + "' kinetic='" + mu + "' restitution='" +
+         std::to_string(restitution) + "'/></contact>";
+}
+
+/// A vessel whose hull is the box of SceneRig, with its other attributes, its mass [kg] and further elements.
+inline std::string box_vessel(const std::string& attributes, const std::string& inside, double mass = 1000) {
+  return "<vessel name='hull' hull='box.stl' " + attributes + "><mass value='" + std::to_string(mass) + "'/>" + inside +
+         "</vessel>";
+}
+
+inline const std::string k_no_weight = "<gravity value='0 0 0'/>";
+
 struct SceneRig {
-  /// `inside`: the content of <scene>. The folder holds a hull box.stl of 2 m x 1 m x 0.5 m about its frame's origin.
-  explicit SceneRig(const std::string& inside, int threads = 1)
-      : scene(read_scene(write(inside))), simulation(scene, threads, warnings) {}
+  using Files = std::map<std::string, std::string>;  ///< Texts by the names of their files.
+
+  /// `inside` is the content of <scene>. The scene's folder holds the files, and a hull box.stl of 2 m x 1 m x 0.5 m
+  /// about its frame's origin.
+  explicit SceneRig(const std::string& inside, int threads = 1, const Files& files = {})
+      : scene(read_scene(write(inside, files))), simulation(scene, threads, warnings) {}
 
   /// One step whose momenta balance, joints included, to `share` of their scales and `rounding` [N s, N m s].
   StepRecord balanced_step(double share, double rounding) {
@@ -32,8 +65,9 @@ struct SceneRig {
   Simulation simulation;
 
  private:
-  std::filesystem::path write(const std::string& inside) const {
+  std::filesystem::path write(const std::string& inside, const Files& files) const {
     write_stl(box_shape(Vec3(2, 1, 0.5)).surface, folder / "box.stl");
+    for (const auto& [name, content] : files) folder.write(name, content);
     return folder.write("scene.xml", "<scene version='1'>" + inside + "</scene>");
   }
 };

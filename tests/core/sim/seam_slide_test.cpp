@@ -8,6 +8,7 @@
 
 #include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
+#include "tests/core/sim/stl_text.h"
 #include "tests/support/scratch_folder.h"
 
 namespace {
@@ -16,17 +17,12 @@ using namespace nilas;
 
 /// Triangles of a box as an STL solid; the faces toward +y and +z in `cells` stretches of x.
 std::string box_stl(const Vec3& low, const Vec3& high, int cells) {
-  std::ostringstream out;
-  out.precision(17);
-  out << "solid box\n";
-  const auto triangle = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
-    out << "facet normal 0 0 0\nouter loop\n";
-    for (const Vec3& v : {a, b, c}) out << "vertex " << v.x() << " " << v.y() << " " << v.z() << "\n";
-    out << "endloop\nendfacet\n";
-  };
+  std::vector<Vec3> vertices;
+  std::vector<std::vector<int>> faces;
   const auto quad = [&](const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-    triangle(a, b, c);
-    triangle(a, c, d);
+    const int first = static_cast<int>(vertices.size());
+    vertices.insert(vertices.end(), {a, b, c, d});
+    faces.push_back({first, first + 1, first + 2, first + 3});
   };
   for (int k = 0; k < cells; ++k) {
     const auto station = [&](int i) { return i == cells ? high.x() : low.x() + (high.x() - low.x()) * i / cells; };
@@ -40,8 +36,7 @@ std::string box_stl(const Vec3& low, const Vec3& high, int cells) {
        {low.x(), high.y(), low.z()});
   quad({high.x(), low.y(), low.z()}, {high.x(), high.y(), low.z()}, {high.x(), high.y(), high.z()},
        {high.x(), low.y(), high.z()});
-  out << "endsolid box\n";
-  return out.str();
+  return test::stl(vertices, faces);
 }
 
 /// A barge along x from -3 to 3, y from -1 to 0, z from -0.5 to 0.5.

@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/scene/read/read_scene.h"
+#include "tests/core/sim/scene_rig.h"
 #include "tests/support/refusal.h"
 #include "tests/support/scratch_folder.h"
 
@@ -17,32 +18,13 @@ namespace {
 
 using namespace nilas;
 
-/// A scene from text, in a file that lives as long as the object.
-class SceneText {
- public:
-  explicit SceneText(const std::string& body)
-      : file_(folder_.write("scene.xml", "<scene version=\"1\" name=\"test\">" + body + "</scene>\n")) {}
-  Scene read() const { return read_scene(file_); }
-
- private:
-  test::ScratchFolder folder_;
-  std::filesystem::path file_;
-};
-
-struct Rig {
-  explicit Rig(const std::string& body) : text(body), simulation(text.read(), 1, warnings) {}
+struct Rig : test::SceneRig {
+  using SceneRig::SceneRig;
   StepRecord run(int steps) {
     StepRecord record;
-    for (int k = 0; k < steps; ++k) {
-      record = simulation.step();
-      EXPECT_LE(record.momentum_imbalance, 1e-12 * record.momentum_scale + 1e-15);
-      EXPECT_LE(record.angular_momentum_imbalance, 1e-12 * record.angular_momentum_scale + 1e-15);
-    }
+    for (int k = 0; k < steps; ++k) record = balanced_step(1e-12, 1e-15);
     return record;
   }
-  SceneText text;
-  WarningCounts warnings{make_logger("off", "")};
-  Simulation simulation;
 };
 
 const char* const k_contact =

@@ -7,6 +7,7 @@
 #include "contact/step_motion.h"
 #include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
+#include "tests/core/sim/scene_rig.h"
 #include "tests/support/scratch_folder.h"
 
 namespace {
@@ -16,18 +17,14 @@ using namespace nilas;
 constexpr double k_step = 0.01, k_gravity = 9.81, k_depth = 1e-3, k_mass = 3;
 
 /// A box of 0.4 m on the fixed ground z = 0, `depth` deep.
-struct BoxOnGround {
+struct BoxOnGround : test::SceneRig {
   BoxOnGround(const std::string& stabilisation, double depth)
-      : text(folder.write("scene.xml",
-                          "<scene version='1'><time step='0.01' end='1'/>"
-                          "<contact law='coulomb' solver='newton' tolerance='1e-12' stabilisation='" +
-                              stabilisation +
-                              "'><friction between='* *' static='0.3' kinetic='0.3'/></contact>"
-                              "<body name='ground' shape='box' size='4 4 1' mass='1' position='0 0 -0.5' "
-                              "fixed='true'/><body name='box' shape='box' size='0.4 0.4 0.4' mass='3' "
-                              "position='0 0 " +
-                              std::to_string(0.2 - depth) + "'/></scene>")),
-        simulation(read_scene(text), 1, warnings) {}
+      : SceneRig(test::steps_of(k_step) + "<contact law='coulomb' solver='newton' tolerance='1e-12' stabilisation='" +
+                 stabilisation +
+                 "'><friction between='* *' static='0.3' kinetic='0.3'/></contact>"
+                 "<body name='ground' shape='box' size='4 4 1' mass='1' position='0 0 -0.5' fixed='true'/>"
+                 "<body name='box' shape='box' size='0.4 0.4 0.4' mass='3' position='0 0 " +
+                 std::to_string(0.2 - depth) + "'/>") {}
 
   StepRecord step() {
     const StepRecord record = simulation.step();
@@ -37,11 +34,6 @@ struct BoxOnGround {
   }
   double depth() const { return 0.2 - simulation.bodies().p_GB[1].z(); }
   double speed() const { return simulation.bodies().v_GB[1].z(); }
-
-  test::ScratchFolder folder;
-  std::filesystem::path text;
-  WarningCounts warnings{make_logger("off", "")};
-  Simulation simulation;
 };
 
 TEST(Stabilisation, NoneLeavesTheDepth) {

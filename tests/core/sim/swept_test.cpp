@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
+#include "tests/core/sim/scene_rig.h"
 #include "tests/support/collision/thin_plates.h"
 #include "tests/support/mirrored.h"
 #include "tests/support/scratch_folder.h"
@@ -20,10 +21,8 @@ constexpr double k_step = 0.01;
 constexpr double k_fast = 100 * k_thickness / k_step;  ///< 100 thicknesses per step [m/s]
 constexpr double k_exact = 1e-9 * k_fast;              ///< parts of a step end within 1e-9 of it [m/s]
 
-struct Rig {
-  explicit Rig(const std::string& body, int threads = 1)
-      : file(folder.write("scene.xml", "<scene version='1'><time step='0.01' end='1000'/>" + body + "</scene>")),
-        simulation(read_scene(file), threads, warnings) {}
+struct Rig : test::SceneRig {
+  explicit Rig(const std::string& body, int threads = 1) : SceneRig(test::steps_of(k_step) + body, threads) {}
   StepRecord step() {
     const StepRecord record = simulation.step();
     double momentum = 0, angular = 0;  // The rounding of these momenta bounds the accuracy of the balance.
@@ -42,12 +41,6 @@ struct Rig {
   void run(int steps) {
     for (int k = 0; k < steps; ++k) step();
   }
-  const Bodies& bodies() const { return simulation.bodies(); }
-
-  test::ScratchFolder folder;
-  std::filesystem::path file;
-  WarningCounts warnings{make_logger("off", "")};
-  Simulation simulation;
 };
 
 std::string contact(const std::string& attributes, double restitution = 0, double mu = 0) {

@@ -14,20 +14,7 @@ using namespace nilas;
 
 using Rig = test::JointedSceneRig;
 
-std::string time(double step) { return "<time step='" + std::to_string(step) + "' end='1000'/>"; }
-
-std::string contact(const std::string& integrator, double friction = 0.2, double restitution = 0) {
-  return "<contact law='coulomb' solver='newton' tolerance='1e-12' stabilisation='projection' integrator='" +
-         integrator + "'><friction between='* *' static='" + std::to_string(friction) + "' kinetic='" +
-         std::to_string(friction) + "' restitution='" + std::to_string(restitution) + "'/></contact>";
-}
-
-std::string hull(const std::string& attributes, const std::string& inside, double mass = 1000) {
-  return "<vessel name='hull' hull='box.stl' " + attributes + "><mass value='" + std::to_string(mass) + "'/>" + inside +
-         "</vessel>";
-}
-
-const std::string k_no_weight = "<gravity value='0 0 0'/>";
+constexpr double k_friction = 0.2;
 
 /// The same box as the hull, joined to its fore end by a hinge across.
 std::string barge(const std::string& more = "") {
@@ -39,7 +26,8 @@ std::string barge(const std::string& more = "") {
 TEST(VesselParts, HitByASphereTheChainTakesTheImpulseOfTheClosedForm) {
   // a sphere of 50 kg at 2 m/s hits the far end of the second of two hinged boxes across their length
   for (const std::string integrator : {"semi-implicit-euler", "moreau"}) {
-    Rig rig(time(0.001) + k_no_weight + contact(integrator, 0) + hull("position='0 0 0'", barge()) +
+    Rig rig(test::steps_of(0.001) + test::k_no_weight + test::newton_contact(integrator, 0) +
+            test::box_vessel("position='0 0 0'", barge()) +
             "<body name='ball' shape='sphere' radius='0.2' mass='50' position='3.0 0 0.45' velocity='0 0 -2'/>");
     const double impulse = -0.001 * rig.step().vessel->contact.force.z();
     // compliance of the struck point: both boxes in plane motion about y, one hinge 1.05 m off both centres, struck 0.9
@@ -68,10 +56,11 @@ TEST(VesselParts, SlideDownARampTogetherAndPullOnTheirJoint) {
       "<contact law='coulomb' solver='newton' tolerance='1e-12' stabilisation='baumgarte' erp='0.2'>"
       "<friction between='hull structure' static='0.1' kinetic='0.1'/>"
       "<friction between='rough structure' static='0.3' kinetic='0.3'/></contact>";
-  Rig rig(time(0.01) + ramp(slope, g) + rough +
-          hull("position='0 0 0.25' velocity='-1 0 0'",
-               "<part name='barge' joint='slider' axis='0 0 1' at='1.05 0 0' position='2.1 0 0' size='2 1 0.5' "
-               "mass='1000' material='rough'/>"));
+  Rig rig(
+      test::steps_of(0.01) + ramp(slope, g) + rough +
+      test::box_vessel("position='0 0 0.25' velocity='-1 0 0'",
+                       "<part name='barge' joint='slider' axis='0 0 1' at='1.05 0 0' position='2.1 0 0' size='2 1 0.5' "
+                       "mass='1000' material='rough'/>"));
   const StepRecord record = rig.run(50);
   const double a = g * (std::sin(slope) - 0.5 * (of_hull + of_barge) * std::cos(slope));
   EXPECT_NEAR(rig.bodies().v_GB[0].x(), -1 - 0.5 * a, 1e-6);
@@ -86,8 +75,8 @@ TEST(VesselParts, SlideDownARampTogetherAndPullOnTheirJoint) {
 TEST(VesselParts, HingedBargesSlideDownARampAsOneBox) {
   for (const std::string integrator : {"semi-implicit-euler", "moreau"}) {
     const double slope = 0.3, g = 9.81;
-    Rig rig(time(0.01) + ramp(slope, g) + contact(integrator, 0.2) +
-            hull("position='0 0 0.25' velocity='-1 0 0'", barge()));
+    Rig rig(test::steps_of(0.01) + ramp(slope, g) + test::newton_contact(integrator, 0.2) +
+            test::box_vessel("position='0 0 0.25' velocity='-1 0 0'", barge()));
     const StepRecord record = rig.run(50);
     const double a = g * (std::sin(slope) - 0.2 * std::cos(slope));
     EXPECT_NEAR(rig.bodies().v_GB[1].x(), -1 - 0.5 * a, 1e-6) << integrator;
@@ -107,8 +96,9 @@ TEST(VesselParts, HingedBargesPitchWithThePeriodOfTheClosedForm) {
         "mass='" +
         std::to_string(m) + "' rate_deg='" + std::to_string(-2 * rate / k_deg) + "'/>";
     // both centres stand still at the start
-    Rig rig(time(0.002) + contact(integrator) + "<water density='1000' level='0'/><hydro><buoyancy/></hydro>" +
-            hull("position='0 0 0' angular_velocity='0 " + std::to_string(rate) + " 0'", part, m));
+    Rig rig(test::steps_of(0.002) + test::newton_contact(integrator, k_friction) +
+            "<water density='1000' level='0'/><hydro><buoyancy/></hydro>" +
+            test::box_vessel("position='0 0 0' angular_velocity='0 " + std::to_string(rate) + " 0'", part, m));
     const double quarter = 0.5 * k_pi / omega;
     const int steps = static_cast<int>(std::lround(quarter / 0.002));
     StepRecord record;
@@ -128,10 +118,11 @@ TEST(VesselParts, HingedBargesPitchWithThePeriodOfTheClosedForm) {
 TEST(VesselParts, NeighboursPassThroughEachOtherAndOthersDoNot) {
   // two arms that stand in the fixed hull, which they are joined to, swing against each other
   const std::string arm = "joint='hinge' axis='0 0 1' shape='box' size='0.8 0.1 0.2' mass='10' ";
-  Rig rig(time(0.005) + k_no_weight + contact("semi-implicit-euler", 0) +
-          hull("position='0 0 0'", "<fixed/><part name='one' " + arm +
-                                       "at='0 0 0.2' position='0.4 0 0.2' rate_deg='60'/><part name='two' " + arm +
-                                       "at='0 1 0.2' position='0.4 1 0.2' rate_deg='-60'/>"));
+  Rig rig(
+      test::steps_of(0.005) + test::k_no_weight + test::newton_contact("semi-implicit-euler", 0) +
+      test::box_vessel("position='0 0 0'", "<fixed/><part name='one' " + arm +
+                                               "at='0 0 0.2' position='0.4 0 0.2' rate_deg='60'/><part name='two' " +
+                                               arm + "at='0 1 0.2' position='0.4 1 0.2' rate_deg='-60'/>"));
   double touched = 0;
   StepRecord record;
   for (int k = 0; k < 400; ++k) {
@@ -146,10 +137,11 @@ TEST(VesselParts, NeighboursPassThroughEachOtherAndOthersDoNot) {
 }
 
 TEST(VesselParts, BringTheirBitsThroughThreads) {
-  const std::string scene = time(0.01) + contact("moreau") +
-                            "<water density='1000' level='0'/><hydro><buoyancy/><drag/></hydro>" +
-                            hull("position='0 0 0' velocity='0.5 0 0'", barge("rate_deg='20' stiffness='100'"), 600) +
-                            "<body name='ball' shape='sphere' radius='0.3' density='500' position='3.6 0.1 0'/>";
+  const std::string scene =
+      test::steps_of(0.01) + test::newton_contact("moreau", k_friction) +
+      "<water density='1000' level='0'/><hydro><buoyancy/><drag/></hydro>" +
+      test::box_vessel("position='0 0 0' velocity='0.5 0 0'", barge("rate_deg='20' stiffness='100'"), 600) +
+      "<body name='ball' shape='sphere' radius='0.3' density='500' position='3.6 0.1 0'/>";
   Rig one(scene, 1), two(scene, 2);
   for (int k = 0; k < 100; ++k) ASSERT_EQ(one.step().state_hash, two.step().state_hash);
 }
@@ -157,9 +149,10 @@ TEST(VesselParts, BringTheirBitsThroughThreads) {
 TEST(VesselParts, AreTowedByARigidCarriage) {
   // the second box hangs as a pendulum while the first is pulled up to speed: energy and momenta close
   for (const std::string integrator : {"semi-implicit-euler", "moreau"}) {
-    Rig rig(time(0.005) + contact(integrator) +
-            hull("position='0 0 3'", "<carriage speed='1.5' ramp='0.5' joint='0 0 0'/>" + barge("stiffness='5000' "
-                                                                                                "damping='300'")) +
+    Rig rig(test::steps_of(0.005) + test::newton_contact(integrator, k_friction) +
+            test::box_vessel("position='0 0 3'",
+                             "<carriage speed='1.5' ramp='0.5' joint='0 0 0'/>" + barge("stiffness='5000' "
+                                                                                        "damping='300'")) +
             "<body name='pier' shape='box' size='1 1 1' position='6 0 2.4' fixed='true'/>");
     double lost = 0;
     for (int k = 0; k < 300; ++k) {
@@ -176,12 +169,13 @@ TEST(VesselParts, AreTowedOnSixCells) {
   // The same vessel on load cells and afloat, heave free, hits a pier; the cells read the force of the carriage.
   for (const std::string integrator : {"semi-implicit-euler", "moreau"}) {
     const std::string scene =
-        time(0.005) + contact(integrator) + "<water density='1000' level='0'/><hydro><buoyancy/><drag/></hydro>" +
-        hull("position='0 0 0'",
-             "<carriage speed='1' ramp='0.5' joint='0 0 0' free='heave'><force_balance kind='six-cells' "
-             "stiffness='1e7' damping='1e4'/></carriage>" +
-                 barge("stiffness='5000' damping='300'"),
-             500) +
+        test::steps_of(0.005) + test::newton_contact(integrator, k_friction) +
+        "<water density='1000' level='0'/><hydro><buoyancy/><drag/></hydro>" +
+        test::box_vessel("position='0 0 0'",
+                         "<carriage speed='1' ramp='0.5' joint='0 0 0' free='heave'><force_balance kind='six-cells' "
+                         "stiffness='1e7' damping='1e4'/></carriage>" +
+                             barge("stiffness='5000' damping='300'"),
+                         500) +
         "<body name='floe' shape='box' size='1 1 0.5' density='500' position='4 0.2 0.1'/>";
     Rig rig(scene), other(scene, 2);
     double touched = 0, pulled = 0;
@@ -206,7 +200,8 @@ TEST(VesselParts, WhatDoesNotGoTogetherIsNamed) {
                           const std::string& more = "") {
     test::expect_refusal<SceneError>(
         [&] {
-          Rig(time(0.01) + more + "<vessel name='hull' hull='box.stl' " + attributes + ">" + inside + "</vessel>");
+          Rig(test::steps_of(0.01) + more + "<vessel name='hull' hull='box.stl' " + attributes + ">" + inside +
+              "</vessel>");
         },
         {expected});
   };

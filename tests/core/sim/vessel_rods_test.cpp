@@ -14,26 +14,14 @@ using namespace nilas;
 
 using Rig = test::JointedSceneRig;
 
-std::string time(double step) { return "<time step='" + std::to_string(step) + "' end='1000'/>"; }
-
-std::string contact(const std::string& integrator, const std::string& friction = "0.2") {
-  return "<contact law='coulomb' solver='newton' tolerance='1e-12' stabilisation='projection' integrator='" +
-         integrator + "'><friction between='* *' static='" + friction + "' kinetic='" + friction + "'/></contact>";
-}
-
-std::string hull(const std::string& attributes, const std::string& inside, double mass = 1000) {
-  return "<vessel name='hull' hull='box.stl' " + attributes + "><mass value='" + std::to_string(mass) + "'/>" + inside +
-         "</vessel>";
-}
-
-const std::string k_no_weight = "<gravity value='0 0 0'/>";
+constexpr double k_friction = 0.2;
 
 TEST(VesselRods, HitByASphereAHullOnARodTakesTheImpulseOfTheClosedForm) {
   // an upright rod at the fore end: a sphere of 50 kg at 2 m/s that falls on the aft end turns the hull about that end
   for (const std::string integrator : {"semi-implicit-euler", "moreau"}) {
     const double h = 0.001, m = 1000, I = m / 12 * (2 * 2 + 0.5 * 0.5), a = 1, b = 0.9;
-    Rig rig(time(h) + k_no_weight + contact(integrator, "0") +
-            hull("position='0 0 0'", "<rod name='tie' at='1 0 0' to='1 0 5'/>") +
+    Rig rig(test::steps_of(h) + test::k_no_weight + test::newton_contact(integrator, 0) +
+            test::box_vessel("position='0 0 0'", "<rod name='tie' at='1 0 0' to='1 0 5'/>") +
             "<body name='ball' shape='sphere' radius='0.2' mass='50' position='-0.9 0 0.45' velocity='0 0 -2'/>");
     const StepRecord record = rig.step();
     const double compliance = (a + b) * (a + b) / (I + m * a * a);
@@ -50,9 +38,9 @@ TEST(VesselRods, HitByASphereAHullOnARodTakesTheImpulseOfTheClosedForm) {
 TEST(VesselRods, HoldAHullAgainstACurrent) {
   // under water in a stream and without weight: the rod bears the drag
   for (const std::string integrator : {"semi-implicit-euler", "moreau"}) {
-    Rig rig(time(0.02) + k_no_weight + contact(integrator) +
+    Rig rig(test::steps_of(0.02) + test::k_no_weight + test::newton_contact(integrator, k_friction) +
             "<water density='1000' level='5'><current velocity='-1 0 0'/></water><hydro><drag form='1'/></hydro>" +
-            hull("position='0 0 0'", "<rod name='tie' at='1 0 0' to='6 0 0'/>", 500));
+            test::box_vessel("position='0 0 0'", "<rod name='tie' at='1 0 0' to='6 0 0'/>", 500));
     StepRecord record;
     for (int k = 0; k < 50; ++k) record = rig.step();
     const double drag = record.vessel->hydro->force.x();
@@ -64,13 +52,15 @@ TEST(VesselRods, HoldAHullAgainstACurrent) {
 
 /// A barge that pitches on its hinge, its fore end on a strut to the quay, and a ball that drifts against it.
 std::string moored(const std::string& integrator, double step) {
-  return time(step) + contact(integrator) + "<water density='1000' level='0'/><hydro><buoyancy/><drag/></hydro>" +
-         hull("position='0 0 0'",
-              "<part name='barge' joint='hinge' axis='0 1 0' at='1.05 0 0' position='2.1 0 0' shape='box' "
-              "size='2 1 0.5' mass='600' stiffness='100'/>"
-              "<rod name='strut' on='barge' at='3.1 0.2 0.1' to='5 2 0.6'/><rod name='tie' at='-1 -0.4 0' to='-2 -3 1'"
-              " length='2.957'/>",
-              600) +
+  return test::steps_of(step) + test::newton_contact(integrator, k_friction) +
+         "<water density='1000' level='0'/><hydro><buoyancy/><drag/></hydro>" +
+         test::box_vessel(
+             "position='0 0 0'",
+             "<part name='barge' joint='hinge' axis='0 1 0' at='1.05 0 0' position='2.1 0 0' shape='box' "
+             "size='2 1 0.5' mass='600' stiffness='100'/>"
+             "<rod name='strut' on='barge' at='3.1 0.2 0.1' to='5 2 0.6'/><rod name='tie' at='-1 -0.4 0' to='-2 -3 1'"
+             " length='2.957'/>",
+             600) +
          "<body name='ball' shape='sphere' radius='0.3' density='500' position='1.5 -0.9 0' velocity='0 1.5 0'/>";
 }
 
@@ -97,8 +87,9 @@ TEST(VesselRods, KeepTheirAccountsAndBitsAfloatAndInContact) {
 
 TEST(VesselRods, SwingATowedHullAndBookTheWorkOfTheCarriage) {
   for (const std::string integrator : {"semi-implicit-euler", "moreau"}) {
-    Rig rig(time(0.01) + k_no_weight + contact(integrator) +
-            hull("position='0 0 0'", "<carriage speed='0.5' free='sway'/><rod name='tie' at='0 0 0' to='0 4 0'/>"));
+    Rig rig(test::steps_of(0.01) + test::k_no_weight + test::newton_contact(integrator, k_friction) +
+            test::box_vessel("position='0 0 0'",
+                             "<carriage speed='0.5' free='sway'/><rod name='tie' at='0 0 0' to='0 4 0'/>"));
     StepRecord record;
     for (int k = 0; k < 300; ++k) record = rig.step();
     const double x = 1.5, across = std::sqrt(16 - x * x), sway = 0.5 * x / across;
@@ -112,7 +103,7 @@ TEST(VesselRods, WhatCannotBeIsNamedWithItsLine) {
   const auto refused = [](const std::string& inside, const std::string& expected, const std::string& more = "") {
     const std::string vessel =
         "\n<vessel name='hull' hull='box.stl' position='0 0 0'><mass value='100'/>\n" + inside + "</vessel>";
-    test::expect_refusal<std::exception>([&] { Rig(time(0.01) + more + vessel); }, {expected});
+    test::expect_refusal<std::exception>([&] { Rig(test::steps_of(0.01) + more + vessel); }, {expected});
   };
   const std::string rod = "<rod name='a' at='0 0 0' to='3 0 0'/>";
   refused("<rod at='0 0 0' to='3 0 0'/>", "name");
@@ -140,7 +131,8 @@ TEST(VesselRods, WhatCannotBeIsNamedWithItsLine) {
 }
 
 TEST(VesselRods, AStartSpeedAlongThemIsRefused) {
-  EXPECT_THROW(Rig(time(0.01) + hull("position='0 0 0' velocity='1 0 0'", "<rod name='a' at='0 0 0' to='3 0 0'/>")),
+  EXPECT_THROW(Rig(test::steps_of(0.01) +
+                   test::box_vessel("position='0 0 0' velocity='1 0 0'", "<rod name='a' at='0 0 0' to='3 0 0'/>")),
                InputError);
 }
 

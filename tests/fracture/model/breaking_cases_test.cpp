@@ -22,10 +22,10 @@ double mass_of_ice(const Bodies& bodies) {
 /// Goes on from here alike, saved and restored.
 void expect_same_bits_after_restore(BreakingRig& rig, int steps) {
   State state;
-  rig.simulation->save(StateWriter(state));
+  rig.simulation.save(StateWriter(state));
   Simulation other(rig.scene, 1, rig.warnings);
   other.restore(StateReader(state));
-  for (int k = 0; k < steps; ++k) ASSERT_EQ(rig.simulation->step().state_hash, other.step().state_hash) << k;
+  for (int k = 0; k < steps; ++k) ASSERT_EQ(rig.simulation.step().state_hash, other.step().state_hash) << k;
 }
 
 /// A bow between two sheets that mirror each other.
@@ -67,9 +67,9 @@ TEST(BreakingCases, AFloeThatBecomesAllBrashIsGone) {
   ASSERT_EQ(record.broken.size(), 1u);
   EXPECT_TRUE(record.broken[0].pieces.empty());
   EXPECT_NEAR(record.broken[0].brash, mass, 1e-12 * mass);
-  EXPECT_EQ(rig.simulation->total("brash_mass"), record.broken[0].brash);
+  EXPECT_EQ(rig.simulation.total("brash_mass"), record.broken[0].brash);
   ASSERT_EQ(rig.bodies().size(), 1) << "the vessel";
-  const StepRecord next = rig.simulation->step();
+  const StepRecord next = rig.simulation.step();
   EXPECT_EQ(next.floes, 0);
   EXPECT_EQ(next.contacts, 0);
   EXPECT_EQ(next.vessel->contact.force, Vec3(0, 0, 0));
@@ -138,8 +138,8 @@ TEST(BreakingCases, ABoxGoesOnCrushingAnotherFloe) {
   bool broken = false;
   int crushing = 0;
   for (int k = 0; k < 60; ++k) {
-    const StepRecord record = breaks.simulation->step();
-    EXPECT_TRUE(whole.simulation->step().broken.empty());
+    const StepRecord record = breaks.simulation.step();
+    EXPECT_TRUE(whole.simulation.step().broken.empty());
     const auto box_of = [](const Bodies& bodies) {
       return static_cast<std::size_t>(std::find(bodies.name.begin(), bodies.name.end(), "box") - bodies.name.begin());
     };

@@ -64,7 +64,7 @@ TEST(Breaking, WedgesFloatFreeAndTheSheetStaysFixed) {
   EXPECT_EQ(event.brash, 0);
   EXPECT_NEAR(event.length, 3 * event.radius + 8 * event.radius * std::sin(k_pi / 8), 1e-9)
       << "three radial cracks, the two along the edge left out, and four chords";
-  EXPECT_EQ(rig.simulation->step().floes, 5);
+  EXPECT_EQ(rig.simulation.step().floes, 5);
 }
 
 /// No edge is near, so nothing of the models applies.
@@ -74,7 +74,7 @@ TEST(Breaking, ALoadInTheMiddleOfASheetBreaksNothing) {
       "<ice thickness='0.05' density='900' youngs_modulus='1e8'><floe breakable='true' fixed='true' outline='-10 -10 "
       "10 -10 10 10 -10 10'/></ice>" +
       fracture("<bending/><splitting model='lefm'/>"));
-  for (int k = 0; k < 60; ++k) EXPECT_TRUE(rig.simulation->step().broken.empty());
+  for (int k = 0; k < 60; ++k) EXPECT_TRUE(rig.simulation.step().broken.empty());
 }
 
 /// A floe breaks while it moves and turns: momentum and energy are conserved.
@@ -85,7 +85,7 @@ TEST(Breaking, AFreeFloeKeepsMassMomentumAndEnergy) {
   StepRecord before, record;
   do {
     before = record;
-    record = rig.simulation->step();
+    record = rig.simulation.step();
   } while (record.broken.empty() && record.step < 3000);
   ASSERT_FALSE(record.broken.empty());
   const Bodies& bodies = rig.bodies();
@@ -112,11 +112,11 @@ TEST(Breaking, SmallPiecesAreBrashOrStopIt) {
   EXPECT_EQ(event.pieces.size(), 1u) << "the sheet alone";
   EXPECT_GT(event.brash, 0);
   EXPECT_NEAR(brash.bodies().mass[1] + event.brash, mass, 1e-12 * mass);
-  EXPECT_EQ(brash.simulation->total("brash_mass"), event.brash);
+  EXPECT_EQ(brash.simulation.total("brash_mass"), event.brash);
   EXPECT_EQ(brash.bodies().motion[1], Motion::fixed);
 
   Rig refuse(with("refuse", 1));
-  for (int k = 0; k < 100; ++k) EXPECT_TRUE(refuse.simulation->step().broken.empty());
+  for (int k = 0; k < 100; ++k) EXPECT_TRUE(refuse.simulation.step().broken.empty());
   EXPECT_EQ(refuse.bodies().size(), 2);
   EXPECT_GT(refuse.warnings.counts().at("floes that could not be cut"), 0);
 }
@@ -178,12 +178,12 @@ TEST(Breaking, PiecesKeepTheStrengthsOfTheirPlaces) {
   rig.until_broken();
   // the same again, saved and restored: pieces find their strengths by their places in the scene's floe
   State state;
-  rig.simulation->save(StateWriter(state));
+  rig.simulation.save(StateWriter(state));
   Simulation other(rig.scene, 1, rig.warnings);
   other.restore(StateReader(state));
   bool again = false;
   for (int k = 0; k < 150; ++k) {
-    const StepRecord one = rig.simulation->step(), two = other.step();
+    const StepRecord one = rig.simulation.step(), two = other.step();
     ASSERT_EQ(one.state_hash, two.state_hash) << k;
     ASSERT_EQ(one.broken.size(), two.broken.size());
     again = again || !one.broken.empty();
@@ -205,17 +205,17 @@ TEST(Breaking, ASheetOfFrozenFloesBreaksAlongItsSeams) {
   EXPECT_LT(record.broken[0].ratio, 1.5);
   // saved, and on as if never stopped: the pieces find their seams by their places
   State state;
-  rig.simulation->save(StateWriter(state));
+  rig.simulation.save(StateWriter(state));
   Simulation other(rig.scene, 1, rig.warnings);
   other.restore(StateReader(state));
   std::size_t again = 0;
   for (int k = 0; k < 60; ++k) {
-    const StepRecord one = rig.simulation->step(), two = other.step();
+    const StepRecord one = rig.simulation.step(), two = other.step();
     ASSERT_EQ(one.state_hash, two.state_hash) << k;
     again += one.broken.size();
   }
   EXPECT_GT(again, 0u);
-  double left = rig.simulation->total("brash_mass");
+  double left = rig.simulation.total("brash_mass");
   for (std::size_t b = 1; b < rig.bodies().mass.size(); ++b) left += rig.bodies().mass[b];
   EXPECT_NEAR(left, mass, 1e-12 * mass);
 }
@@ -225,7 +225,7 @@ TEST(Breaking, IceThatNothingBreaksMovesAsIfItCouldNot) {
   const auto hashes = [&](const std::string& models) {
     Rig rig(floe + fracture(models).replace(fracture().find("5e4"), 3, "5e9"));
     std::vector<std::uint64_t> all;
-    for (int k = 0; k < 100; ++k) all.push_back(rig.simulation->step().state_hash);
+    for (int k = 0; k < 100; ++k) all.push_back(rig.simulation.step().state_hash);
     return all;
   };
   EXPECT_EQ(hashes("<bending/><splitting/>"), hashes(""));
@@ -235,7 +235,7 @@ TEST(Breaking, ThreadsChangeNoBit) {
   Rig one(bow() + fracture("<bending/><splitting/>")), two(bow() + fracture("<bending/><splitting/>"), 0.01, 2);
   std::size_t broken = 0;
   for (int k = 0; k < 200; ++k) {
-    const StepRecord a = one.simulation->step(), b = two.simulation->step();
+    const StepRecord a = one.simulation.step(), b = two.simulation.step();
     ASSERT_EQ(a.state_hash, b.state_hash) << k;
     broken += a.broken.size();
   }

@@ -201,12 +201,12 @@ Vec3 sum_on(std::int64_t id, const SolvedProblem& solved, const std::vector<Vec3
 TEST(BrokenContacts, SumToWhatPressedOnTheFloe) {
   Pressed rig;
   ASSERT_EQ(rig.record.broken.size(), 1u);
-  const SolvedProblem old = rig.simulation->last_problem();
+  const SolvedProblem old = rig.simulation.last_problem();
   const Bodies bodies = rig.bodies();
   BrokenContacts broken;
   broken.note(old, rig.record.broken);
   rig.step();
-  const SolvedProblem& now = rig.simulation->last_problem();
+  const SolvedProblem& now = rig.simulation.last_problem();
   const std::vector<Vec3> guess = guessed(broken, bodies, now.points);
   int pressing = 0;
   for (std::size_t b = 0; b < bodies.id.size(); ++b) {

@@ -61,13 +61,13 @@ TEST(CrushedIceCut, LeavesAChannelOfTheHullsWidth) {
     if (front == 0) continue;
     const double channel = (0.4 - 2 * k_strip) * (front - k_strip);
     ASSERT_NEAR(ice_area(rig.bodies()), 24 - channel, 1e-9);
-    ASSERT_NEAR(rig.simulation->total("extruded_mass"), channel * k_thickness * k_density, 1e-9);
+    ASSERT_NEAR(rig.simulation.total("extruded_mass"), channel * k_thickness * k_density, 1e-9);
   }
   EXPECT_GT(cuts, 15);
-  EXPECT_NEAR(extruded, rig.simulation->total("extruded_mass"), 1e-9);
+  EXPECT_NEAR(extruded, rig.simulation.total("extruded_mass"), 1e-9);
   EXPECT_EQ(rig.bodies().motion[1], Motion::fixed);
   EXPECT_EQ(rig.bodies().shape[1]->outline.size(), 8u);
-  EXPECT_NEAR(rig.simulation->total("crushed_mass"), k_density * crushing_energy / k_strength, 1e-9);
+  EXPECT_NEAR(rig.simulation.total("crushed_mass"), k_density * crushing_energy / k_strength, 1e-9);
 }
 
 /// Every face in front stands in ice as before, so forces and the energy of crushing are those of the whole outline.
@@ -126,7 +126,7 @@ TEST(CrushedIceCut, KeepsTheAccounts) {
   }
   EXPECT_GT(cuts, 3);
   EXPECT_GT(left, 0);
-  EXPECT_NEAR(floe() + rig.simulation->total("extruded_mass"), mass, 1e-12 * mass);
+  EXPECT_NEAR(floe() + rig.simulation.total("extruded_mass"), mass, 1e-12 * mass);
   EXPECT_NEAR(ice_area(rig.bodies()) * k_thickness * k_density, floe(), 1e-9 * mass);
 }
 
@@ -149,7 +149,7 @@ TEST(CrushedIceCut, AFloeThatAHullRunsOverIsGone) {
   Rig rig(box(0.4) + sheet("fixed='true'", "0 -0.1 0.2 -0.1 0.2 0.1 0 0.1") + clearing(k_seed), 0.01);
   for (int k = 0; k < 200; ++k) rig.step();
   EXPECT_EQ(rig.bodies().size(), 1);
-  EXPECT_NEAR(rig.simulation->total("extruded_mass") + rig.simulation->total("brash_mass"),
+  EXPECT_NEAR(rig.simulation.total("extruded_mass") + rig.simulation.total("brash_mass"),
               k_density * k_thickness * 0.04, 1e-12);
 }
 
@@ -168,7 +168,7 @@ TEST(CrushedIceCut, WaitsWhileAHullStandsInTheMidst) {
   }
   EXPECT_EQ(rig.warnings.counts().count("crushed ice inside floes"), 1u);
   EXPECT_EQ(rig.warnings.counts().count("floes that could not be cut"), 0u);
-  EXPECT_GT(rig.simulation->total("extruded_mass"), 0.9 * k_density * k_thickness * 0.275 * 0.375);
+  EXPECT_GT(rig.simulation.total("extruded_mass"), 0.9 * k_density * k_thickness * 0.275 * 0.375);
 }
 
 /// The last bridge goes, however little it is, and there are two floes.
@@ -212,10 +212,10 @@ TEST(CrushedIceCut, GoesOnFromACheckpointWithTheSameBits) {
   for (int k = 0; k < 40; ++k) cuts += static_cast<int>(whole.step().broken.size());
   EXPECT_GT(cuts, 2);
   State state;
-  whole.simulation->save(StateWriter(state));
-  rest.simulation->restore(StateReader(state));
+  whole.simulation.save(StateWriter(state));
+  rest.simulation.restore(StateReader(state));
   for (int k = 0; k < 40; ++k) ASSERT_EQ(rest.step().state_hash, whole.step().state_hash) << k;
-  EXPECT_EQ(rest.simulation->total("extruded_mass"), whole.simulation->total("extruded_mass"));
+  EXPECT_EQ(rest.simulation.total("extruded_mass"), whole.simulation.total("extruded_mass"));
 }
 
 }  // namespace

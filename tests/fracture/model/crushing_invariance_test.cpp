@@ -97,12 +97,12 @@ TEST(Crushing, GoesOnFromACheckpointWithTheSameBits) {
     FieldRig whole(model);
     for (int k = 0; k < 80; ++k) whole.step();
     State state;
-    whole.simulation->save(StateWriter(state));
+    whole.simulation.save(StateWriter(state));
     FieldRig rest(model, false, 2);
-    rest.simulation->restore(StateReader(state));
+    rest.simulation.restore(StateReader(state));
     for (int k = 0; k < 80; ++k) ASSERT_EQ(rest.step().state_hash, whole.step().state_hash) << model << k;
-    EXPECT_EQ(rest.simulation->total("crushed_mass"), whole.simulation->total("crushed_mass"));
-    EXPECT_GT(whole.simulation->total("crushed_mass"), 0);
+    EXPECT_EQ(rest.simulation.total("crushed_mass"), whole.simulation.total("crushed_mass"));
+    EXPECT_GT(whole.simulation.total("crushed_mass"), 0);
   }
 }
 
@@ -115,7 +115,7 @@ TEST(Crushing, IsOfBreakableFloesAgainstHullsAlone) {
   EXPECT_ANY_THROW(static_cast<void>(Rig("<ice><floe outline='0 0 1 0 1 1'/></ice>" + crushing("model='none'"), 0.01)));
   for (int k = 0; k < 20; ++k) record = rigid.step();
   EXPECT_EQ(record.ledger.crushing, 0);
-  const auto& modules = rigid.simulation->info().modules;
+  const auto& modules = rigid.simulation.info().modules;
   EXPECT_TRUE(std::none_of(modules.begin(), modules.end(), [](const auto& m) { return m.first == "crushing"; }));
 }
 
@@ -125,7 +125,7 @@ TEST(Crushing, TheListOfWhatWasBuiltSaysWhatStaysRigid) {
       "<body name='pile' shape='cylinder' position='5 0 0'/>" +
           crushing(k_each_other),
       0.01);
-  for (const auto& [name, text] : rig.simulation->info().modules) {
+  for (const auto& [name, text] : rig.simulation.info().modules) {
     if (name != "crushing") continue;
     EXPECT_EQ(text,
               "<fracture><crushing>: compliant, of floes by each other too; 'ball' has no flat faces and stays rigid");

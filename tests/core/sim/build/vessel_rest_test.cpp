@@ -10,6 +10,7 @@
 #include "core/sim/simulation.h"
 #include "core/vessel/model/cells.h"
 #include "hydro/equilibrium.h"
+#include "tests/core/sim/scene_rig.h"
 #include "tests/support/refusal.h"
 #include "tests/support/scratch_folder.h"
 
@@ -17,20 +18,13 @@ namespace {
 
 using namespace nilas;
 
-struct Rig {
-  explicit Rig(const std::string& body, int threads = 1)
-      : file(folder.write("scene.xml", "<scene version='1'>" + body + "</scene>")),
-        simulation(read_scene(file), threads, warnings) {}
+struct Rig : test::SceneRig {
+  using SceneRig::SceneRig;
   std::size_t vessel() const { return static_cast<std::size_t>(simulation.vessel_index()); }
   Vec3 place() const { return simulation.bodies().p_GB[vessel()]; }
   Quat attitude() const { return simulation.bodies().q_GB[vessel()]; }
   double mass() const { return simulation.info().vessel_mass.mass; }
   const CarriageLoads& tare() const { return simulation.info().tare.value(); }
-
-  test::ScratchFolder folder;
-  std::filesystem::path file;
-  WarningCounts warnings{make_logger("off", "")};
-  Simulation simulation;
 };
 
 const std::string k_water = "<water density='1000' level='0'/><hydro><buoyancy/><drag/></hydro>";

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
+#include "tests/core/sim/scene_rig.h"
 #include "tests/support/refusal.h"
 #include "tests/support/scratch_folder.h"
 
@@ -16,10 +17,8 @@ namespace {
 
 using namespace nilas;
 
-struct Rig {
-  explicit Rig(const std::string& body)
-      : file(folder.write("scene.xml", "<scene version='1'>" + body + "</scene>")),
-        simulation(read_scene(file), 1, warnings) {}
+struct Rig : test::SceneRig {
+  using SceneRig::SceneRig;
   /// Steps until t, keeps all events, and sees to the accounts.
   StepRecord run(double t, double balance = 1e-10) {
     StepRecord record;
@@ -41,12 +40,7 @@ struct Rig {
       if (event.kind == kind) found.push_back(event);
     return found;
   }
-  const Bodies& bodies() const { return simulation.bodies(); }
 
-  test::ScratchFolder folder;
-  std::filesystem::path file;
-  WarningCounts warnings{make_logger("off", "")};
-  Simulation simulation;
   std::vector<ContactEvent> events;
 };
 
@@ -55,13 +49,12 @@ std::string contact(double mu = 0.3, double restitution = 0, const std::string& 
          std::to_string(mu) + "' restitution='" + std::to_string(restitution) + "' " + more + "/></contact>";
 }
 
-std::string time(double step) { return "<time step='" + std::to_string(step) + "' end='1000'/>"; }
-
 const std::string k_ground = "<body name='ground' shape='plane' fixed='true'/>";
 constexpr double g = 9.81;
 
 TEST(Reference, AFreeThrowIsExact) {
-  Rig rig(time(0.1) + contact() + "<body shape='sphere' radius='0.1' mass='2' position='0 0 5' velocity='1 2 3'/>");
+  Rig rig(test::steps_of(0.1) + contact() +
+          "<body shape='sphere' radius='0.1' mass='2' position='0 0 5' velocity='1 2 3'/>");
   rig.run(2);
   const Vec3 at(2, 4, 5 + 3 * 2 - 0.5 * g * 4);
   EXPECT_NEAR((rig.bodies().p_GB[0] - at).norm(), 0, 1e-12);
@@ -72,7 +65,7 @@ TEST(Reference, AFreeThrowIsExact) {
 TEST(Reference, ABallBouncesAtItsInstantsAndComesToRest) {
   const double h0 = 1, radius = 0.1, t0 = std::sqrt(2 * h0 / g);
   for (const double e : {0.5, 0.8, 0.95}) {
-    Rig rig(time(0.05) + contact(0.3, e) + k_ground +
+    Rig rig(test::steps_of(0.05) + contact(0.3, e) + k_ground +
             "<body shape='sphere' radius='0.1' mass='2' position='0 0 1.1'/>");
     const double end = t0 * (1 + e) / (1 - e);
     rig.run(end + 0.3);
@@ -98,7 +91,8 @@ TEST(Reference, ABallBouncesAtItsInstantsAndComesToRest) {
 }
 
 TEST(Reference, AnElasticBallKeepsItsEnergyOverAThousandBounces) {
-  Rig rig(time(0.5) + contact(0, 1) + k_ground + "<body shape='sphere' radius='0.1' mass='1' position='0 0 0.3'/>");
+  Rig rig(test::steps_of(0.5) + contact(0, 1) + k_ground +
+          "<body shape='sphere' radius='0.1' mass='1' position='0 0 0.3'/>");
   const double period = 2 * std::sqrt(2 * 0.2 / g);
   const StepRecord record = rig.run(1000.5 * period, 1e-8);
   EXPECT_GE(rig.of(ContactEventKind::impact).size(), 1000u);
@@ -109,7 +103,7 @@ TEST(Reference, AnElasticBallKeepsItsEnergyOverAThousandBounces) {
 /// Euler's equations in Jacobi's functions [Landau, Lifshitz, Mechanics, 37].
 TEST(Reference, AFreeAsymmetricTop) {
   const double i1 = 1, i2 = 2, i3 = 3, w1 = 0.8, w3 = 1.3;
-  Rig rig(time(0.1) + contact() +
+  Rig rig(test::steps_of(0.1) + contact() +
           "<gravity value='0 0 0'/><body shape='box' size='1 1 1' mass='1' "
           "inertia='1 2 3 0 0 0' angular_velocity='0.8 0 1.3'/>");
   const double twice_energy = i1 * w1 * w1 + i3 * w3 * w3, square = i1 * i1 * w1 * w1 + i3 * i3 * w3 * w3;
@@ -132,7 +126,7 @@ TEST(Reference, AFreeAsymmetricTop) {
 
 /// z'' = -omega^2 (z - z_0), omega = sqrt(rho g A/m), while the waterline stays on the sides.
 TEST(Reference, AFloatingBoxHeaves) {
-  Rig rig(time(0.05) + contact() +
+  Rig rig(test::steps_of(0.05) + contact() +
           "<water density='1000'/><hydro><buoyancy/></hydro>"
           "<body shape='box' size='2 1 0.5' mass='600' position='0 0 0.05'/>");
   const double level = 0.25 - 0.3, omega = std::sqrt(1000 * g * 2 / 600);
@@ -146,7 +140,7 @@ TEST(Reference, AFloatingBoxHeaves) {
 
 /// v = v0/(1 + k v0 t), k = rho C A/(2 m); the work of drag is the kinetic energy that the motion lost.
 TEST(Reference, QuadraticDrag) {
-  Rig rig(time(0.1) + contact() +
+  Rig rig(test::steps_of(0.1) + contact() +
           "<gravity value='0 0 0'/><water density='1000'/><hydro><drag form='0.8' skin='0'/></hydro>"
           "<body shape='box' size='1 0.5 0.2' mass='100' position='0 0 -5' velocity='2 0 0'/>");
   const double k = 1000 * 0.8 * 0.1 / 200;
@@ -160,7 +154,7 @@ TEST(Reference, QuadraticDrag) {
 }
 
 TEST(Reference, ABlockSlidesToAStop) {
-  Rig rig(time(0.05) + contact(0.3) + k_ground +
+  Rig rig(test::steps_of(0.05) + contact(0.3) + k_ground +
           "<body shape='box' size='1 1 0.2' mass='5' position='0 0 0.1' velocity='2 1 0'/>");
   const double v0 = std::sqrt(5.0), stop = v0 / (0.3 * g), d = v0 * v0 / (2 * 0.3 * g);
   const StepRecord record = rig.run(stop + 0.5);
@@ -175,7 +169,7 @@ TEST(Reference, ABlockSlidesToAStop) {
 
 /// A ball that slides without turning rolls after 2 v0/(7 mu g), with 5 v0/7.
 TEST(Reference, ASlidingBallBeginsToRoll) {
-  Rig rig(time(0.05) + contact(0.2) + k_ground +
+  Rig rig(test::steps_of(0.05) + contact(0.2) + k_ground +
           "<body shape='sphere' radius='0.1' mass='5' position='0 0 0.1' velocity='2 0 0'/>");
   const double t = 2 * 2.0 / (7 * 0.2 * g);
   rig.run(t + 1);
@@ -190,8 +184,8 @@ TEST(Reference, ASlidingBallBeginsToRoll) {
 /// moves.
 TEST(Reference, ElasticBallsHandTheSpeedOn) {
   const std::string ball = "<body shape='sphere' radius='0.1' mass='1' position='";
-  Rig rig(time(0.1) + contact(0.3, 1) + "<gravity value='0 0 0'/>" + ball + "0 0 0' velocity='1 0 0'/>" + ball +
-          "0.7 0 0'/>" + ball + "1.4 0 0'/>");
+  Rig rig(test::steps_of(0.1) + contact(0.3, 1) + "<gravity value='0 0 0'/>" + ball + "0 0 0' velocity='1 0 0'/>" +
+          ball + "0.7 0 0'/>" + ball + "1.4 0 0'/>");
   rig.run(2);
   const auto impacts = rig.of(ContactEventKind::impact);
   ASSERT_EQ(impacts.size(), 2u);
@@ -207,7 +201,7 @@ TEST(Reference, ABallOnASlope) {
   const std::string gravity =
       "<gravity value='" + std::to_string(g * std::sin(a)) + " 0 " + std::to_string(-g * std::cos(a)) + "'/>";
   for (const double mu : {0.3, 0.1}) {
-    Rig rig(time(0.1) + contact(mu) + gravity + k_ground +
+    Rig rig(test::steps_of(0.1) + contact(mu) + gravity + k_ground +
             "<body shape='sphere' radius='0.1' mass='2' position='0 0 0.1'/>");
     rig.run(1);
     const double expected =
@@ -220,7 +214,7 @@ TEST(Reference, ABallOnASlope) {
 /// A box dropped on a corner hits, rocks, and comes to rest on a face: every event keeps the accounts.
 TEST(Reference, ATiltedBoxFallsAndComesToRest) {
   for (const double e : {0.0, 0.3}) {
-    Rig rig(time(0.05) + contact(0.5, e) + k_ground +
+    Rig rig(test::steps_of(0.05) + contact(0.5, e) + k_ground +
             "<body shape='box' size='1 0.8 0.6' mass='3' position='0 0 1' rotation_deg='20 10 30'/>");
     const StepRecord record = rig.run(4, 1e-9);
     EXPECT_NEAR(rig.bodies().p_GB[1].z(), 0.3, 1e-8);
@@ -233,7 +227,7 @@ TEST(Reference, ATiltedBoxFallsAndComesToRest) {
 /// A ball that slides down a fixed one from rest at angle a without friction leaves it where cos = 2/3 cos a.
 TEST(Reference, ABallLeavesASphereAtTwoThirds) {
   const double start = 0.2;
-  Rig rig(time(0.05) + contact(0) + "<body name='dome' shape='sphere' radius='1' fixed='true'/>" +
+  Rig rig(test::steps_of(0.05) + contact(0) + "<body name='dome' shape='sphere' radius='1' fixed='true'/>" +
           fmt::format("<body shape='sphere' radius='0.1' mass='1' position='{:.17g} 0 {:.17g}'/>",
                       1.1 * std::sin(start), 1.1 * std::cos(start)));
   rig.run(1.2);
@@ -247,7 +241,8 @@ TEST(Reference, ABallLeavesASphereAtTwoThirds) {
 
 /// Rolling, friction grows with the slope under the ball until it slips: the account of friction stays closed.
 TEST(Reference, ABallRollsDownASphereThenSlipsThenLeaves) {
-  Rig rig(time(0.05) + contact(0.2, 0, "static='0.3'") + "<body name='dome' shape='sphere' radius='1' fixed='true'/>" +
+  Rig rig(test::steps_of(0.05) + contact(0.2, 0, "static='0.3'") +
+          "<body name='dome' shape='sphere' radius='1' fixed='true'/>" +
           fmt::format("<body shape='sphere' radius='0.1' mass='1' position='{:.17g} 0 {:.17g}'/>", 1.1 * std::sin(0.2),
                       1.1 * std::cos(0.2)));
   const StepRecord record = rig.run(1.5, 1e-9);
@@ -258,7 +253,7 @@ TEST(Reference, ABallRollsDownASphereThenSlipsThenLeaves) {
 }
 
 TEST(Reference, ABoxFallsOnABoxAndBothComeToRest) {
-  Rig rig(time(0.05) + contact(0.3, 0.4) + k_ground +
+  Rig rig(test::steps_of(0.05) + contact(0.3, 0.4) + k_ground +
           "<body shape='box' size='1 1 0.4' mass='5' position='0 0 0.2'/>"
           "<body shape='box' size='0.6 0.6 0.4' mass='2' position='0.1 0.05 0.9' rotation_deg='10 4 8'/>");
   const StepRecord record = rig.run(3, 1e-9);
@@ -269,7 +264,7 @@ TEST(Reference, ABoxFallsOnABoxAndBothComeToRest) {
 
 /// The points of contact change from corners of the box to crossings with the table's edge, and end.
 TEST(Reference, ABoxSlidesOverAnEdge) {
-  Rig rig(time(0.05) + contact(0.3, 0.4) +
+  Rig rig(test::steps_of(0.05) + contact(0.3, 0.4) +
           "<body name='table' shape='box' size='2 2 1' fixed='true'/>"
           "<body shape='box' size='0.3 0.3 0.2' mass='5' position='0.5 0 0.6' velocity='3 0.4 0'/>");
   const StepRecord record = rig.run(1, 1e-9);
@@ -280,7 +275,7 @@ TEST(Reference, ABoxSlidesOverAnEdge) {
 }
 
 TEST(Reference, ASlabThatIsHitBreaksLooseSlidesAndStops) {
-  Rig rig(time(0.05) + contact(0.2, 0, "static='0.4'") + "<gravity value='0 0 -10'/>" + k_ground +
+  Rig rig(test::steps_of(0.05) + contact(0.2, 0, "static='0.4'") + "<gravity value='0 0 -10'/>" + k_ground +
           "<body name='slab' shape='box' size='1 1 0.2' mass='5' position='0 0 0.1'/>"
           "<body name='ball' shape='sphere' radius='0.1' mass='5' position='-0.7 0 0.1' velocity='3 0 0'/>");
   rig.run(3, 1e-9);
@@ -291,7 +286,7 @@ TEST(Reference, ASlabThatIsHitBreaksLooseSlidesAndStops) {
 /// A box that heaves, rolls and pitches freely: the time-stepping schemes come towards the reference with their orders.
 TEST(Reference, TheSteppingSchemesConvergeToIt) {
   const auto end_pose = [](const std::string& integrator, double step) {
-    Rig rig(time(step) + "<contact integrator='" + integrator +
+    Rig rig(test::steps_of(step) + "<contact integrator='" + integrator +
             "'/><water density='1000'/><hydro><buoyancy/></hydro>"
             "<body shape='box' size='2 1 0.5' mass='500' position='0 0 0.03' rotation_deg='0 3 5' "
             "angular_velocity='0.1 0 0.3'/>");
@@ -315,7 +310,7 @@ TEST(Reference, TheSteppingSchemesConvergeToIt) {
 TEST(Reference, WhatItDoesNotTakeIsRefused) {
   const std::string ball = "<body shape='sphere' radius='0.1' mass='1'/>";
   const auto refusal = [](const std::string& body) {
-    return test::refusal<SceneError>([&] { Rig rig(time(0.1) + body); });
+    return test::refusal<SceneError>([&] { Rig rig(test::steps_of(0.1) + body); });
   };
   EXPECT_NE(refusal("<contact integrator='reference' law='ccp'/>" + ball).find("allowed: coulomb"), std::string::npos);
   EXPECT_NE(refusal("<contact integrator='reference' gyroscopic='false'/>" + ball).find("gyroscopic"),
@@ -341,8 +336,8 @@ TEST(Reference, TooManyContactsAtOnceAreSaidToBeSo) {
       text += "<body shape='box' size='1 1 1' mass='1' position='" + std::to_string(2 * k) + " 0 " + z + "'/>";
     return text;
   };
-  EXPECT_THROW(Rig(time(0.1) + contact() + boxes("0.5")), InputError);
-  Rig falling(time(1) + contact() + boxes("0.6"));
+  EXPECT_THROW(Rig(test::steps_of(0.1) + contact() + boxes("0.5")), InputError);
+  Rig falling(test::steps_of(1) + contact() + boxes("0.6"));
   EXPECT_THROW(falling.simulation.step(), SimulationError);
 }
 

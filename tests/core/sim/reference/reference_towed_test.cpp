@@ -9,6 +9,7 @@
 #include "core/numerics/event_ode.h"
 #include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
+#include "tests/core/sim/scene_rig.h"
 #include "tests/support/scratch_folder.h"
 
 namespace {
@@ -17,15 +18,11 @@ using namespace nilas;
 
 constexpr double k_mass = 800, k_gravity = 9.81;
 
-struct Rig {
-  explicit Rig(const std::string& body) {
-    write_stl(box_shape(Vec3(2, 1, 0.5)).surface, folder / "box.stl");
-    folder.write("track.csv", "t_s,x_m,y_m,yaw_deg\n0.25,0,0,0\n1.25,1.5,0,0\n");
-    scene = read_scene(folder.write("scene.xml", "<scene version='1'>" + body + "</scene>"));
-    simulation = std::make_unique<Simulation>(scene, 1, warnings);
-  }
+struct Rig : test::SceneRig {
+  explicit Rig(const std::string& body)
+      : SceneRig(body, 1, {{"track.csv", "t_s,x_m,y_m,yaw_deg\n0.25,0,0,0\n1.25,1.5,0,0\n"}}) {}
   StepRecord step() {
-    const StepRecord record = simulation->step();
+    const StepRecord record = simulation.step();
     double scale = 1 + record.ledger.kinetic + std::abs(record.ledger.potential);
     for (const double work : record.ledger.works) scale += std::abs(work);
     if (scene.contact.integrator == Integrator::reference) {
@@ -38,17 +35,11 @@ struct Rig {
   }
   StepRecord run(double t) {
     StepRecord record;
-    while (simulation->time() < t - 1e-9) record = step();
+    while (simulation.time() < t - 1e-9) record = step();
     return record;
   }
-  const Bodies& bodies() const { return simulation->bodies(); }
   /// Pitch of the hull about y, from X towards -Z [rad].
   double pitch() const { return std::atan2(-bodies().R_GB[0](2, 0), bodies().R_GB[0](0, 0)); }
-
-  test::ScratchFolder folder;
-  Scene scene;
-  WarningCounts warnings{make_logger("off", "")};
-  std::unique_ptr<Simulation> simulation;
 };
 
 std::string settings(const std::string& integrator, double step, double friction = 0, double restitution = 0) {
@@ -122,7 +113,7 @@ TEST(ReferenceTowed, SwingsOnItsFreePitch) {
   for (const std::string& balance : {std::string(""), std::string("<force_balance kind='rigid'/>")}) {
     Rig rig(settings("reference", 0.1) + towed(free + balance));
     for (const double t : {0.5, 1.0, 2.0, 4.0}) {
-      while (rig.simulation->time() < t - 1e-9) {
+      while (rig.simulation.time() < t - 1e-9) {
         const StepRecord record = rig.step();
         EXPECT_NEAR(record.vessel->carriage->about_joint.torque.y(), 0, 1e-8);
       }
@@ -142,7 +133,7 @@ TEST(ReferenceTowed, APartSwingsUnderTheHull) {
   double force = 0;
   for (const double t : {0.5, 1.5}) {
     StepRecord record;
-    while (rig.simulation->time() < t - 1e-9) {
+    while (rig.simulation.time() < t - 1e-9) {
       record = rig.step();
       force += 0.1 * record.vessel->carriage->about_com.force.x();
       EXPECT_LT(record.vessel->parts[0].unbalanced_force + record.vessel->parts[0].unbalanced_torque, 1e-9);
