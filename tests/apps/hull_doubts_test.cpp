@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/hull/hull_axes.h"
+#include "tests/apps/write_obj.h"
 #include "tests/core/hull/hull_family.h"
 #include "tests/support/program.h"
 
@@ -13,13 +14,6 @@ namespace {
 
 using namespace nilas_test;
 using nilas::MeshAxes;
-
-void write_obj(const fs::path& file, const TriangleMesh& mesh) {
-  std::ofstream out(file);
-  out.precision(9);
-  for (const auto& p : mesh.vertices) out << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << "\n";
-  for (const auto& t : mesh.triangles) out << "f " << 1 + t[0] << ' ' << 1 + t[1] << ' ' << 1 + t[2] << "\n";
-}
 
 nlohmann::json report(const ProgramResult& made) {
   EXPECT_EQ(made.exit_code, 0) << made.err;
@@ -47,7 +41,7 @@ std::string scene_with(const std::string& hull, const std::string& vessel) {
 
 TEST(HullDoubts, TheFlagsThatAWarningNamesMendIt) {
   const ScratchFolder folder;
-  write_obj(folder / "ship.obj", drawn_otherwise());
+  write_obj(folder / "ship.obj", {drawn_otherwise()});
   const auto wrong = run_nilas("hull ship.obj --scale 0.3048 --json --out wrong", folder.path());
   const auto doubted = report(wrong);
   ASSERT_EQ(doubted["warnings"].size(), 1u) << wrong.out;
@@ -73,7 +67,7 @@ TEST(HullDoubts, TheFlagsThatAWarningNamesMendIt) {
 
 TEST(HullDoubts, ASceneIsWarnedWithThePlaceOfItsHull) {
   const ScratchFolder folder;
-  write_obj(folder / "ship.obj", coaster());
+  write_obj(folder / "ship.obj", {coaster()});
   ASSERT_EQ(run_nilas("hull ship.obj --forward -y --out across", folder.path()).exit_code, 0);
   folder.write("across.xml", scene_with("across", "position=\"0 0\"><mass draught=\"6\"/>"));
   const auto checked = run_nilas("check across.xml", folder.path());
@@ -92,7 +86,7 @@ TEST(HullDoubts, ASceneIsWarnedWithThePlaceOfItsHull) {
 
 TEST(HullDoubts, AMassInKilogramsTellsFeet) {
   const ScratchFolder folder;
-  write_obj(folder / "ship.obj", coaster());
+  write_obj(folder / "ship.obj", {coaster()});
   ASSERT_EQ(run_nilas("hull ship.obj --scale 3.280839895 --out feet", folder.path()).exit_code, 0);
   ASSERT_EQ(run_nilas("hull ship.obj --out metres", folder.path()).exit_code, 0);
   const std::string mass = "><mass value=\"9.8e6\"/>";
@@ -116,7 +110,7 @@ TEST(HullDoubts, TheReportBeginsWithWords) {
 
 TEST(HullDoubts, AxesThatAreNotAcrossEachOtherAreRefused) {
   const ScratchFolder folder;
-  write_obj(folder / "ship.obj", coaster());
+  write_obj(folder / "ship.obj", {coaster()});
   for (const char* flags : {"--up x", "--forward z", "--forward -y --up y"}) {
     const auto refused = run_nilas(std::string("hull ship.obj --out made ") + flags, folder.path());
     EXPECT_EQ(refused.exit_code, 2) << flags;

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/geometry/mesh.h"
+#include "tests/apps/write_obj.h"
 #include "tests/core/mesh/hull_shapes.h"
 #include "tests/support/program.h"
 
@@ -19,20 +20,6 @@ nlohmann::json prepared(const ScratchFolder& folder, const std::string& argument
   const auto made = run_nilas("hull " + arguments + " --json", folder.path());
   EXPECT_EQ(made.exit_code, 0) << made.err;
   return made.exit_code == 0 ? nlohmann::json::parse(made.out, nullptr, false) : nlohmann::json{};
-}
-
-/// Text OBJ with the shells one after the other, in units of `unit` metres.
-void write_obj(const fs::path& file, const std::vector<TriangleMesh>& shells, double unit = 1) {
-  std::ofstream out(file);
-  out.precision(9);
-  int first = 1;
-  for (const auto& shell : shells) {
-    for (const auto& p : shell.vertices)
-      out << "v " << p.x() / unit << ' ' << p.y() / unit << ' ' << p.z() / unit << "\n";
-    for (const auto& t : shell.triangles)
-      out << "f " << first + t[0] << ' ' << first + t[1] << ' ' << first + t[2] << "\n";
-    first += static_cast<int>(shell.vertices.size());
-  }
 }
 
 /// Floats at half its height among a few floes for a few steps.
