@@ -114,16 +114,7 @@ TEST(Compare, RefusesNamesThatDoNotExist) {
 
 TEST(Compare, AFailingSettingStaysInTheTable) {
   const ScratchFolder folder;
-  folder.write("stack.xml", R"(<scene version="1" name="stack">
-  <time step="0.01" end="0.1"/>
-  <contact law="coulomb" solver="nsgs" tolerance="10" max_iterations="2" on_failure="stop">
-    <friction between="structure structure" static="0.5" kinetic="0.5"/>
-  </contact>
-  <body name="ground" shape="plane" fixed="true"/>
-  <body name="light" shape="box" size="1 1 1" mass="1" position="0 0 0.5"/>
-  <body name="heavy" shape="box" size="1 1 1" mass="1000" position="0 0 1.5" velocity="1 0 0"/>
-</scene>
-)");
+  folder.write("stack.xml", stack("tolerance=\"10\" on_failure=\"stop\""));
   const auto result =
       run_nilas("compare stack.xml --out out --solvers nsgs,newton --tolerance 10,1e-12 --seeds 1", folder.path());
   EXPECT_EQ(result.exit_code, 0) << result.out << result.err;

@@ -4,26 +4,12 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "tests/apps/small_scenes.h"
 #include "tests/support/program.h"
 
 namespace {
 
 using namespace nilas_test;
-
-/// A heavy box on a light one: two sweeps of Gauss-Seidel do not reach the tolerance.
-std::string stack(const std::string& contact) {
-  return R"(<scene version="1" name="stack">
-  <time step="0.01" end="0.1"/>
-  <contact law="coulomb" solver="nsgs" tolerance="1e-12" max_iterations="2" )" +
-         contact + R"(>
-    <friction between="structure structure" static="0.5" kinetic="0.5"/>
-  </contact>
-  <body name="ground" shape="plane" fixed="true"/>
-  <body name="light" shape="box" size="1 1 1" mass="1" position="0 0 0.5"/>
-  <body name="heavy" shape="box" size="1 1 1" mass="1000" position="0 0 1.5" velocity="1 0 0"/>
-</scene>
-)";
-}
 
 std::vector<std::string> files_of(const fs::path& folder) {
   std::vector<std::string> names;
@@ -35,7 +21,7 @@ std::vector<std::string> files_of(const fs::path& folder) {
 
 TEST(Failure, StopEndsWithCodeThreeAndLeavesTheProblem) {
   const ScratchFolder folder;
-  folder.write("stack.xml", stack("on_failure='stop'"));
+  folder.write("stack.xml", stack("tolerance='1e-12' on_failure='stop'"));
   const auto result = run_nilas("run stack.xml --out run --json", folder.path());
   EXPECT_EQ(result.exit_code, 3) << result.err;
   EXPECT_NE(result.err.find("law_map_m_s"), std::string::npos) << result.err;
@@ -50,7 +36,7 @@ TEST(Failure, StopEndsWithCodeThreeAndLeavesTheProblem) {
 
 TEST(Failure, RecordGoesOnAndCounts) {
   const ScratchFolder folder;
-  folder.write("stack.xml", stack("on_failure='record'"));
+  folder.write("stack.xml", stack("tolerance='1e-12' on_failure='record'"));
   const auto result = run_nilas("run stack.xml --out run --json --set output/@problems=failed", folder.path());
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const auto summary = nlohmann::json::parse(result.out);
@@ -65,7 +51,7 @@ TEST(Failure, RecordGoesOnAndCounts) {
 
 TEST(Failure, RetryClimbsToAutoAndConverges) {
   const ScratchFolder folder;
-  folder.write("stack.xml", stack("on_failure='retry'"));
+  folder.write("stack.xml", stack("tolerance='1e-12' on_failure='retry'"));
   const auto result = run_nilas(
       "run stack.xml --out run --json --set contact/@max_iterations=100 --set output/@problems=every "
       "--set contact/@tolerance=1e-9",
@@ -77,7 +63,7 @@ TEST(Failure, RetryClimbsToAutoAndConverges) {
 
 TEST(Failure, WorstKeepsOneProblem) {
   const ScratchFolder folder;
-  folder.write("stack.xml", stack("on_failure='record'"));
+  folder.write("stack.xml", stack("tolerance='1e-12' on_failure='record'"));
   const auto result = run_nilas("run stack.xml --out run --json --set output/@problems=worst", folder.path());
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(files_of(folder.path() / "run/problems"), std::vector<std::string>{"worst.hdf5"});
