@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/hdf5/hdf5_file.h"
+#include "tests/scenario/vessel_rows.h"
 #include "tests/support/started_program.h"
 
 namespace {
@@ -56,18 +57,6 @@ struct Vectors {
   std::vector<double> x, y, z;
 };
 
-Matrix3d attitude(const Table& t, std::size_t row) {
-  constexpr double k_deg = 3.14159265358979323846 / 180;
-  return (Eigen::AngleAxisd(t["yaw_deg"][row] * k_deg, Vector3d::UnitZ()) *
-          Eigen::AngleAxisd(t["pitch_deg"][row] * k_deg, Vector3d::UnitY()) *
-          Eigen::AngleAxisd(t["roll_deg"][row] * k_deg, Vector3d::UnitX()))
-      .toRotationMatrix();
-}
-
-Vector3d triple(const Table& t, const std::string& start, const std::string& unit, std::size_t row) {
-  return in_row(t[start + "x" + unit], t[start + "y" + unit], t[start + "z" + unit], row);
-}
-
 /// Compares with vessel.csv. With semi-implicit Euler the contacts of a row are found at the pose of the row before.
 void expect_sums_of_vessel_csv(const fs::path& run, bool with_couples) {
   const Table vessel(run / "vessel.csv");
@@ -82,7 +71,7 @@ void expect_sums_of_vessel_csv(const fs::path& run, bool with_couples) {
   ASSERT_EQ(index.size(), 2 * vessel.rows());
   std::size_t rows = 0;
   for (std::size_t k = 1; k < vessel.rows(); ++k) {
-    const Vector3d com = triple(vessel, "", "_m", k - 1);
+    const Vector3d com = vector_in_row(vessel, "", "_m", k - 1);
     const Matrix3d R = attitude(vessel, k - 1);
     Vector3d force = Vector3d::Zero(), moment = Vector3d::Zero();
     for (auto i = static_cast<std::size_t>(index[2 * k]); i < static_cast<std::size_t>(index[2 * k + 1]); ++i, ++rows) {
@@ -94,8 +83,9 @@ void expect_sums_of_vessel_csv(const fs::path& run, bool with_couples) {
       moment += (p[i] - com).cross(f[i]);
       if (couple) moment += (*couple)[i];
     }
-    EXPECT_LT((force - triple(vessel, "contact_f", "_N", k)).norm(), 1e-9 * (1 + force.norm())) << "row " << k;
-    EXPECT_LT((moment - triple(vessel, "contact_m", "_Nm", k)).norm(), 1e-8 * (1 + moment.norm())) << "row " << k;
+    EXPECT_LT((force - vector_in_row(vessel, "contact_f", "_N", k)).norm(), 1e-9 * (1 + force.norm())) << "row " << k;
+    EXPECT_LT((moment - vector_in_row(vessel, "contact_m", "_Nm", k)).norm(), 1e-8 * (1 + moment.norm()))
+        << "row " << k;
   }
   EXPECT_GT(rows, 200u) << "too few contacts to tell anything";
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "tests/scenario/vessel_rows.h"
 #include "tests/support/program.h"
 
 namespace {
@@ -14,18 +15,6 @@ namespace {
 using namespace nilas_test;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-Vector3d column(const Table& t, const std::string& start, const std::string& unit, std::size_t row) {
-  return {t[start + "x" + unit][row], t[start + "y" + unit][row], t[start + "z" + unit][row]};
-}
-
-Matrix3d attitude(const Table& t, std::size_t row) {
-  constexpr double k_deg = 3.14159265358979323846 / 180;
-  return (Eigen::AngleAxisd(t["yaw_deg"][row] * k_deg, Vector3d::UnitZ()) *
-          Eigen::AngleAxisd(t["pitch_deg"][row] * k_deg, Vector3d::UnitY()) *
-          Eigen::AngleAxisd(t["roll_deg"][row] * k_deg, Vector3d::UnitX()))
-      .toRotationMatrix();
-}
 
 void verify_newton(const fs::path& run, double h) {
   const Table t(run / "vessel.csv");
@@ -36,22 +25,22 @@ void verify_newton(const fs::path& run, double h) {
   I << i[0], i[3], i[4], i[3], i[1], i[5], i[4], i[5], i[2];
   double worst_force = 0, worst_torque = 0;
   for (std::size_t k = 1; k < t.rows(); ++k) {
-    const Vector3d contact = column(t, "contact_f", "_N", k), hydro = column(t, "hydro_f", "_N", k),
-                   carriage = column(t, "carriage_f", "_N", k), weight(0, 0, -9.81 * m);
-    const Vector3d momentum = m / h * (column(t, "v", "_m_s", k) - column(t, "v", "_m_s", k - 1));
+    const Vector3d contact = vector_in_row(t, "contact_f", "_N", k), hydro = vector_in_row(t, "hydro_f", "_N", k),
+                   carriage = vector_in_row(t, "carriage_f", "_N", k), weight(0, 0, -9.81 * m);
+    const Vector3d momentum = m / h * (vector_in_row(t, "v", "_m_s", k) - vector_in_row(t, "v", "_m_s", k - 1));
     const double scale = std::max({contact.norm(), hydro.norm(), carriage.norm(), weight.norm(), momentum.norm()});
     worst_force = std::max(worst_force, (contact + hydro + carriage + weight - momentum).norm() / scale);
 
     const auto L = [&](std::size_t row) -> Vector3d {
       const Matrix3d R = attitude(t, row);
-      return R * I * R.transpose() * column(t, "w", "_rad_s", row);
+      return R * I * R.transpose() * vector_in_row(t, "w", "_rad_s", row);
     };
-    const Vector3d contact_m = column(t, "contact_m", "_Nm", k), hydro_m = column(t, "hydro_m", "_Nm", k),
-                   hull_m = column(t, "hull_m", "_Nm", k), spin = (L(k) - L(k - 1)) / h;
+    const Vector3d contact_m = vector_in_row(t, "contact_m", "_Nm", k), hydro_m = vector_in_row(t, "hydro_m", "_Nm", k),
+                   hull_m = vector_in_row(t, "hull_m", "_Nm", k), spin = (L(k) - L(k - 1)) / h;
     const double scale_m = std::max({contact_m.norm(), hydro_m.norm(), hull_m.norm(), spin.norm()});
     worst_torque = std::max(worst_torque, (contact_m + hydro_m + hull_m - spin).norm() / scale_m);
     // The columns hold the same force, and its moment moved from the joint to the centre of mass.
-    EXPECT_NEAR((carriage - column(t, "hull_f", "_N", k)).norm(), 0, 1e-9 * (1 + carriage.norm()));
+    EXPECT_NEAR((carriage - vector_in_row(t, "hull_f", "_N", k)).norm(), 0, 1e-9 * (1 + carriage.norm()));
   }
   EXPECT_LE(worst_force, 1e-6);
   EXPECT_LE(worst_torque, 1e-6);
