@@ -21,15 +21,6 @@ Wrench buoyancy_on(const Bodies& bodies, int b) {
   return out[b];
 }
 
-std::vector<Shape> shapes() {
-  return {prism_shape(concave_outline(), 0.6),
-          prism_shape(forked_outline(), 3),
-          box_shape({2, 1, 0.5}),
-          cylinder_shape(0.6, 1.5),
-          sphere_shape(0.8),
-          mesh_shape(lofted_hull(), {})};
-}
-
 /// Potential energy after a turn by `turn` (rotation vector) and a shift.
 double potential_near(const Bodies& bodies, const Vec3& shift, const Vec3& turn) {
   Bodies moved = bodies;

@@ -30,15 +30,6 @@ std::vector<Vec2> rectangle(double length, double width) {
   return {{-x, -y}, {x, -y}, {x, y}, {-x, y}};
 }
 
-std::vector<Shape> shapes() {
-  return {prism_shape(concave_outline(), 0.6),
-          prism_shape(forked_outline(), 3),
-          box_shape({2, 1, 0.5}),
-          cylinder_shape(0.6, 1.5),
-          sphere_shape(0.8),
-          mesh_shape(lofted_hull(), {})};
-}
-
 /// All shapes at random poses near the surface with random motion.
 Bodies random_bodies(const std::string& stream, int rounds) {
   Bodies bodies;

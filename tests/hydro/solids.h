@@ -74,6 +74,16 @@ inline std::vector<Solid> solids() {
           {"thin plate far from its origin", far_plate, 4}};
 }
 
+/// A shape of each kind that water acts on.
+inline std::vector<Shape> shapes() {
+  return {prism_shape(concave_outline(), 0.6),
+          prism_shape(forked_outline(), 3),
+          box_shape({2, 1, 0.5}),
+          cylinder_shape(0.6, 1.5),
+          sphere_shape(0.8),
+          mesh_shape(lofted_hull(), {})};
+}
+
 /// A body with the mass properties of its surface at the given density (a sphere: its own).
 inline int add_body(Bodies& bodies, const Shape& shape, const Pose& pose, double density = 900,
                     BodyKind kind = BodyKind::rigid, Motion motion = Motion::free) {
