@@ -79,6 +79,23 @@ inline Vec3 angular_momentum(const VesselModel& model, const VesselState& state)
   return R * model.mass.inertia * R.transpose() * state.w;
 }
 
+/// Moves a vessel by a pseudo velocity for 0.01 s, and expects that its momenta stay.
+inline void expect_displacement_keeps_momenta(VesselModel model) {
+  constexpr double k_step = 0.01;
+  model.v = {1, 2, 3};
+  model.w = {0.3, 0.8, -0.4};
+  VesselSystem system(model, 0);
+  const VesselState before = system.state();
+  Vec6 pseudo;
+  pseudo << 0.1, -0.2, 0.3, 0.5, 0, 0;
+  system.displace(pseudo, k_step);
+  const VesselState& after = system.state();
+  EXPECT_LT((after.pose.p - before.pose.p - k_step * pseudo.head<3>()).norm(), 1e-15);
+  EXPECT_NEAR(after.pose.q.angularDistance(before.pose.q), 0.005, 1e-12);
+  EXPECT_EQ(after.v, before.v);
+  EXPECT_LT((angular_momentum(model, after) - angular_momentum(model, before)).norm(), 1e-11);
+}
+
 /// A file that goes when the test ends.
 class TemporaryFile {
  public:
