@@ -119,7 +119,7 @@ TEST(Newton, SlightlyAsymmetricW) {
 }
 
 TEST(Newton, SaysWhatItCannotDo) {
-  ContactProblem problem = particle(2, 1, 3, 0.5);
+  ContactProblem problem = test::particle(Law::coulomb, 2, 0.5, {-1, 3, 0});
   problem.f[0] = std::numeric_limits<double>::quiet_NaN();
   const ContactSolution bad = solve(problem);
   EXPECT_EQ(bad.status, SolveStatus::numerical_error);
