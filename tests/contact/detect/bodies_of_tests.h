@@ -8,7 +8,6 @@
 #include "core/base/math.h"
 #include "core/base/random.h"
 #include "core/bodies/bodies.h"
-#include "core/geometry/mass_properties.h"
 #include "core/geometry/shape.h"
 #include "tests/support/about_centroid.h"
 

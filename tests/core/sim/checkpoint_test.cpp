@@ -5,9 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <bit>
-#include <fstream>
 #include <limits>
-#include <sstream>
 
 #include "contact/measure/measure.h"
 #include "core/base/error.h"

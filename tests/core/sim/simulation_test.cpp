@@ -5,14 +5,10 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 
 #include "core/base/error.h"
-#include "core/scene/read/read_scene.h"
 #include "tests/core/sim/scene_rig.h"
 #include "tests/support/refusal.h"
-#include "tests/support/scratch_folder.h"
 
 namespace {
 

@@ -5,10 +5,8 @@
 #include <string>
 
 #include "contact/step_motion.h"
-#include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
 #include "tests/core/sim/scene_rig.h"
-#include "tests/support/scratch_folder.h"
 
 namespace {
 

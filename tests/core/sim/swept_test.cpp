@@ -5,12 +5,10 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
 #include "tests/core/sim/scene_rig.h"
 #include "tests/support/collision/thin_plates.h"
 #include "tests/support/mirrored.h"
-#include "tests/support/scratch_folder.h"
 
 namespace {
 

@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "core/base/error.h"
 #include "core/field/sizes/distribution_statistics.h"
 #include "core/geometry/mass_properties.h"
 #include "core/scene/read/read_scene.h"

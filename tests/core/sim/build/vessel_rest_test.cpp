@@ -6,13 +6,11 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
 #include "core/vessel/model/cells.h"
 #include "hydro/equilibrium.h"
 #include "tests/core/sim/scene_rig.h"
 #include "tests/support/refusal.h"
-#include "tests/support/scratch_folder.h"
 
 namespace {
 

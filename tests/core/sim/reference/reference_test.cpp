@@ -7,11 +7,9 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
 #include "tests/core/sim/scene_rig.h"
 #include "tests/support/refusal.h"
-#include "tests/support/scratch_folder.h"
 
 namespace {
 

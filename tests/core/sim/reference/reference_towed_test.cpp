@@ -7,10 +7,8 @@
 
 #include "core/geometry/mesh.h"
 #include "core/numerics/event_ode.h"
-#include "core/scene/read/read_scene.h"
 #include "core/sim/simulation.h"
 #include "tests/core/sim/scene_rig.h"
-#include "tests/support/scratch_folder.h"
 
 namespace {
 
