@@ -10,9 +10,9 @@ namespace nilas {
 struct ContactScale {
   double mu = 0;
   double force_limit = 0;  ///< [N s]
-  double d = 0;            ///< trace(W_cc)/3 [1/kg]
+  double d = 0;  ///< trace(W_cc)/3, or where that is 0, since neither side moves, the compliance of the contact [1/kg]
 };
-/// `d`: trace(W_cc)/3.
+/// `d`: trace(W_cc)/3, which may be 0.
 ContactScale contact_scale(const ContactProblem& problem, int c, double d);
 ContactScale contact_scale(const LocalProblem& problem, int c);
 

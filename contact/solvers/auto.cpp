@@ -158,6 +158,7 @@ ContactSolution climb(const LocalProblem& island, const VecX& guess, Start start
   }
   if (at.map <= settings.shared.tolerance) at.best.status = SolveStatus::converged;
   const bool knows_cones = known_to_admm_and_ipm(island.law);
+  // With bodies only islands come here that rung 1 could not solve from the guess, so it is not near their solution.
   const double first_weight = !start.cold && !start.swept ? k_warm_weight : k_cold_weight;
 
   if (!start.swept && at.goes_on()) sweep("nsgs", settings.first_sweeps, at);

@@ -5,12 +5,6 @@
 
 namespace nilas {
 
-namespace {
-
-/// First of the three numbers of a block row.
-
-}  // namespace
-
 BlockCholesky::BlockCholesky(const Eigen::SparseMatrix<double>& a) : a_(a) {
   const int* const outer = a.outerIndexPtr();
   row_start_.push_back(0);
