@@ -1,5 +1,18 @@
 #pragma once
-/// Data that FCLIB does not define lie in vectors/{mu_static,force_limit,compliance}; a list of defaults is absent.
+/// Frictional contact problems in FCLIB format (HDF5), three-dimensional, in local or global form.
+///
+///   /fclib_local   spacedim, W, vectors/{q,mu}        u = W r + q
+///   /fclib_global  spacedim, M, H, vectors/{f,w,mu}   M v = f + H r,  u = H^T v + w
+///   /fclib_global_rolling   the same with five rows (N, T1, T2, R1, R2) per contact, and vectors/mu_r [m]
+///
+/// Each of these groups also has info/{title,description,math_info}. A file holds one of them, and beside it
+/// /solution/r and /guesses/1/r where it has impulses. Those that are all zero are placeholders and count as absent.
+/// Solutions are written with their velocities: /solution/u, and /solution/v in the global forms. Guesses are only
+/// read.
+///
+/// FCLIB has no place for a coefficient of static friction, a force limit and a compliance. They lie in
+/// vectors/{mu_static,force_limit,compliance}. Such a list is left out where all its values are the defaults, which are
+/// mu, infinity and 0.
 #include <filesystem>
 #include <optional>
 #include <string>
