@@ -39,6 +39,14 @@ TEST(Friction, PairsThatNothingNamesAreFrictionless) {
   EXPECT_TRUE(table.names("ice", "ice"));
 }
 
+TEST(Friction, AnEntryAddedLaterCounts) {
+  FrictionTable table;
+  EXPECT_FALSE(table.names("ice", "wall"));
+  table.add("wall", "ice", {0.1, 0.1, 0});
+  EXPECT_EQ(table.find("ice", "wall").mu_kinetic, 0.1);
+  EXPECT_TRUE(table.names("ice", "wall"));
+}
+
 TEST(Friction, PairsByNumberAreThoseByName) {
   FrictionTable table;
   table.add("*", "hull", {0.2, 0.1, 0.5});
