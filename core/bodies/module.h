@@ -75,7 +75,8 @@ class Module {
 
   /// A step begins.
   virtual void begin_step() {}
-  /// Remembers what add_contacts() changes, and goes back to it where the substep is taken back.
+  /// Remembers what add_contacts() changes, and goes back to it where the substep is taken back. Called only where a
+  /// substep moves bodies before contacts are searched: with theta < 1 and continuous detection.
   virtual void remember() {}
   virtual void go_back() {}
   /// A substep was taken: its velocities, impulses and points.
