@@ -4,10 +4,14 @@
 usage: links.py [FOLDER]
 
 FOLDER is the repository (default: the one that holds this script). Checked are README.md, CHANGELOG.md, docs/**/*.md and
-the README.md of each top folder: every relative link and picture must name a file of the repository, and every #anchor a heading of its page, by the rule
-that GitHub makes anchors with. Links with a scheme (https:) are not followed: the check needs no network. In sources,
+the README.md of each top folder: every relative link and picture must name a file of the repository, and every #anchor
+a heading of its page, by the rule that GitHub makes anchors with. Links with a scheme (https:) are not followed: the check needs no network. In sources,
 scripts and scenes, every page that is named by its path from docs/ must exist. In pages, so must every source that is
-named by its path in backticks, as `core/base/{log,error}.h` or `contact/law/*`; names in capitals stand for others. Exit code 1 where something is dead, with file and line.
+named by its path in backticks, as `core/base/{log,error}.h` or `contact/law/*`; names in capitals stand for others.
+In docs/develop and in the README.md of a folder, a path of a source that does not start at the top must end the path
+of some file, as `shared/budget.h` does. In blocks of code, every #include "..." must name a file, and every
+literalinclude a file that holds the lines by which it starts and ends.
+Exit code 1 where something is dead, with file and line.
 """
 import glob
 import os
@@ -19,9 +23,15 @@ from pathlib import Path
 SOURCE_FOLDERS = ("core", "contact", "hydro", "fracture", "apps", "tests")
 SOURCE_SUFFIXES = {".cpp", ".h", ".py", ".sh", ".txt", ".xml", ".awk"}
 # Files that the reader of a page writes.
-TO_BE_WRITTEN = {"hydro/push.cpp", "tests/core/sim/push_test.cpp", "tests/contact/solvers/jacobi_test.cpp"}
+TO_BE_WRITTEN = {"hydro/push.cpp", "tests/contact/solvers/jacobi_test.cpp"}
+# Files of a user, as examples name them.
+NAMES_OF_USERS = {"jacobi.h", "jacobi.cpp", "scene.xml", "s.xml"}
 PAGE_NAME = re.compile(r"\bdocs/[\w/-]+\.md\b")
 CODE_PATH = re.compile(r"`((?:core|contact|hydro|fracture|apps|tests)/[\w./*{},-]*)`")
+LOCAL_PATH = re.compile(r"`((?:[\w-]+/)*[\w.-]+\.(?:cpp|h|py|awk|xml))`")
+INCLUDE = re.compile(r"\s*#\s*include\s*\"([^\"]+)\"")
+LITERALINCLUDE = re.compile(r"\s*`{3,}\{literalinclude\}\s+(\S+)")
+OPTION = re.compile(r"\s*:([\w-]+):\s*(.*)$")
 LINK = re.compile(r"!?\[(?:[^\[\]]|\[[^\]]*\](?:\([^)]*\))?)*\]\(\s*<?([^)\s>]+)>?(?:\s+[\"'][^)]*)?\)")
 DEFINITION = re.compile(r"^ {0,3}\[[^\]]+\]:\s+<?(\S+?)>?(?:\s|$)")
 HTML_LINK = re.compile(r"<(?:a|img)\b[^>]*?\b(?:href|src)=[\"']([^\"']+)[\"']")
@@ -111,6 +121,74 @@ def faults_of_source(path, root):
                 yield number, f"'{name}' is no page"
 
 
+def code_lines(text):
+    """Number and text of each line that stands in a block of code, the line that opens it included."""
+    outside = {number for number, _ in prose_lines(text)}
+    for number, line in enumerate(text.split("\n"), 1):
+        if number not in outside:
+            yield number, line
+
+
+def fault_of_excerpt(options, path):
+    """What is wrong with the lines by which an excerpt of a file starts and ends, found as Sphinx finds them."""
+    lines = path.read_text(encoding="utf-8").split("\n")
+    for option in ("start-at", "start-after"):
+        if option in options:
+            found = [k for k, line in enumerate(lines) if options[option] in line]
+            if not found:
+                return f"has no line with '{options[option]}'"
+            lines = lines[found[0] + (option == "start-after"):]
+    for option in ("end-at", "end-before"):
+        first = int(option == "end-before")
+        if option in options and not any(options[option] in line for line in lines[first:]):
+            return f"has no line with '{options[option]}' after its start"
+    return None
+
+
+def faults_of_code_blocks(page, root):
+    lines = list(code_lines(page.read_text(encoding="utf-8")))
+    for k, (number, line) in enumerate(lines):
+        include = INCLUDE.match(line)
+        if include and not (root / include[1]).is_file():
+            yield number, f"'{include[1]}' is no file to include"
+        excerpt = LITERALINCLUDE.match(line)
+        if not excerpt:
+            continue
+        path = Path(os.path.normpath(page.parent / excerpt[1]))
+        if not path.is_file():
+            yield number, f"'{excerpt[1]}' names no file"
+            continue
+        options = {}
+        for _, below in lines[k + 1:]:
+            option = OPTION.match(below)
+            if not option:
+                break
+            options[option[1]] = option[2].strip().strip("'")
+        fault = fault_of_excerpt(options, path)
+        if fault:
+            yield number, f"'{excerpt[1]}' {fault}"
+
+
+def faults_of_local_names(page, root, files):
+    """Paths that do not start at the top: they must end the path of some file, so that only sure faults are found."""
+    for number, line in prose_lines(page.read_text(encoding="utf-8")):
+        for name in LOCAL_PATH.findall(line):
+            stands_for_others = re.search(r"[A-Z]{3}", name)
+            written = any(("/" + path).endswith("/" + name) for path in TO_BE_WRITTEN)
+            if not stands_for_others and not written and name not in files and name not in NAMES_OF_USERS:
+                yield number, f"'{name}' ends the path of no file of the repository"
+
+
+def ends_of_paths(root):
+    """Every end of the path of every source: a.h, contact/a.h, ..."""
+    found = set()
+    for folder in (*SOURCE_FOLDERS, "docs"):
+        for path in (root / folder).rglob("*"):
+            parts = path.relative_to(root).parts
+            found.update("/".join(parts[k:]) for k in range(len(parts)))
+    return found
+
+
 def alternatives(path):
     """`a/{b,c}.h` names two files."""
     found = re.search(r"\{([^}]*)\}", path)
@@ -138,6 +216,11 @@ def main():
     faults = [(path, *fault) for path in pages for fault in faults_of_page(path, root, known)]
     faults += [(path, *fault) for path in pages + sources for fault in faults_of_source(path, root)]
     faults += [(path, *fault) for path in pages if path.name != "CHANGELOG.md" for fault in faults_of_code_names(path, root)]
+    faults += [(path, *fault) for path in pages if path.name != "CHANGELOG.md" for fault in faults_of_code_blocks(path, root)]
+    files = ends_of_paths(root)
+    for path in pages:
+        if path.parent == root / "docs/develop" or path.name == "README.md" and path.parent != root:
+            faults += [(path, *fault) for fault in faults_of_local_names(path, root, files)]
     for path, number, text in faults:
         count += 1
         print(f"{path.relative_to(root)}:{number}: {text}", file=sys.stderr)
